@@ -2,6 +2,7 @@
 #include "app/answers.h"
 
 #include "core/analysis/gate_passages.h"
+#include "core/project/message_json.h"
 
 #include <QDateTime>
 #include <QJsonArray>
@@ -60,7 +61,10 @@ QJsonObject errorJson(const Error &error)
     return {{QStringLiteral("error"),
              QJsonObject{{QStringLiteral("code"), QLatin1String(codeWord(error.code))},
                          {QStringLiteral("text"), QString::fromStdString(error.message())},
-                         {QStringLiteral("arguments"), QJsonObject()}}}};
+                         {QStringLiteral("arguments"),
+                          QJsonObject{{QStringLiteral("what"), toJson(error.what)},
+                                      {QStringLiteral("why"), toJson(error.why)},
+                                      {QStringLiteral("advice"), toJson(error.advice)}}}}}};
 }
 
 QJsonObject intrinsicsJson(const Intrinsics &intrinsics)
@@ -129,11 +133,10 @@ QJsonArray spikesJson(const std::vector<Spike> &spikes, const std::vector<Occlus
 {
     QJsonArray array;
     for (const Spike &spike : spikes)
-        array.append(
-            QJsonObject{{QStringLiteral("t_s"), toSeconds(spike.time)},
-                        {QStringLiteral("sample"), qint64(spike.sampleIndex)},
-                        {QStringLiteral("flags"), QString::fromStdString(flagNames(spike.flags))},
-                        {QStringLiteral("reason"), QString::fromStdString(reasonAmong(occlusions, spike))}});
+        array.append(QJsonObject{{QStringLiteral("t_s"), toSeconds(spike.time)},
+                                 {QStringLiteral("sample"), qint64(spike.sampleIndex)},
+                                 {QStringLiteral("flags"), QString::fromStdString(flagNames(spike.flags))},
+                                 {QStringLiteral("reason"), english(reasonAmong(occlusions, spike))}});
     return array;
 }
 
@@ -163,17 +166,30 @@ QJsonArray occlusionsJson(const std::vector<Occlusion> &occlusions)
                         {QStringLiteral("cause"), QString::fromUtf8(cause.data(), qsizetype(cause.size()))},
                         {QStringLiteral("other"),
                          one.other.empty() ? QJsonValue() : QJsonValue(QString::fromStdString(one.other))},
-                        {QStringLiteral("reason"), QString::fromStdString(occlusionWords(one))}});
+                        {QStringLiteral("reason"), english(occlusionWords(one))}});
     }
     return array;
 }
 
-QJsonArray sentencesJson(const std::vector<std::string> &sentences)
+QJsonArray namesJson(const std::vector<std::string> &names)
 {
     QJsonArray array;
-    for (const std::string &sentence : sentences)
-        array.append(QString::fromStdString(sentence));
+    for (const std::string &name : names)
+        array.append(QString::fromStdString(name));
     return array;
+}
+
+QJsonArray sentencesJson(const std::vector<Message> &sentences)
+{
+    QJsonArray array;
+    for (const Message &sentence : sentences)
+        array.append(english(sentence));
+    return array;
+}
+
+QString english(const Message &message)
+{
+    return QString::fromStdString(message.english());
 }
 
 QString dateText(Instant instant)

@@ -11,7 +11,7 @@
 
 namespace odo {
 
-/// The parts that several subcommands print, as docs/command_line.md names them.
+/// The parts that several subcommands print, as docs/cli.md names them.
 /// What is printed where a call with --json fails.
 QJsonObject errorJson(const Error &error);
 QJsonObject intrinsicsJson(const Intrinsics &intrinsics);
@@ -27,7 +27,11 @@ QJsonArray occlusionsJson(const std::vector<Occlusion> &occlusions);
 QJsonArray spikesJson(const std::vector<Spike> &spikes, const std::vector<Occlusion> &occlusions);
 /// null where there is none.
 QJsonValue optionalJson(const std::optional<double> &value);
-QJsonArray sentencesJson(const std::vector<std::string> &sentences);
+QJsonArray namesJson(const std::vector<std::string> &names);
+QJsonArray sentencesJson(const std::vector<Message> &sentences);
+
+/// A message as the command line prints it.
+QString english(const Message &message);
 
 /// By the clock on the wall here, to the second: "2026-11-23T15:04:05".
 QString dateText(Instant instant);

@@ -28,10 +28,10 @@ public:
         if (m_shown)
             std::fputs("\r\033[K", stderr);
     }
-    void show(double fraction, const std::string &text)
+    void show(double fraction, const Message &text)
     {
         m_shown = true;
-        std::fprintf(stderr, "\r\033[K%3d %%  %s", int(fraction * 100), plainLine(text).c_str());
+        std::fprintf(stderr, "\r\033[K%3d %%  %s", int(fraction * 100), plainLine(text.english()).c_str());
         std::fflush(stderr);
     }
 
@@ -48,17 +48,16 @@ CommandCall::CommandCall(CommandSyntax syntax, CancelToken cancel) : m_syntax(st
     m_parser.addOption({{QStringLiteral("h"), QStringLiteral("help")}, QStringLiteral("Show this help.")});
     m_control.cancel = std::move(cancel);
     if (isatty(STDERR_FILENO)) {
-        m_control.progress = [terminal = std::make_shared<TerminalProgress>()](double fraction,
-                                                                               const std::string &text) {
-            terminal->show(fraction, text);
-        };
+        m_control.progress = [terminal = std::make_shared<TerminalProgress>()](
+                                 double fraction, const Message &text) { terminal->show(fraction, text); };
     }
 }
 
 Result<bool> CommandCall::parse(const QStringList &arguments)
 {
     if (!m_parser.parse(QStringList(QStringLiteral("odograph ") + m_syntax.name) + arguments))
-        return wrongCall(m_parser.errorText().chopped(m_parser.errorText().endsWith(u'.') ? 1 : 0));
+        return wrongCall(foreignWords(
+            m_parser.errorText().chopped(m_parser.errorText().endsWith(u'.') ? 1 : 0).toStdString()));
     if (m_parser.isSet(QStringLiteral("help"))) {
         std::fputs(("odograph " + m_syntax.name.toStdString() + " " + m_syntax.arguments.toStdString() + "\n")
                        .c_str(),
@@ -73,9 +72,10 @@ Result<bool> CommandCall::parse(const QStringList &arguments)
                 m_inputs.add(file);
     const auto count = m_parser.positionalArguments().size();
     if (count < m_syntax.fewest)
-        return wrongCall(QStringLiteral("something is missing"));
+        return wrongCall(ODO_TEXT("app.something_missing", "something is missing"));
     if (m_syntax.most >= 0 && count > m_syntax.most)
-        return wrongCall(QStringLiteral("'%1' is one argument too many").arg(positional(m_syntax.most)));
+        return wrongCall(
+            ODO_TEXT("app.argument_too_many", "'%1' is one argument too many")(text(m_syntax.most)));
     return true;
 }
 
@@ -92,8 +92,9 @@ Result<double> CommandCall::lengthM(const QString &option) const
     auto length = parseLengthM(value(option));
     constexpr double longestM = 1000;
     if (!length || *length <= 0 || *length > longestM)
-        return wrongCall(QStringLiteral("--%1 '%2' is not a length above zero, of 1 km at most")
-                             .arg(option, m_parser.value(option)));
+        return wrongCall(
+            ODO_TEXT("app.not_a_length", "--%1 '%2' is not a length above zero, of 1 km at most")(
+                option.toStdString(), value(option)));
     return length;
 }
 
@@ -101,7 +102,8 @@ Result<double> CommandCall::number(const QString &option) const
 {
     auto number = parseNumber(value(option));
     if (!number)
-        return wrongCall(QStringLiteral("--%1 '%2' is not a number").arg(option, m_parser.value(option)));
+        return wrongCall(
+            ODO_TEXT("app.not_a_number", "--%1 '%2' is not a number")(option.toStdString(), value(option)));
     return number;
 }
 
@@ -111,7 +113,8 @@ Result<std::vector<std::pair<std::string, std::string>>> CommandCall::pairs(cons
     for (const QString &text : values(option)) {
         const auto equals = text.indexOf(u'=');
         if (equals <= 0 || equals + 1 == text.size())
-            return wrongCall(QStringLiteral("--%1 '%2' is not of the form NAME=VALUE").arg(option, text));
+            return wrongCall(ODO_TEXT("app.not_name_and_value", "--%1 '%2' is not of the form NAME=VALUE")(
+                option.toStdString(), text.toStdString()));
         all.emplace_back(text.left(equals).toStdString(), text.mid(equals + 1).toStdString());
     }
     return all;
@@ -128,16 +131,44 @@ Result<std::pair<double, double>> CommandCall::sizePair(const QString &option) c
         if (first && second && *first > 0 && *second > 0 && std::max(*first, *second) <= largestSide)
             return std::pair(*first, *second);
     }
-    return wrongCall(
-        QStringLiteral("--%1 '%2' is not of the form AxB, with numbers above zero, of 1,000,000 at most")
-            .arg(option, m_parser.value(option)));
+    return wrongCall(ODO_TEXT("app.not_a_size",
+                              "--%1 '%2' is not of the form AxB, with numbers above zero, of 1,000,000 at "
+                              "most")(option.toStdString(), text));
 }
 
-tl::unexpected<Error> CommandCall::wrongCall(const QString &why) const
+tl::unexpected<Error> CommandCall::wrongCall(Message why) const
 {
-    return fail(ErrorCode::WrongCall, m_syntax.name.toStdString(), why.toStdString(),
-                "call it as: odograph " + m_syntax.name.toStdString() + " " +
-                    m_syntax.arguments.toStdString());
+    return fail(ErrorCode::WrongCall, nameAlone(m_syntax.name.toStdString()), std::move(why),
+                ODO_TEXT("app.call_as", "call it as: odograph %1 %2")(m_syntax.name.toStdString(),
+                                                                      m_syntax.arguments.toStdString()));
+}
+
+tl::unexpected<Error> CommandCall::missing(const QString &option) const
+{
+    return wrongCall(ODO_TEXT("app.option_missing", "%1 is missing")(
+        (option == option::output ? QStringLiteral("-o") : QStringLiteral("--") + option).toStdString()));
+}
+
+tl::unexpected<Error> CommandCall::lacks(const QString &option, const QString &needed) const
+{
+    return wrongCall(
+        ODO_TEXT("app.option_needs", "--%1 needs --%2")(option.toStdString(), needed.toStdString()));
+}
+
+tl::unexpected<Error> CommandCall::exclude(const QString &option, const QString &other) const
+{
+    return wrongCall(ODO_TEXT("app.options_exclude",
+                              "--%1 and --%2 exclude each other")(option.toStdString(), other.toStdString()));
+}
+
+tl::unexpected<Error> CommandCall::verbNotKnown() const
+{
+    return wrongCall(ODO_TEXT("app.verb_not_known", "'%1' is not known")(text(0)));
+}
+
+Message CommandCall::isRecording()
+{
+    return ODO_TEXT("app.is_recording", "it is a recording of the project");
 }
 
 Result<std::unique_ptr<Project>> CommandCall::openProject(int index, Project::Access access) const
@@ -151,7 +182,7 @@ Result<std::unique_ptr<Project>> CommandCall::openProject(int index, Project::Ac
     const auto recovered = recoverTrials(**project, m_control);
     if (!recovered)
         return tl::unexpected(recovered.error());
-    for (const std::string &told : *recovered)
+    for (const Message &told : *recovered)
         warn(told);
     return project;
 }
@@ -171,9 +202,23 @@ bool CommandCall::hasAnswered()
     return isAnswered;
 }
 
-void CommandCall::warn(const std::string &message)
+namespace {
+
+void printWarning(const std::string &line)
 {
-    std::fprintf(stderr, "odograph: %s\n", plainLine(message).c_str());
+    std::fprintf(stderr, "odograph: %s\n", plainLine(line).c_str());
+}
+
+} // namespace
+
+void CommandCall::warn(const Message &message)
+{
+    printWarning(message.english());
+}
+
+void CommandCall::warnOf(const Error &error)
+{
+    printWarning(error.message());
 }
 
 } // namespace odo

@@ -50,7 +50,15 @@ public:
     /// "AxB" as two whole or decimal numbers.
     Result<std::pair<double, double>> sizePair(const QString &option) const;
 
-    tl::unexpected<Error> wrongCall(const QString &why) const;
+    tl::unexpected<Error> wrongCall(Message why) const;
+    /// That an option which the command needs was not given.
+    tl::unexpected<Error> missing(const QString &option) const;
+    /// That an option was given without another one that it goes with.
+    tl::unexpected<Error> lacks(const QString &option, const QString &needed) const;
+    /// That two options were given of which only one may be.
+    tl::unexpected<Error> exclude(const QString &option, const QString &other) const;
+    /// That the first positional argument is none of the command's verbs.
+    tl::unexpected<Error> verbNotKnown() const;
 
     /// The project named by a positional argument. To be written: with a warning for each trial whose
     /// recording was cut off, which is completed first.
@@ -67,15 +75,17 @@ public:
     /// Whether answer() was called, by any call.
     static bool hasAnswered();
     /// One line to standard error, in the form of an error, of something that did not stop the command.
-    static void warn(const std::string &message);
+    static void warn(const Message &message);
+    static void warnOf(const Error &error);
 
 private:
+    static Message isRecording();
+
     CommandSyntax m_syntax;
     QCommandLineParser m_parser;
     JobControl m_control;
     InputFiles m_inputs;
-    const std::unique_ptr<InputFiles> m_recordings =
-        std::make_unique<InputFiles>("it is a recording of the project");
+    const std::unique_ptr<InputFiles> m_recordings = std::make_unique<InputFiles>(isRecording());
 };
 
 } // namespace odo

@@ -2,7 +2,7 @@
 #include "app/guarded_application.h"
 
 #include "core/base/shortage.h"
-#include "ui/models/core_words.h"
+#include "ui/models/shown_message.h"
 
 #include <QMessageBox>
 #include <QSemaphore>
@@ -19,11 +19,12 @@ bool GuardedApplication::notify(QObject *receiver, QEvent *event)
     try {
         return QApplication::notify(receiver, event);
     } catch (...) {
-        const char *shortage = shortageBeingHandled();
+        const MessageText *shortage = shortageBeingHandled();
         try {
-            tell(errorLine(shortageNow(cannotDoThis)));
+            tell(errorLine(shortageNow(cannotDoThis())));
         } catch (...) { // not even that can be told
-            endForShortage(shortage ? shortage : "something unexpected happened");
+            endForShortage(shortage ? *shortage
+                                    : ODO_TEXT("app.unexpected", "something unexpected happened"));
         }
     }
     return false;
@@ -86,7 +87,7 @@ void keepPaintersReady()
     const bool areHere = meeting->here.tryAcquire(painters, std::chrono::milliseconds(5s).count());
     meeting->all.release(painters);
     if (!areHere)
-        endForShortage("this computer gives no further thread");
+        endForShortage(noFurtherThread());
 }
 
 } // namespace odo

@@ -9,6 +9,7 @@
 #include "core/base/plain_text.h"
 #include "core/base/shortage.h"
 #include "core/base/stop_signals.h"
+#include "core/base/subjects.h"
 #include "core/project/project_rescue.h"
 
 #include <QApplication>
@@ -136,16 +137,18 @@ Result<void> printed()
     errno = isOutputClosed ? EBADF : 0;
     if (!isOutputClosed && std::fflush(stdout) == 0 && std::ferror(stdout) == 0)
         return {};
-    const std::string reason = errno != 0 ? std::string(" (") + std::strerror(errno) + ")" : std::string();
-    return fail(ErrorCode::Io, "the answer", "it could not be written" + reason,
-                "what was to be done is done, make room and ask again");
+    const Message why = errno != 0 ? ODO_TEXT("app.answer_not_written_as", "it could not be written (%1)")(
+                                         foreignWords(std::strerror(errno)))
+                                   : ODO_TEXT("app.answer_not_written", "it could not be written");
+    return fail(ErrorCode::Io, ODO_TEXT("app.answer", "the answer"), why,
+                ODO_TEXT("app.ask_again", "what was to be done is done, make room and ask again"));
 }
 
 /// Where a command was stopped, what it was doing just then is of no interest, and would be taken for what
 /// went wrong.
 Result<void> ofCommand(const char *name, Result<void> failed)
 {
-    const Error stopped = cancelled(name).value();
+    const Error stopped = cancelled(nameAlone(std::string(name))).value();
     if (failed.error().code == ErrorCode::Cancelled && failed.error().why == stopped.why)
         failed.error().what = stopped.what;
     return failed;
@@ -178,8 +181,9 @@ int runCommand(const NamedCommand &command, int argc, char **argv)
     keepNumbersPlain();
     if (paints || opensWindow)
         keepPaintersReady();
-    const Result<void> done = orShortage(
-        command.name, [&] { return command.run(QCoreApplication::arguments().mid(2), stopToken()); });
+    const Result<void> done = orShortage(nameAlone(std::string(command.name)), [&] {
+        return command.run(QCoreApplication::arguments().mid(2), stopToken());
+    });
     return report(done ? printed() : ofCommand(command.name, done));
 }
 
@@ -214,8 +218,9 @@ int run(int argc, char **argv)
     for (int i = 1; i < argc; ++i) {
         // Qt would make another name of it.
         if (!QUtf8StringView(argv[i]).isValidUtf8())
-            return report(fail(ErrorCode::WrongCall, '\'' + std::string(argv[i]) + '\'',
-                               "it is not valid UTF-8, so it cannot be used", "rename the file or folder"));
+            return report(fail(ErrorCode::WrongCall, quotedName(std::string(argv[i])),
+                               ODO_TEXT("app.not_utf8", "it is not valid UTF-8, so it cannot be used"),
+                               ODO_TEXT("app.rename_file", "rename the file or folder")));
     }
     const std::string_view first = argc > 1 ? argv[1] : "";
     if (first == "--help" || first == "-h" || first == "help") {
@@ -234,8 +239,9 @@ int run(int argc, char **argv)
         first.ends_with(".odo") || QFileInfo(QString::fromLocal8Bit(argc > 1 ? argv[1] : "")).isFile();
     if (argc == 1 || (argc == 2 && isProject) || (argc <= 3 && first == windowOption))
         return openWorkbench(argc, argv);
-    return report(fail(ErrorCode::WrongCall, '\'' + std::string(first) + '\'',
-                       "neither a command nor a project", "see odograph help"));
+    return report(fail(ErrorCode::WrongCall, quotedName(std::string(first)),
+                       ODO_TEXT("app.neither_command_nor_project", "neither a command nor a project"),
+                       ODO_TEXT("app.see_help", "see odograph help")));
 }
 
 } // namespace
@@ -251,8 +257,8 @@ int main(int argc, char **argv)
     try {
         return run(argc, argv);
     } catch (...) {
-        if (const char *why = shortageBeingHandled())
-            endForShortage(why);
-        return report(tl::unexpected(shortageNow(cannotDoThis)));
+        if (const MessageText *why = shortageBeingHandled())
+            endForShortage(*why);
+        return report(tl::unexpected(shortageNow(cannotDoThis())));
     }
 }

@@ -72,8 +72,8 @@ Result<void> applyLanguage(const CommandCall &call)
 {
     const QString code = QString::fromStdString(call.value(option::language));
     if (!codes().contains(code))
-        return call.wrongCall(
-            QStringLiteral("--language is one of %1").arg(codes().join(QStringLiteral(", "))));
+        return call.wrongCall(ODO_TEXT("app.language_is_one_of", "--language is one of %1")(
+            codes().join(QStringLiteral(", ")).toStdString()));
     installLanguage(*qApp, code);
     return {};
 }
@@ -97,7 +97,7 @@ Result<ReportOptions> readReportOptions(const CommandCall &call)
     const QString wanted = QString::fromStdString(call.value(option::paper));
     options.paper = paperFromWord(wanted);
     if (paperWord(options.paper) != wanted)
-        return call.wrongCall(QStringLiteral("--paper is a4 or letter"));
+        return call.wrongCall(ODO_TEXT("app.report_paper_is", "--paper is a4 or letter"));
     options.letterhead.school = QString::fromStdString(call.value(option::school));
     options.letterhead.remark = QString::fromStdString(call.value(option::remark));
     options.withMethod = call.isSet(option::method);

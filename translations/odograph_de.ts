@@ -426,6309 +426,6 @@
     </message>
 </context>
 <context>
-    <name>CoreWords</name>
-    <message>
-        <source>The lens of camera &apos;%1&apos; was never calibrated, its distortion is taken as none</source>
-        <translation>Das Objektiv der Kamera &apos;%1&apos; wurde nie kalibriert, seine Verzeichnung wird als null angenommen</translation>
-    </message>
-    <message>
-        <source>calibrate it</source>
-        <translation>kalibrieren Sie es</translation>
-    </message>
-    <message>
-        <source>The lens calibration of camera &apos;%1&apos; is %2 days old</source>
-        <translation>Die Objektivkalibrierung der Kamera &apos;%1&apos; ist %2 Tage alt</translation>
-    </message>
-    <message>
-        <source>if zoom, focus or the camera&apos;s settings were touched since, calibrate it again</source>
-        <translation>wenn seither Zoom, Fokus oder Einstellungen der Kamera verändert wurden, kalibrieren Sie neu</translation>
-    </message>
-    <message>
-        <source>The newest recording of camera &apos;%1&apos; is %2, its lens was calibrated at %3</source>
-        <translation>Die neueste Aufnahme der Kamera &apos;%1&apos; hat %2, ihr Objektiv wurde bei %3 kalibriert</translation>
-    </message>
-    <message>
-        <source>calibrate it at the size it records</source>
-        <translation>kalibrieren Sie sie bei der Größe, in der sie aufnimmt</translation>
-    </message>
-    <message>
-        <source>The floor registration of camera &apos;%1&apos; is %2 days old</source>
-        <translation>Die Einmessung der Kamera &apos;%1&apos; ist %2 Tage alt</translation>
-    </message>
-    <message>
-        <source>check that the camera has not moved, or register it again</source>
-        <translation>prüfen Sie, dass sich die Kamera nicht bewegt hat, oder messen Sie sie neu ein</translation>
-    </message>
-    <message>
-        <source>The floor registration of camera &apos;%1&apos; was made before its lens was calibrated</source>
-        <translation>Die Einmessung der Kamera &apos;%1&apos; wurde gemacht, bevor ihr Objektiv kalibriert war</translation>
-    </message>
-    <message>
-        <source>The floor registration of camera &apos;%1&apos; was made with another calibration of its lens than the one in force</source>
-        <translation>Die Einmessung der Kamera &apos;%1&apos; wurde mit einer anderen Kalibrierung als der gültigen gemacht</translation>
-    </message>
-    <message>
-        <source>register it again</source>
-        <translation>messen Sie sie neu ein</translation>
-    </message>
-    <message>
-        <source>robot &apos;%1&apos; in trial &apos;%2&apos;</source>
-        <translation>Roboter &apos;%1&apos; im Versuch &apos;%2&apos;</translation>
-    </message>
-    <message>
-        <source>view &apos;%1&apos; in trial &apos;%2&apos;</source>
-        <translation>Sicht &apos;%1&apos; im Versuch &apos;%2&apos;</translation>
-    </message>
-    <message>
-        <source>view &apos;%1&apos;</source>
-        <translation>Sicht &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>views &apos;%1&apos; and &apos;%2&apos;</source>
-        <translation>Sichten &apos;%1&apos; und &apos;%2&apos;</translation>
-    </message>
-    <message>
-        <source>no view sees it from %1 s to %2 s (it was at X %3 m, Y %4 m)</source>
-        <translation>keine Sicht sieht ihn von %1 s bis %2 s (er war bei X %3 m, Y %4 m)</translation>
-    </message>
-    <message>
-        <source>no view sees it after %1 s (it was at X %2 m, Y %3 m)</source>
-        <translation>keine Sicht sieht ihn nach %1 s (er war bei X %2 m, Y %3 m)</translation>
-    </message>
-    <message>
-        <source>move or add a camera so that the whole task is seen</source>
-        <translation>versetzen oder ergänzen Sie eine Kamera, so dass die ganze Aufgabe zu sehen ist</translation>
-    </message>
-    <message>
-        <source>the figures are of the part that was seen</source>
-        <translation>die Kennwerte gelten für den Teil, der zu sehen war</translation>
-    </message>
-    <message>
-        <source>it is not synchronised but taken as begun together with the first view, so that a moving robot is not where the two views put it</source>
-        <translation>sie ist nicht synchronisiert, sondern gilt als mit der ersten Sicht begonnen, so dass ein fahrender Roboter nicht dort ist, wo ihn die beiden Sichten sehen</translation>
-    </message>
-    <message>
-        <source>import the videos again and let the offset be found, or tell it</source>
-        <translation>importieren Sie die Videos neu und lassen Sie den Versatz finden, oder geben Sie ihn an</translation>
-    </message>
-    <message>
-        <source>it is in step to %1 ms only, which is %2 mm at 1 m/s</source>
-        <translation>sie ist nur auf %1 ms synchron, das sind %2 mm bei 1 m/s</translation>
-    </message>
-    <message>
-        <source>let the robot turn, or flash the room&apos;s light, where both cameras see it</source>
-        <translation>lassen Sie den Roboter wenden oder das Raumlicht aufblitzen, wo es beide Kameras sehen</translation>
-    </message>
-    <message>
-        <source>its colour %1 is also that of the floor (%2 % of view %3&apos;s picture)</source>
-        <translation>seine Farbe %1 ist auch die des Bodens (%2 % des Bildes der Sicht %3)</translation>
-    </message>
-    <message>
-        <source>put a plate of another colour on it, or tell the colour it really has</source>
-        <translation>setzen Sie eine Platte anderer Farbe darauf, oder geben Sie seine wirkliche Farbe an</translation>
-    </message>
-    <message>
-        <source>robot &apos;%1&apos; is new</source>
-        <translation>Roboter &apos;%1&apos; ist neu</translation>
-    </message>
-    <message>
-        <source>it was added with the colour %1</source>
-        <translation>er wurde mit der Farbe %1 aufgenommen</translation>
-    </message>
-    <message>
-        <source>video &apos;%1&apos;</source>
-        <translation>Video &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>synchronisation of view &apos;%1&apos;</source>
-        <translation>Synchronisierung der Sicht &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>camera &apos;%1&apos; is not registered to the floor, so it is taken as begun together</source>
-        <translation>die Kamera &apos;%1&apos; ist nicht eingemessen, darum gilt sie als gemeinsam begonnen</translation>
-    </message>
-    <message>
-        <source>the project has no robot to look for, so it is taken as begun together</source>
-        <translation>das Projekt hat keinen Roboter, nach dem zu suchen wäre, darum gilt sie als gemeinsam begonnen</translation>
-    </message>
-    <message>
-        <source>robot %1 tells an offset of %2, robot %3 %4, which was taken</source>
-        <translation>Roboter %1 ergibt einen Versatz von %2, Roboter %3 %4, der genommen wurde</translation>
-    </message>
-    <message>
-        <source>the motion tells an offset of %1, which was taken, and the flash of light %2</source>
-        <translation>die Bewegung ergibt einen Versatz von %1, der genommen wurde, und der Lichtblitz %2</translation>
-    </message>
-    <message>
-        <source>%1 s and %2 s long, %3 s in common</source>
-        <translation>%1 s und %2 s lang, %3 s gemeinsam</translation>
-    </message>
-    <message>
-        <source>outside it only one view measures, so check that both belong to one run</source>
-        <translation>außerhalb misst nur eine Sicht; prüfen Sie, ob beide zu einer Fahrt gehören</translation>
-    </message>
-    <message>
-        <source>%1 and %2 frames/s</source>
-        <translation>%1 und %2 Bilder/s</translation>
-    </message>
-    <message>
-        <source>the views are joined by time, check --rate if one is slow motion</source>
-        <translation>die Sichten werden über die Zeit verbunden; prüfen Sie --rate, falls eine in Zeitlupe ist</translation>
-    </message>
-    <message>
-        <source>it is left out, because nothing was recorded of it</source>
-        <translation>sie wird weggelassen, weil nichts von ihr aufgenommen wurde</translation>
-    </message>
-    <message>
-        <source>check its cable, and whether another program uses it</source>
-        <translation>prüfen Sie ihr Kabel, und ob ein anderes Programm sie benutzt</translation>
-    </message>
-    <message>
-        <source>it ended early, because %1</source>
-        <translation>sie endete vorzeitig, denn %1</translation>
-    </message>
-    <message>
-        <source>nothing came for %1 s, because %2</source>
-        <translation>%1 s lang kam nichts, denn %2</translation>
-    </message>
-    <message>
-        <source>pictures waited up to %1 s for the disk, and none was lost</source>
-        <translation>Bilder warteten bis zu %1 s auf die Platte, keines ging verloren</translation>
-    </message>
-    <message>
-        <source>record to a faster disk</source>
-        <translation>nehmen Sie auf eine schnellere Platte auf</translation>
-    </message>
-    <message>
-        <source>1 picture was lost because this computer or its disk was too slow</source>
-        <translation>1 Bild ging verloren, weil dieser Rechner oder seine Platte zu langsam war</translation>
-    </message>
-    <message>
-        <source>%1 pictures were lost because this computer or its disk was too slow</source>
-        <translation>%1 Bilder gingen verloren, weil dieser Rechner oder seine Platte zu langsam war</translation>
-    </message>
-    <message>
-        <source>record to a faster disk, or fewer cameras at once</source>
-        <translation>nehmen Sie auf eine schnellere Platte oder mit weniger Kameras zugleich auf</translation>
-    </message>
-    <message>
-        <source>1 picture was lost between the camera and this program</source>
-        <translation>1 Bild ging zwischen Kamera und Programm verloren</translation>
-    </message>
-    <message>
-        <source>%1 pictures were lost between the camera and this program</source>
-        <translation>%1 Bilder gingen zwischen Kamera und Programm verloren</translation>
-    </message>
-    <message>
-        <source>check cable, bandwidth and what else this machine does</source>
-        <translation>prüfen Sie Kabel, Bandbreite und was dieser Rechner sonst tut</translation>
-    </message>
-    <message>
-        <source>1 picture was lost because this machine was too slow to make them in time</source>
-        <translation>1 Bild ging verloren, weil dieser Rechner zu langsam war, es rechtzeitig zu erzeugen</translation>
-    </message>
-    <message>
-        <source>%1 pictures were lost because this machine was too slow to make them in time</source>
-        <translation>%1 Bilder gingen verloren, weil dieser Rechner zu langsam war, sie rechtzeitig zu erzeugen</translation>
-    </message>
-    <message>
-        <source>close other programs, or take fewer such cameras at once</source>
-        <translation>schließen Sie andere Programme, oder nehmen Sie weniger solche Kameras zugleich</translation>
-    </message>
-    <message>
-        <source>the video of camera %1 in trial &apos;%2&apos; is lost, and not in the packed project</source>
-        <translation>das Video der Kamera %1 im Versuch &apos;%2&apos; fehlt und ist nicht im gepackten Projekt</translation>
-    </message>
-    <message>
-        <source>trial &apos;%1&apos;</source>
-        <translation>Versuch &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>its recording was cut off</source>
-        <translation>seine Aufnahme wurde abgebrochen</translation>
-    </message>
-    <message>
-        <source>nothing of it had reached the disk, and it is left out</source>
-        <translation>nichts davon war auf der Platte, er wird weggelassen</translation>
-    </message>
-    <message>
-        <source>record it again</source>
-        <translation>nehmen Sie ihn neu auf</translation>
-    </message>
-    <message>
-        <source>%1 s of %2 view are kept, all but the last second at most</source>
-        <translation>%1 s von %2 Sicht sind erhalten, alles bis auf höchstens die letzte Sekunde</translation>
-    </message>
-    <message>
-        <source>%1 s of %2 views are kept, all but the last second at most</source>
-        <translation>%1 s von %2 Sichten sind erhalten, alles bis auf höchstens die letzte Sekunde</translation>
-    </message>
-    <message>
-        <source>Good: %1</source>
-        <translation>Gut: %1</translation>
-    </message>
-    <message>
-        <source>Usable: %1</source>
-        <translation>Brauchbar: %1</translation>
-    </message>
-    <message>
-        <source>Poor: %1</source>
-        <translation>Schlecht: %1</translation>
-    </message>
-    <message>
-        <source>no figure in millimetres, since this lens holds only for a part of the picture</source>
-        <translation>keine Angabe in Millimetern, weil diese Objektivdaten nur für einen Teil des Bildes gelten</translation>
-    </message>
-    <message>
-        <source>±%1 mm in the middle and ±%2 mm at worst (%3) on %4, as far as the lens is concerned</source>
-        <translation>±%1 mm in der Mitte und schlimmstenfalls ±%2 mm (%3) auf %4, soweit es am Objektiv liegt</translation>
-    </message>
-    <message>
-        <source>in the far left corner</source>
-        <translation>in der hinteren linken Ecke</translation>
-    </message>
-    <message>
-        <source>in the far right corner</source>
-        <translation>in der hinteren rechten Ecke</translation>
-    </message>
-    <message>
-        <source>in the near left corner</source>
-        <translation>in der vorderen linken Ecke</translation>
-    </message>
-    <message>
-        <source>in the near right corner</source>
-        <translation>in der vorderen rechten Ecke</translation>
-    </message>
-    <message>
-        <source>at the far edge</source>
-        <translation>am hinteren Rand</translation>
-    </message>
-    <message>
-        <source>at the near edge</source>
-        <translation>am vorderen Rand</translation>
-    </message>
-    <message>
-        <source>at the left edge</source>
-        <translation>am linken Rand</translation>
-    </message>
-    <message>
-        <source>at the right edge</source>
-        <translation>am rechten Rand</translation>
-    </message>
-    <message>
-        <source>inside</source>
-        <translation>innen</translation>
-    </message>
-    <message>
-        <source>a %1 m × %2 m floor seen from %3 m above</source>
-        <translation>einem Boden von %1 m × %2 m, gesehen aus %3 m Höhe</translation>
-    </message>
-    <message>
-        <source>%1 pictures fit to %2 px, focal length %3 px ± %4 %</source>
-        <translation>%1 Bilder passen auf %2 px, Brennweite %3 px ± %4 %</translation>
-    </message>
-    <message>
-        <source>each half of them foretells the other to %1 px, %2 mm apart at worst on that floor</source>
-        <translation>jede Hälfte sagt die andere auf %1 px voraus, auf diesem Boden höchstens %2 mm auseinander</translation>
-    </message>
-    <message>
-        <source>each half of them foretells the other to %1 px</source>
-        <translation>jede Hälfte sagt die andere auf %1 px voraus</translation>
-    </message>
-    <message>
-        <source>%1 pictures fit to %2 px, focal length %3 px ± %4 %, %5 mm apart at worst on that floor</source>
-        <translation>%1 Bilder passen auf %2 px, Brennweite %3 px ± %4 %, auf diesem Boden höchstens %5 mm auseinander</translation>
-    </message>
-    <message>
-        <source>Standard lens</source>
-        <translation>Standardobjektiv</translation>
-    </message>
-    <message>
-        <source>Rational lens</source>
-        <translation>Rationales Objektivmodell</translation>
-    </message>
-    <message>
-        <source>Fisheye lens</source>
-        <translation>Fischauge</translation>
-    </message>
-    <message>
-        <source>standard</source>
-        <translation>Standard</translation>
-    </message>
-    <message>
-        <source>rational</source>
-        <translation>rationale</translation>
-    </message>
-    <message>
-        <source>fisheye</source>
-        <translation>Fischauge</translation>
-    </message>
-    <message>
-        <source>told</source>
-        <translation>vorgegeben</translation>
-    </message>
-    <message>
-        <source>no other model fits</source>
-        <translation>kein anderes Modell passt</translation>
-    </message>
-    <message>
-        <source>not all</source>
-        <translation>nicht alle</translation>
-    </message>
-    <message>
-        <source>%1 px</source>
-        <translation>%1 px</translation>
-    </message>
-    <message>
-        <source>it foretells pictures held out to %1, the %2 one to %3, which may be chance</source>
-        <translation>es sagt zurückgehaltene Bilder auf %1 voraus, das Modell „%2“ auf %3, was Zufall sein kann</translation>
-    </message>
-    <message>
-        <source>it foretells pictures held out to %1, the %2 one no better (%3)</source>
-        <translation>es sagt zurückgehaltene Bilder auf %1 voraus, das Modell „%2“ nicht besser (%3)</translation>
-    </message>
-    <message>
-        <source>it foretells pictures held out to %1, the %2 one only to %3</source>
-        <translation>es sagt zurückgehaltene Bilder auf %1 voraus, das Modell „%2“ nur auf %3</translation>
-    </message>
-    <message>
-        <source>%1 % of the corners disagree, in %2</source>
-        <translation>%1 % der Ecken widersprechen sich, in %2</translation>
-    </message>
-    <message>
-        <source>%1 % of the corners disagree, most in %2</source>
-        <translation>%1 % der Ecken widersprechen sich, die meisten in %2</translation>
-    </message>
-    <message>
-        <source>they were kept</source>
-        <translation>sie wurden behalten</translation>
-    </message>
-    <message>
-        <source>look at these pictures and leave out those that are blurred, bent or of another board</source>
-        <translation>sehen Sie diese Bilder an und lassen Sie unscharfe, verbogene oder solche einer anderen Tafel weg</translation>
-    </message>
-    <message>
-        <source>1 corner that stands out was left out, in %1</source>
-        <translation>1 herausfallende Ecke wurde weggelassen, in %1</translation>
-    </message>
-    <message>
-        <source>%1 corners that stand out were left out, in %2</source>
-        <translation>%1 herausfallende Ecken wurden weggelassen, in %2</translation>
-    </message>
-    <message>
-        <source>%1 corners that stand out were left out, most in %2</source>
-        <translation>%1 herausfallende Ecken wurden weggelassen, die meisten in %2</translation>
-    </message>
-    <message>
-        <source>%1 corners that stand out side by side were kept, in %2</source>
-        <translation>%1 nebeneinander herausfallende Ecken wurden behalten, in %2</translation>
-    </message>
-    <message>
-        <source>%1 corners that stand out side by side were kept, most in %2</source>
-        <translation>%1 nebeneinander herausfallende Ecken wurden behalten, die meisten in %2</translation>
-    </message>
-    <message>
-        <source>leave out these pictures if the board is bent, cut or covered there</source>
-        <translation>lassen Sie diese Bilder weg, wenn die Tafel dort verbogen, abgeschnitten oder verdeckt ist</translation>
-    </message>
-    <message>
-        <source>More pictures (%1 or more) would make it surer</source>
-        <translation>Mehr Bilder (%1 oder mehr) würden es sicherer machen</translation>
-    </message>
-    <message>
-        <source>Only %1 % of the picture was covered</source>
-        <translation>Nur %1 % des Bildes wurden abgedeckt</translation>
-    </message>
-    <message>
-        <source>show the board near its edges too</source>
-        <translation>zeigen Sie die Tafel auch nahe den Rändern</translation>
-    </message>
-    <message>
-        <source>Look at %1</source>
-        <translation>Sehen Sie %1 an</translation>
-    </message>
-    <message>
-        <source>its %1 px stand out</source>
-        <translation>seine %1 px fallen heraus</translation>
-    </message>
-    <message>
-        <source>mark frame %1 of %2 as a spike</source>
-        <translation>Bild %1 von %2 als Ausreißer markieren</translation>
-    </message>
-    <message>
-        <source>use frame %1 of %2</source>
-        <translation>Bild %1 von %2 verwenden</translation>
-    </message>
-    <message>
-        <source>leave frame %1 of %2 to the program</source>
-        <translation>Bild %1 von %2 dem Programm überlassen</translation>
-    </message>
-    <message>
-        <source>import the roster %1</source>
-        <translation>Klassenliste %1 importieren</translation>
-    </message>
-    <message>
-        <source>put the axes of layout %1 elsewhere</source>
-        <translation>Achsen des Plans %1 verlegen</translation>
-    </message>
-    <message>
-        <source>choose calibration %1 of camera %2</source>
-        <translation>Kalibrierung %1 der Kamera %2 wählen</translation>
-    </message>
-    <message>
-        <source>choose registration %1 of camera %2</source>
-        <translation>Einmessung %1 der Kamera %2 wählen</translation>
-    </message>
-    <message>
-        <source>link a lost video</source>
-        <translation>ein fehlendes Video verknüpfen</translation>
-    </message>
-    <message>
-        <source>link %1 lost videos</source>
-        <translation>%1 fehlende Videos verknüpfen</translation>
-    </message>
-    <message>
-        <source>give %1 the task %2</source>
-        <translation>%1 die Aufgabe %2 geben</translation>
-    </message>
-    <message>
-        <source>import trial %1</source>
-        <translation>Versuch %1 importieren</translation>
-    </message>
-    <message>
-        <source>leave out %1, of which nothing was recorded</source>
-        <translation>%1 weglassen, von dem nichts aufgenommen wurde</translation>
-    </message>
-    <message>
-        <source>complete %1, whose recording was cut off</source>
-        <translation>%1 vervollständigen, dessen Aufnahme abgebrochen wurde</translation>
-    </message>
-    <message>
-        <source>calibrated from %1 pictures</source>
-        <translation>kalibriert aus %1 Bildern</translation>
-    </message>
-    <message>
-        <source>imported from %1</source>
-        <translation>importiert aus %1</translation>
-    </message>
-    <message>
-        <source>layout &apos;%1&apos;, lens not calibrated</source>
-        <translation>Plan &apos;%1&apos;, Objektiv nicht kalibriert</translation>
-    </message>
-    <message>
-        <source>layout &apos;%1&apos;, lens of calibration %2</source>
-        <translation>Plan &apos;%1&apos;, Objektiv der Kalibrierung %2</translation>
-    </message>
-    <message>
-        <source>register camera %1</source>
-        <translation>Kamera %1 einmessen</translation>
-    </message>
-    <message>
-        <source>register camera %1 again</source>
-        <translation>Kamera %1 neu einmessen</translation>
-    </message>
-    <message>
-        <source>register camera %1 through camera %2</source>
-        <translation>Kamera %1 über Kamera %2 einmessen</translation>
-    </message>
-    <message>
-        <source>register the cameras of layout %1 together</source>
-        <translation>Kameras des Plans %1 gemeinsam einmessen</translation>
-    </message>
-    <message>
-        <source>calibrate camera %1</source>
-        <translation>Kamera %1 kalibrieren</translation>
-    </message>
-    <message>
-        <source>import the lens of camera %1 from %2</source>
-        <translation>Objektivdaten der Kamera %1 aus %2 importieren</translation>
-    </message>
-    <message>
-        <source>check whether camera %1 has moved</source>
-        <translation>prüfen, ob sich Kamera %1 bewegt hat</translation>
-    </message>
-    <message>
-        <source>remove %1 for good</source>
-        <translation>%1 endgültig löschen</translation>
-    </message>
-    <message>
-        <source>track %1</source>
-        <translation>%1 verfolgen</translation>
-    </message>
-    <message>
-        <source>measure %1 again</source>
-        <translation>%1 neu auswerten</translation>
-    </message>
-    <message>
-        <source>record %1</source>
-        <translation>%1 aufnehmen</translation>
-    </message>
-    <message>
-        <source>connect camera %1</source>
-        <translation>Kamera %1 verbinden</translation>
-    </message>
-    <message>
-        <source>waiting for the first picture</source>
-        <translation>wartet auf das erste Bild</translation>
-    </message>
-    <message>
-        <source>%1 frames/s, none lost</source>
-        <translation>%1 Bilder/s, keins verloren</translation>
-    </message>
-    <message>
-        <source>%1 frames/s (too slow), none lost</source>
-        <translation>%1 Bilder/s (zu langsam), keins verloren</translation>
-    </message>
-    <message>
-        <source>%1 frames/s, %2 lost</source>
-        <translation>%1 Bilder/s, %2 verloren</translation>
-    </message>
-    <message>
-        <source>%1 frames/s (too slow), %2 lost</source>
-        <translation>%1 Bilder/s (zu langsam), %2 verloren</translation>
-    </message>
-    <message>
-        <source>%1 frames/s, %2 lost because this machine is too slow</source>
-        <translation>%1 Bilder/s, %2 verloren, weil dieser Rechner zu langsam ist</translation>
-    </message>
-    <message>
-        <source>%1 frames/s (too slow), %2 lost because this machine is too slow</source>
-        <translation>%1 Bilder/s (zu langsam), %2 verloren, weil dieser Rechner zu langsam ist</translation>
-    </message>
-    <message>
-        <source>%1 frames/s, %2 lost (%3 on the wire, %4 here)</source>
-        <translation>%1 Bilder/s, %2 verloren (%3 auf der Leitung, %4 hier)</translation>
-    </message>
-    <message>
-        <source>%1 frames/s (too slow), %2 lost (%3 on the wire, %4 here)</source>
-        <translation>%1 Bilder/s (zu langsam), %2 verloren (%3 auf der Leitung, %4 hier)</translation>
-    </message>
-    <message>
-        <source>%1 frames/s, %2 lost on the wire</source>
-        <translation>%1 Bilder/s, %2 auf der Leitung verloren</translation>
-    </message>
-    <message>
-        <source>%1 frames/s (too slow), %2 lost on the wire</source>
-        <translation>%1 Bilder/s (zu langsam), %2 auf der Leitung verloren</translation>
-    </message>
-    <message>
-        <source>%1 frames/s, %2 lost here</source>
-        <translation>%1 Bilder/s, %2 hier verloren</translation>
-    </message>
-    <message>
-        <source>%1 frames/s (too slow), %2 lost here</source>
-        <translation>%1 Bilder/s (zu langsam), %2 hier verloren</translation>
-    </message>
-    <message>
-        <source>in step to %1 ms</source>
-        <translation>synchron auf %1 ms</translation>
-    </message>
-    <message>
-        <source>at %1 m/s that is %2 mm</source>
-        <translation>bei %1 m/s sind das %2 mm</translation>
-    </message>
-    <message>
-        <source>room for %1 s</source>
-        <translation>Platz für %1 s</translation>
-    </message>
-    <message>
-        <source>room for %1 min</source>
-        <translation>Platz für %1 min</translation>
-    </message>
-    <message>
-        <source>room for %1 h</source>
-        <translation>Platz für %1 h</translation>
-    </message>
-    <message>
-        <source>the map is %1 ms behind, none skipped</source>
-        <translation>die Karte hinkt %1 ms nach, nichts übersprungen</translation>
-    </message>
-    <message>
-        <source>the map is %1 ms behind, %2 skipped</source>
-        <translation>die Karte hinkt %1 ms nach, %2 übersprungen</translation>
-    </message>
-    <message>
-        <source>analysing %1</source>
-        <translation>%1 wird ausgewertet</translation>
-    </message>
-    <message>
-        <source>analysing</source>
-        <translation>Auswertung</translation>
-    </message>
-    <message>
-        <source>copying the project</source>
-        <translation>Projekt wird kopiert</translation>
-    </message>
-    <message>
-        <source>looking for the markers in %1</source>
-        <translation>Marker werden in %1 gesucht</translation>
-    </message>
-    <message>
-        <source>looking for the markers again</source>
-        <translation>Marker werden wieder gesucht</translation>
-    </message>
-    <message>
-        <source>looking for files</source>
-        <translation>Dateien werden gesucht</translation>
-    </message>
-    <message>
-        <source>computing the intrinsics</source>
-        <translation>Objektivdaten werden berechnet</translation>
-    </message>
-    <message>
-        <source>keeping the pictures</source>
-        <translation>Bilder werden abgelegt</translation>
-    </message>
-    <message>
-        <source>recording</source>
-        <translation>Aufnahme</translation>
-    </message>
-    <message>
-        <source>writing the last pictures</source>
-        <translation>die letzten Bilder werden geschrieben</translation>
-    </message>
-    <message>
-        <source>calibrating camera %1</source>
-        <translation>Kamera %1 wird kalibriert</translation>
-    </message>
-    <message>
-        <source>settling which robot is which</source>
-        <translation>Roboter werden zugeordnet</translation>
-    </message>
-    <message>
-        <source>fitting %1 cameras together</source>
-        <translation>%1 Kameras werden gemeinsam eingemessen</translation>
-    </message>
-    <message>
-        <source>Poor, measure the markers again: %1</source>
-        <translation>Schlecht, messen Sie die Marker neu: %1</translation>
-    </message>
-    <message>
-        <source>%1 markers fit to %2 mm RMS (worst %3, %4 mm), and the floor among them is known to ±%5 mm</source>
-        <translation>%1 Marker passen auf %2 mm RMS (am schlechtesten %3, %4 mm), und der Boden zwischen ihnen ist auf ±%5 mm bekannt</translation>
-    </message>
-    <message>
-        <source>Four markers hardly check one another</source>
-        <translation>Vier Marker prüfen einander kaum</translation>
-    </message>
-    <message>
-        <source>Four points hardly check one another</source>
-        <translation>Vier Punkte prüfen einander kaum</translation>
-    </message>
-    <message>
-        <source>a fifth would</source>
-        <translation>ein fünfter täte es</translation>
-    </message>
-    <message>
-        <source>The camera was taken as free of distortion, its focal length estimated from the markers (%1 px ± %2)</source>
-        <translation>Die Kamera wurde als verzeichnungsfrei angenommen, ihre Brennweite aus den Markern geschätzt (%1 px ± %2)</translation>
-    </message>
-    <message>
-        <source>The camera was taken as free of distortion, its focal length guessed (%1 px), since this view does not determine it</source>
-        <translation>Die Kamera wurde als verzeichnungsfrei angenommen, ihre Brennweite geraten (%1 px), weil diese Sicht sie nicht bestimmt</translation>
-    </message>
-    <message>
-        <source>The camera was taken as free of distortion, its focal length as %1 px</source>
-        <translation>Die Kamera wurde als verzeichnungsfrei angenommen, ihre Brennweite als %1 px</translation>
-    </message>
-    <message>
-        <source>Calibrate it for positions to rely on</source>
-        <translation>Kalibrieren Sie sie, um verlässliche Orte zu bekommen</translation>
-    </message>
-    <message>
-        <source>The camera would stand only %1 mm above the floor</source>
-        <translation>Die Kamera stünde nur %1 mm über dem Boden</translation>
-    </message>
-    <message>
-        <source>if that is wrong, the layout&apos;s numbers are no mm</source>
-        <translation>wenn das falsch ist, sind die Zahlen des Plans keine mm</translation>
-    </message>
-    <message>
-        <source>convert its unit</source>
-        <translation>rechnen Sie seine Einheit um</translation>
-    </message>
-    <message>
-        <source>through %1 %2 points of the floor fit to %3 mm RMS (worst %4, %5 mm), and the floor among them is known to ±%6 mm, of which ±%7 mm come from %8</source>
-        <translation>über %1 passen %2 Punkte des Bodens auf %3 mm RMS (am schlechtesten %4, %5 mm), und der Boden zwischen ihnen ist auf ±%6 mm bekannt, davon kommen ±%7 mm von %8</translation>
-    </message>
-    <message>
-        <source>with %1 together %2 markers fit to %3 mm RMS, and the floor among them is known to ±%4 mm</source>
-        <translation>zusammen mit %1 passen %2 Marker auf %3 mm RMS, und der Boden zwischen ihnen ist auf ±%4 mm bekannt</translation>
-    </message>
-    <message>
-        <source>The markers and the cameras agree with one another</source>
-        <translation>Die Marker und die Kameras stimmen überein</translation>
-    </message>
-    <message>
-        <source>%1 is %2 mm off by all cameras</source>
-        <translation>%1 liegt nach allen Kameras %2 mm daneben</translation>
-    </message>
-    <message>
-        <source>measure it again</source>
-        <translation>messen Sie ihn neu</translation>
-    </message>
-    <message>
-        <source>%1 is %2 mm off by the one camera that sees it</source>
-        <translation>%1 liegt nach der einen Kamera, die ihn sieht, %2 mm daneben</translation>
-    </message>
-    <message>
-        <source>measure it, or mark it in the picture, again</source>
-        <translation>messen Sie ihn neu oder markieren Sie ihn im Bild neu</translation>
-    </message>
-    <message>
-        <source>%1 sees %2 %3 px from where the others do</source>
-        <translation>%1 sieht %2 um %3 px neben der Stelle, an der die anderen ihn sehen</translation>
-    </message>
-    <message>
-        <source>mark it there again</source>
-        <translation>markieren Sie ihn dort neu</translation>
-    </message>
-    <message>
-        <source>None of the floor among the markers is seen</source>
-        <translation>Vom Boden zwischen den Markern ist nichts zu sehen</translation>
-    </message>
-    <message>
-        <source>±%1 mm in the middle, ±%2 mm in the corner near %3</source>
-        <translation>±%1 mm in der Mitte, ±%2 mm in der Ecke bei %3</translation>
-    </message>
-    <message>
-        <source>±%1 mm in the middle, ±%2 mm at the edge near %3</source>
-        <translation>±%1 mm in der Mitte, ±%2 mm am Rand bei %3</translation>
-    </message>
-    <message>
-        <source>±%1 mm in the middle, ±%2 mm near %3</source>
-        <translation>±%1 mm in der Mitte, ±%2 mm bei %3</translation>
-    </message>
-    <message>
-        <source>The middle is not seen, ±%1 mm in the corner near %2</source>
-        <translation>Die Mitte ist nicht zu sehen, ±%1 mm in der Ecke bei %2</translation>
-    </message>
-    <message>
-        <source>The middle is not seen, ±%1 mm at the edge near %2</source>
-        <translation>Die Mitte ist nicht zu sehen, ±%1 mm am Rand bei %2</translation>
-    </message>
-    <message>
-        <source>The middle is not seen, ±%1 mm near %2</source>
-        <translation>Die Mitte ist nicht zu sehen, ±%1 mm bei %2</translation>
-    </message>
-    <message>
-        <source>%1 % of the floor among the markers is not seen</source>
-        <translation>%1 % des Bodens zwischen den Markern sind nicht zu sehen</translation>
-    </message>
-    <message>
-        <source>%1 stands where it was registered</source>
-        <translation>%1 steht, wo sie eingemessen wurde</translation>
-    </message>
-    <message>
-        <source>%1 markers lie within %2 px = %3 mm of their places</source>
-        <translation>%1 Marker liegen innerhalb von %2 px = %3 mm an ihren Plätzen</translation>
-    </message>
-    <message>
-        <source>%1 has moved %2 px = %3 mm</source>
-        <translation>%1 hat sich um %2 px = %3 mm bewegt</translation>
-    </message>
-    <message>
-        <source>register it again before you record</source>
-        <translation>messen Sie sie vor der Aufnahme neu ein</translation>
-    </message>
-    <message>
-        <source>Marker %1 has moved %2 px = %3 mm, %4 has not</source>
-        <translation>Marker %1 hat sich um %2 px = %3 mm bewegt, %4 nicht</translation>
-    </message>
-    <message>
-        <source>Markers %1 have moved %2 px = %3 mm, %4 has not</source>
-        <translation>Die Marker %1 haben sich um %2 px = %3 mm bewegt, %4 nicht</translation>
-    </message>
-    <message>
-        <source>put it back, or measure again and register all cameras</source>
-        <translation>legen Sie ihn zurück, oder messen Sie neu und messen Sie alle Kameras neu ein</translation>
-    </message>
-    <message>
-        <source>put them back, or measure again and register all cameras</source>
-        <translation>legen Sie sie zurück, oder messen Sie neu und messen Sie alle Kameras neu ein</translation>
-    </message>
-    <message>
-        <source>Not found again: %1</source>
-        <translation>Nicht wiedergefunden: %1</translation>
-    </message>
-    <message>
-        <source>The length is %1 mm ± %2 mm</source>
-        <translation>Die Länge beträgt %1 mm ± %2 mm</translation>
-    </message>
-    <message>
-        <source>It is %1 mm shorter than the %2 mm told</source>
-        <translation>Sie ist %1 mm kürzer als die angegebenen %2 mm</translation>
-    </message>
-    <message>
-        <source>It is %1 mm longer than the %2 mm told</source>
-        <translation>Sie ist %1 mm länger als die angegebenen %2 mm</translation>
-    </message>
-    <message>
-        <source>inside the expected error of %1 mm</source>
-        <translation>innerhalb des erwarteten Fehlers von %1 mm</translation>
-    </message>
-    <message>
-        <source>outside the expected error of %1 mm</source>
-        <translation>außerhalb des erwarteten Fehlers von %1 mm</translation>
-    </message>
-    <message>
-        <source>Check the length itself, whether it lies on the floor, and the places of the markers</source>
-        <translation>Prüfen Sie die Länge selbst, ob sie auf dem Boden liegt, und die Plätze der Marker</translation>
-    </message>
-    <message>
-        <source>Camera &apos;%1&apos; alone says %2 mm</source>
-        <translation>Kamera &apos;%1&apos; allein sagt %2 mm</translation>
-    </message>
-    <message>
-        <source>look whether the same ends are marked in each picture, and register it again if they are</source>
-        <translation>sehen Sie nach, ob in jedem Bild dieselben Enden markiert sind, und messen Sie sie neu ein, wenn ja</translation>
-    </message>
-    <message>
-        <source>No place was measured by both analyses</source>
-        <translation>Kein Ort wurde von beiden Auswertungen gemessen</translation>
-    </message>
-    <message>
-        <source>Positions change by %1 mm RMS, at most by %2 mm (at %3 s)</source>
-        <translation>Die Orte ändern sich um %1 mm RMS, höchstens um %2 mm (bei %3 s)</translation>
-    </message>
-    <message>
-        <source>Spikes: %1 instead of %2</source>
-        <translation>Ausreißer: %1 statt %2</translation>
-    </message>
-    <message>
-        <source>USB buses</source>
-        <translation>USB-Busse</translation>
-    </message>
-    <message>
-        <source>each USB camera has a bus of its own</source>
-        <translation>jede USB-Kamera hat einen eigenen Bus</translation>
-    </message>
-    <message>
-        <source>no USB camera is used</source>
-        <translation>keine USB-Kamera wird benutzt</translation>
-    </message>
-    <message>
-        <source>cameras %1 share the bus %2, of %3 Mbit/s</source>
-        <translation>die Kameras %1 teilen den Bus %2 mit %3 Mbit/s</translation>
-    </message>
-    <message>
-        <source>cameras %1 share the bus %2</source>
-        <translation>die Kameras %1 teilen den Bus %2</translation>
-    </message>
-    <message>
-        <source>plug one into a port on the other side of the computer, or a card of its own</source>
-        <translation>stecken Sie eine an einen Anschluss auf der anderen Seite des Rechners oder an eine eigene Karte</translation>
-    </message>
-    <message>
-        <source>or let both send MJPEG, or smaller pictures</source>
-        <translation>oder lassen Sie beide MJPEG oder kleinere Bilder senden</translation>
-    </message>
-    <message>
-        <source>Access to cameras</source>
-        <translation>Zugriff auf Kameras</translation>
-    </message>
-    <message>
-        <source>you may not use %1</source>
-        <translation>Sie dürfen %1 nicht benutzen</translation>
-    </message>
-    <message>
-        <source>add yourself to the group video (sudo usermod -aG video $USER), then log out and in again</source>
-        <translation>nehmen Sie sich in die Gruppe video auf (sudo usermod -aG video $USER), dann melden Sie sich ab und wieder an</translation>
-    </message>
-    <message>
-        <source>this machine shows no USB or built-in camera (/dev/video*)</source>
-        <translation>dieser Rechner zeigt keine USB- oder eingebaute Kamera (/dev/video*)</translation>
-    </message>
-    <message>
-        <source>if one is connected, try another cable and port, without a hub</source>
-        <translation>wenn eine angeschlossen ist, versuchen Sie ein anderes Kabel und einen anderen Anschluss, ohne Hub</translation>
-    </message>
-    <message>
-        <source>you may use all %1 video devices</source>
-        <translation>Sie dürfen alle %1 Videogeräte benutzen</translation>
-    </message>
-    <message>
-        <source>Receive buffer</source>
-        <translation>Empfangspuffer</translation>
-    </message>
-    <message>
-        <source>the system does not say how large it may be (net.core.rmem_max)</source>
-        <translation>das System sagt nicht, wie groß er sein darf (net.core.rmem_max)</translation>
-    </message>
-    <message>
-        <source>up to %1 MiB, enough for network cameras</source>
-        <translation>bis %1 MiB, genug für Netzwerkkameras</translation>
-    </message>
-    <message>
-        <source>%1 MiB, which only network cameras would find too small</source>
-        <translation>%1 MiB, nur für Netzwerkkameras zu wenig</translation>
-    </message>
-    <message>
-        <source>only %1 MiB</source>
-        <translation>nur %1 MiB</translation>
-    </message>
-    <message>
-        <source>%1 will lose pictures</source>
-        <translation>%1 werden Bilder verlieren</translation>
-    </message>
-    <message>
-        <source>sudo sysctl -w net.core.rmem_max=%1, and put the same into /etc/sysctl.d/ to keep it</source>
-        <translation>sudo sysctl -w net.core.rmem_max=%1, und dasselbe nach /etc/sysctl.d/, damit es bleibt</translation>
-    </message>
-    <message>
-        <source>Packet size</source>
-        <translation>Paketgröße</translation>
-    </message>
-    <message>
-        <source>no network camera is used</source>
-        <translation>keine Netzwerkkamera wird benutzt</translation>
-    </message>
-    <message>
-        <source>large packets are allowed</source>
-        <translation>große Pakete sind erlaubt</translation>
-    </message>
-    <message>
-        <source>small packets on %1</source>
-        <translation>kleine Pakete auf %1</translation>
-    </message>
-    <message>
-        <source>give the port that the camera is on an MTU of 9000 (sudo ip link set dev NAME mtu 9000), if camera and switch can take it</source>
-        <translation>geben Sie dem Anschluss der Kamera eine MTU von 9000 (sudo ip link set dev NAME mtu 9000), wenn Kamera und Switch es zulassen</translation>
-    </message>
-    <message>
-        <source>Lamps&apos; flicker, camera %1</source>
-        <translation>Lampenflimmern, Kamera %1</translation>
-    </message>
-    <message>
-        <source>filtered by the camera (%1)</source>
-        <translation>von der Kamera gefiltert (%1)</translation>
-    </message>
-    <message>
-        <source>its filter is off</source>
-        <translation>ihr Filter ist aus</translation>
-    </message>
-    <message>
-        <source>pictures may pulse under lamps</source>
-        <translation>Bilder können unter Lampen pulsieren</translation>
-    </message>
-    <message>
-        <source>set &apos;%1&apos; to your mains</source>
-        <translation>stellen Sie &apos;%1&apos; auf Ihr Stromnetz</translation>
-    </message>
-    <message>
-        <source>50 Hz in most countries, 60 Hz in the Americas</source>
-        <translation>50 Hz in den meisten Ländern, 60 Hz in Amerika</translation>
-    </message>
-    <message>
-        <source>it does not tell its exposure</source>
-        <translation>sie nennt ihre Belichtung nicht</translation>
-    </message>
-    <message>
-        <source>exposed for %1 ms, which suits lamps</source>
-        <translation>%1 ms belichtet, das passt zu Lampen</translation>
-    </message>
-    <message>
-        <source>exposed for %1 ms</source>
-        <translation>%1 ms belichtet</translation>
-    </message>
-    <message>
-        <source>expose for 10 or 20 ms with mains of 50 Hz, 8.3 or 16.7 ms with 60 Hz</source>
-        <translation>belichten Sie 10 oder 20 ms bei 50 Hz Netzfrequenz, 8,3 oder 16,7 ms bei 60 Hz</translation>
-    </message>
-    <message>
-        <source>or use daylight</source>
-        <translation>oder nutzen Sie Tageslicht</translation>
-    </message>
-    <message>
-        <source>Automatics, camera %1</source>
-        <translation>Automatik, Kamera %1</translation>
-    </message>
-    <message>
-        <source>%1 go on changing by themselves</source>
-        <translation>%1 ändern sich weiter von selbst</translation>
-    </message>
-    <message>
-        <source>%1 goes on changing by itself</source>
-        <translation>%1 ändert sich weiter von selbst</translation>
-    </message>
-    <message>
-        <source>turn it off in the camera&apos;s own program, or keep the light steady while robots run</source>
-        <translation>schalten Sie es im Programm der Kamera aus, oder halten Sie das Licht gleichmäßig, während Roboter fahren</translation>
-    </message>
-    <message>
-        <source>exposure, gain, white balance and focus are held</source>
-        <translation>Belichtung, Verstärkung, Weißabgleich und Fokus sind festgehalten</translation>
-    </message>
-    <message>
-        <source>it has none</source>
-        <translation>sie hat keine</translation>
-    </message>
-    <message>
-        <source>they are held while recording</source>
-        <translation>sie werden bei der Aufnahme festgehalten</translation>
-    </message>
-    <message>
-        <source>Step</source>
-        <translation>Synchronität</translation>
-    </message>
-    <message>
-        <source>one camera is always in step</source>
-        <translation>eine Kamera ist immer synchron</translation>
-    </message>
-    <message>
-        <source>a camera does not deliver</source>
-        <translation>eine Kamera liefert nicht</translation>
-    </message>
-    <message>
-        <source>see its own line</source>
-        <translation>siehe ihre eigene Zeile</translation>
-    </message>
-    <message>
-        <source>the cameras run at %1 and %2 frames/s</source>
-        <translation>die Kameras laufen mit %1 und %2 Bildern/s</translation>
-    </message>
-    <message>
-        <source>set both to one rate</source>
-        <translation>stellen Sie beide auf eine Rate</translation>
-    </message>
-    <message>
-        <source>in dim light a camera halves its rate by itself, unless its automatic exposure is off</source>
-        <translation>bei wenig Licht halbiert eine Kamera ihre Rate von selbst, wenn die Belichtungsautomatik nicht aus ist</translation>
-    </message>
-    <message>
-        <source>no two pictures have been taken together yet</source>
-        <translation>noch wurden keine zwei Bilder zusammen aufgenommen</translation>
-    </message>
-    <message>
-        <source>wait a few seconds, and look again</source>
-        <translation>warten Sie einige Sekunden und sehen Sie wieder nach</translation>
-    </message>
-    <message>
-        <source>set both to one rate, or trigger them together</source>
-        <translation>stellen Sie beide auf eine Rate, oder lösen Sie sie gemeinsam aus</translation>
-    </message>
-    <message>
-        <source>Picture size, camera %1</source>
-        <translation>Bildgröße, Kamera %1</translation>
-    </message>
-    <message>
-        <source>it is not registered to the floor</source>
-        <translation>sie ist nicht eingemessen</translation>
-    </message>
-    <message>
-        <source>register it in Testbed, or its pictures cannot tell where a robot is</source>
-        <translation>messen Sie sie im Messplatz ein, sonst können ihre Bilder nicht sagen, wo ein Roboter ist</translation>
-    </message>
-    <message>
-        <source>%1, as it was registered</source>
-        <translation>%1, wie sie eingemessen wurde</translation>
-    </message>
-    <message>
-        <source>%1, but registered at %2</source>
-        <translation>%1, aber bei %2 eingemessen</translation>
-    </message>
-    <message>
-        <source>let it send the size it was registered at, or calibrate and register it anew</source>
-        <translation>lassen Sie sie die Größe der Einmessung senden, oder kalibrieren und messen Sie sie neu ein</translation>
-    </message>
-    <message>
-        <source>views disagree by %1 mm</source>
-        <translation>die Sichten weichen um %1 mm voneinander ab</translation>
-    </message>
-    <message>
-        <source>none could be trusted</source>
-        <translation>keine war verlässlich</translation>
-    </message>
-    <message>
-        <source>one left out</source>
-        <translation>eine wurde weggelassen</translation>
-    </message>
-    <message>
-        <source>jump of %1 mm</source>
-        <translation>Sprung von %1 mm</translation>
-    </message>
-    <message>
-        <source>jump</source>
-        <translation>Sprung</translation>
-    </message>
-    <message>
-        <source>stands out in position and speed</source>
-        <translation>fällt in Ort und Geschwindigkeit heraus</translation>
-    </message>
-    <message>
-        <source>stands out in position</source>
-        <translation>fällt im Ort heraus</translation>
-    </message>
-    <message>
-        <source>stands out in speed</source>
-        <translation>fällt in der Geschwindigkeit heraus</translation>
-    </message>
-    <message>
-        <source>faster than the limit</source>
-        <translation>schneller als der Grenzwert</translation>
-    </message>
-    <message>
-        <source>harder than the limit of acceleration</source>
-        <translation>stärker beschleunigt als der Grenzwert</translation>
-    </message>
-    <message>
-        <source>called a spike by hand</source>
-        <translation>von Hand als Ausreißer markiert</translation>
-    </message>
-    <message>
-        <source>cut by the picture&apos;s edge</source>
-        <translation>vom Bildrand abgeschnitten</translation>
-    </message>
-    <message>
-        <source>the tracker was not sure (score %1 %)</source>
-        <translation>die Verfolgung war unsicher (Güte %1 %)</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>keine</translation>
-    </message>
-    <message>
-        <source>%1 and %2</source>
-        <translation>%1 und %2</translation>
-    </message>
-    <message>
-        <source>%1; %2</source>
-        <translation>%1; %2</translation>
-    </message>
-    <message>
-        <source>%1 %2</source>
-        <translation>%1 %2</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>%1.</source>
-        <translation>%1.</translation>
-    </message>
-    <message>
-        <source>the picture is too small to hold a board</source>
-        <translation>das Bild ist zu klein für eine Tafel</translation>
-    </message>
-    <message>
-        <source>use a picture of the camera</source>
-        <translation>verwenden Sie ein Bild der Kamera</translation>
-    </message>
-    <message>
-        <source>use pictures of the camera</source>
-        <translation>verwenden Sie Bilder der Kamera</translation>
-    </message>
-    <message>
-        <source>use another picture</source>
-        <translation>verwenden Sie ein anderes Bild</translation>
-    </message>
-    <message>
-        <source>the picture is too small</source>
-        <translation>das Bild ist zu klein</translation>
-    </message>
-    <message>
-        <source>the picture has no size</source>
-        <translation>das Bild hat keine Größe</translation>
-    </message>
-    <message>
-        <source>the board is blurred</source>
-        <translation>die Tafel ist unscharf</translation>
-    </message>
-    <message>
-        <source>its edges are %1 pixels wide</source>
-        <translation>ihre Kanten sind %1 Pixel breit</translation>
-    </message>
-    <message>
-        <source>hold it still, and focus the camera</source>
-        <translation>halten Sie sie still, und stellen Sie die Kamera scharf</translation>
-    </message>
-    <message>
-        <source>a corner of the board cannot be made out</source>
-        <translation>eine Ecke der Tafel ist nicht zu erkennen</translation>
-    </message>
-    <message>
-        <source>keep the board clear and well lit</source>
-        <translation>halten Sie die Tafel frei und gut beleuchtet</translation>
-    </message>
-    <message>
-        <source>this board has %1 inner corners, %2 was asked for</source>
-        <translation>diese Tafel hat %1 innere Ecken, verlangt war %2</translation>
-    </message>
-    <message>
-        <source>count the inner corners, or leave the size out</source>
-        <translation>zählen Sie die inneren Ecken, oder lassen Sie die Größe weg</translation>
-    </message>
-    <message>
-        <source>the board is cut off</source>
-        <translation>die Tafel ist abgeschnitten</translation>
-    </message>
-    <message>
-        <source>only %1 of its %2 inner corners are seen</source>
-        <translation>nur %1 ihrer %2 inneren Ecken sind zu sehen</translation>
-    </message>
-    <message>
-        <source>keep the whole board in the picture</source>
-        <translation>halten Sie die ganze Tafel im Bild</translation>
-    </message>
-    <message>
-        <source>no board found</source>
-        <translation>keine Tafel gefunden</translation>
-    </message>
-    <message>
-        <source>%1 of its markers could be read</source>
-        <translation>%1 ihrer Marker waren lesbar</translation>
-    </message>
-    <message>
-        <source>show the whole board, flat, sharp and well lit</source>
-        <translation>zeigen Sie die ganze Tafel, flach, scharf und gut beleuchtet</translation>
-    </message>
-    <message>
-        <source>show the board larger, sharp and well lit</source>
-        <translation>zeigen Sie die Tafel größer, scharf und gut beleuchtet</translation>
-    </message>
-    <message>
-        <source>only %1 corners of the board are seen</source>
-        <translation>nur %1 Ecken der Tafel sind zu sehen</translation>
-    </message>
-    <message>
-        <source>show more of the board</source>
-        <translation>zeigen Sie mehr von der Tafel</translation>
-    </message>
-    <message>
-        <source>show one ChArUco board</source>
-        <translation>zeigen Sie eine ChArUco-Tafel</translation>
-    </message>
-    <message>
-        <source>the camera cannot be calibrated</source>
-        <translation>die Kamera kann nicht kalibriert werden</translation>
-    </message>
-    <message>
-        <source>calibration of camera &apos;%1&apos;</source>
-        <translation>Kalibrierung der Kamera &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>three pictures of the board are needed, %1 can be used</source>
-        <translation>drei Bilder der Tafel sind nötig, %1 sind brauchbar</translation>
-    </message>
-    <message>
-        <source>take ten or more, the board tilted differently in each</source>
-        <translation>machen Sie zehn oder mehr, die Tafel jedes Mal anders geneigt</translation>
-    </message>
-    <message>
-        <source>%1 % of the corners do not agree with the others</source>
-        <translation>%1 % der Ecken passen nicht zu den anderen</translation>
-    </message>
-    <message>
-        <source>check that all pictures are sharp, of one flat board and of one camera at one zoom and focus</source>
-        <translation>prüfen Sie, ob alle Bilder scharf sind, von einer flachen Tafel und von einer Kamera mit einem Zoom und Fokus</translation>
-    </message>
-    <message>
-        <source>no lens fits these pictures</source>
-        <translation>kein Objektiv passt zu diesen Bildern</translation>
-    </message>
-    <message>
-        <source>check that all are of one camera, at one zoom and focus</source>
-        <translation>prüfen Sie, ob alle von einer Kamera mit einem Zoom und Fokus sind</translation>
-    </message>
-    <message>
-        <source>choose others</source>
-        <translation>wählen Sie andere</translation>
-    </message>
-    <message>
-        <source>use pictures of one camera at one zoom and focus</source>
-        <translation>verwenden Sie Bilder einer Kamera mit einem Zoom und Fokus</translation>
-    </message>
-    <message>
-        <source>all %1 pictures show the board in one place, the %2 %3 % of the picture</source>
-        <translation>alle %1 Bilder zeigen die Tafel an einer Stelle (%2, %3 % des Bildes)</translation>
-    </message>
-    <message>
-        <source>how the lens bends elsewhere stays unknown</source>
-        <translation>wie das Objektiv anderswo verzeichnet, bleibt unbekannt</translation>
-    </message>
-    <message>
-        <source>show the board in the middle and near each corner of the picture, and closer</source>
-        <translation>zeigen Sie die Tafel in der Mitte und nahe jeder Ecke des Bildes, und näher</translation>
-    </message>
-    <message>
-        <source>all %1 pictures show the board in nearly the same attitude, which does not determine the focal length</source>
-        <translation>alle %1 Bilder zeigen die Tafel in fast derselben Lage, was die Brennweite nicht bestimmt</translation>
-    </message>
-    <message>
-        <source>take pictures with the board tilted by 30 to 45 degrees, to each side</source>
-        <translation>machen Sie Bilder mit der um 30 bis 45 Grad geneigten Tafel, nach jeder Seite</translation>
-    </message>
-    <message>
-        <source>the pictures determine the focal length only to %1 %</source>
-        <translation>die Bilder bestimmen die Brennweite nur auf %1 %</translation>
-    </message>
-    <message>
-        <source>the board is seen too nearly frontal</source>
-        <translation>die Tafel ist zu sehr von vorn zu sehen</translation>
-    </message>
-    <message>
-        <source>two halves of the pictures give focal lengths that differ by %1 %</source>
-        <translation>zwei Hälften der Bilder ergeben um %1 % verschiedene Brennweiten</translation>
-    </message>
-    <message>
-        <source>the floor cannot be registered</source>
-        <translation>der Boden kann nicht eingemessen werden</translation>
-    </message>
-    <message>
-        <source>the camera cannot be registered through another</source>
-        <translation>die Kamera kann nicht über eine andere eingemessen werden</translation>
-    </message>
-    <message>
-        <source>the cameras cannot be registered together</source>
-        <translation>die Kameras können nicht gemeinsam eingemessen werden</translation>
-    </message>
-    <message>
-        <source>the length cannot be measured</source>
-        <translation>die Länge kann nicht gemessen werden</translation>
-    </message>
-    <message>
-        <source>registration of camera &apos;%1&apos;</source>
-        <translation>Einmessung der Kamera &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>marker %1 stands twice in the layout</source>
-        <translation>Marker %1 steht zweimal im Plan</translation>
-    </message>
-    <message>
-        <source>marker %1 stands twice in the picture</source>
-        <translation>Marker %1 steht zweimal im Bild</translation>
-    </message>
-    <message>
-        <source>give each marker a name of its own</source>
-        <translation>geben Sie jedem Marker einen eigenen Namen</translation>
-    </message>
-    <message>
-        <source>markers %1 and %2 lie at one place of the floor</source>
-        <translation>die Marker %1 und %2 liegen an einer Stelle des Bodens</translation>
-    </message>
-    <message>
-        <source>correct the layout</source>
-        <translation>berichtigen Sie den Plan</translation>
-    </message>
-    <message>
-        <source>markers %1 and %2 lie on one pixel</source>
-        <translation>die Marker %1 und %2 liegen auf einem Pixel</translation>
-    </message>
-    <message>
-        <source>points %1 and %2 lie on one pixel</source>
-        <translation>die Punkte %1 und %2 liegen auf einem Pixel</translation>
-    </message>
-    <message>
-        <source>mark each of them where it is seen</source>
-        <translation>markieren Sie jeden dort, wo er zu sehen ist</translation>
-    </message>
-    <message>
-        <source>markers %1 and %2 lie only %3 mm apart, too close for two of four</source>
-        <translation>die Marker %1 und %2 liegen nur %3 mm auseinander, zu nah für zwei von vieren</translation>
-    </message>
-    <message>
-        <source>spread the markers over the floor</source>
-        <translation>verteilen Sie die Marker über den Boden</translation>
-    </message>
-    <message>
-        <source>spread the points over the floor</source>
-        <translation>verteilen Sie die Punkte über den Boden</translation>
-    </message>
-    <message>
-        <source>spread them over the floor</source>
-        <translation>verteilen Sie sie über den Boden</translation>
-    </message>
-    <message>
-        <source>four markers are needed that the layout and the picture have in common</source>
-        <translation>vier Marker sind nötig, die Plan und Bild gemeinsam haben</translation>
-    </message>
-    <message>
-        <source>there are %1 (%2)</source>
-        <translation>es gibt %1 (%2)</translation>
-    </message>
-    <message>
-        <source>there are %1 (%2), and the layout does not know %3</source>
-        <translation>es gibt %1 (%2), und der Plan kennt %3 nicht</translation>
-    </message>
-    <message>
-        <source>there are %1</source>
-        <translation>es gibt %1</translation>
-    </message>
-    <message>
-        <source>mark more of the layout&apos;s markers, under the layout&apos;s names</source>
-        <translation>markieren Sie mehr Marker des Plans, unter den Namen des Plans</translation>
-    </message>
-    <message>
-        <source>the markers are mirrored</source>
-        <translation>die Marker sind gespiegelt</translation>
-    </message>
-    <message>
-        <source>seen in this order the camera would be below the floor</source>
-        <translation>in dieser Reihenfolge wäre die Kamera unter dem Boden</translation>
-    </message>
-    <message>
-        <source>seen from above, Y must point to the left of X</source>
-        <translation>von oben gesehen muss Y nach links von X zeigen</translation>
-    </message>
-    <message>
-        <source>check the signs of the layout</source>
-        <translation>prüfen Sie die Vorzeichen des Plans</translation>
-    </message>
-    <message>
-        <source>check these labels</source>
-        <translation>prüfen Sie diese Bezeichnungen</translation>
-    </message>
-    <message>
-        <source>the camera would stand only %1 mm above the floor</source>
-        <translation>die Kamera stünde nur %1 mm über dem Boden</translation>
-    </message>
-    <message>
-        <source>the camera would stand %1 m above the floor</source>
-        <translation>die Kamera stünde %1 m über dem Boden</translation>
-    </message>
-    <message>
-        <source>marker %1 would lie at or beyond the horizon</source>
-        <translation>Marker %1 läge am oder hinter dem Horizont</translation>
-    </message>
-    <message>
-        <source>check its place and its pixel</source>
-        <translation>prüfen Sie seinen Platz und sein Pixel</translation>
-    </message>
-    <message>
-        <source>the markers do not fit a flat floor</source>
-        <translation>die Marker passen nicht zu einem ebenen Boden</translation>
-    </message>
-    <message>
-        <source>%1 px RMS, most at %2 (%3 px)</source>
-        <translation>%1 px RMS, am meisten bei %2 (%3 px)</translation>
-    </message>
-    <message>
-        <source>check the layout, the labels and the intrinsics</source>
-        <translation>prüfen Sie den Plan, die Bezeichnungen und die Objektivdaten</translation>
-    </message>
-    <message>
-        <source>the markers lie so nearly on one line (%1 the most) that the floor is known only to ±%2 mm</source>
-        <translation>die Marker liegen so nahezu auf einer Linie (%1 am meisten), dass der Boden nur auf ±%2 mm bekannt ist</translation>
-    </message>
-    <message>
-        <source>mark and measure them again, or add another</source>
-        <translation>markieren und messen Sie sie neu, oder fügen Sie einen hinzu</translation>
-    </message>
-    <message>
-        <source>the markers do not determine where the cameras stand</source>
-        <translation>die Marker bestimmen nicht, wo die Kameras stehen</translation>
-    </message>
-    <message>
-        <source>the points do not determine where the camera stands</source>
-        <translation>die Punkte bestimmen nicht, wo die Kamera steht</translation>
-    </message>
-    <message>
-        <source>four points are needed that both cameras see</source>
-        <translation>vier Punkte sind nötig, die beide Kameras sehen</translation>
-    </message>
-    <message>
-        <source>add points of the floor, such as corners of tiles</source>
-        <translation>fügen Sie Punkte des Bodens hinzu, etwa Ecken von Fliesen</translation>
-    </message>
-    <message>
-        <source>%1 of %2 were found, four are needed</source>
-        <translation>%1 von %2 wurden gefunden, vier sind nötig</translation>
-    </message>
-    <message>
-        <source>missing: %1</source>
-        <translation>es fehlen: %1</translation>
-    </message>
-    <message>
-        <source>show the missing tags (AprilTag 36h11, numbered from 0 in the layout&apos;s order) or rings, or mark the markers by hand</source>
-        <translation>zeigen Sie die fehlenden Tags (AprilTag 36h11, ab 0 in der Reihenfolge des Plans) oder Ringe, oder markieren Sie die Marker von Hand</translation>
-    </message>
-    <message>
-        <source>%1 rings or dots were found, four are needed</source>
-        <translation>%1 Ringe oder Punkte wurden gefunden, vier sind nötig</translation>
-    </message>
-    <message>
-        <source>show more of them, larger or in better light, or mark the markers by hand</source>
-        <translation>zeigen Sie mehr davon, größer oder bei besserem Licht, oder markieren Sie die Marker von Hand</translation>
-    </message>
-    <message>
-        <source>tell by hand which of them is %1</source>
-        <translation>geben Sie von Hand an, welcher davon %1 ist</translation>
-    </message>
-    <message>
-        <source>whether %1 has moved cannot be told</source>
-        <translation>ob sich %1 bewegt hat, ist nicht zu sagen</translation>
-    </message>
-    <message>
-        <source>%1 of its %2 markers were found again, two are needed</source>
-        <translation>%1 ihrer %2 Marker wurden wiedergefunden, zwei sind nötig</translation>
-    </message>
-    <message>
-        <source>clear the view of the markers</source>
-        <translation>machen Sie die Sicht auf die Marker frei</translation>
-    </message>
-    <message>
-        <source>if they are gone or the camera looks elsewhere, register it again</source>
-        <translation>wenn sie fort sind oder die Kamera woandershin blickt, messen Sie sie neu ein</translation>
-    </message>
-    <message>
-        <source>these intrinsics cannot be used</source>
-        <translation>diese Objektivdaten sind nicht brauchbar</translation>
-    </message>
-    <message>
-        <source>calibrate the camera again, or import another file</source>
-        <translation>kalibrieren Sie die Kamera neu, oder importieren Sie eine andere Datei</translation>
-    </message>
-    <message>
-        <source>register it first, by markers or through another camera</source>
-        <translation>messen Sie sie zuerst ein, über Marker oder über eine andere Kamera</translation>
-    </message>
-    <message>
-        <source>camera &apos;%1&apos; is not registered</source>
-        <translation>Kamera &apos;%1&apos; ist nicht eingemessen</translation>
-    </message>
-    <message>
-        <source>a camera cannot be registered through itself</source>
-        <translation>eine Kamera kann nicht über sich selbst eingemessen werden</translation>
-    </message>
-    <message>
-        <source>name another camera that is registered</source>
-        <translation>nennen Sie eine andere, eingemessene Kamera</translation>
-    </message>
-    <message>
-        <source>both ends lie on one pixel of camera &apos;%1&apos;</source>
-        <translation>beide Enden liegen auf einem Pixel der Kamera &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>mark the two ends where they are seen</source>
-        <translation>markieren Sie beide Enden dort, wo sie zu sehen sind</translation>
-    </message>
-    <message>
-        <source>no camera was given that sees it</source>
-        <translation>keine Kamera wurde angegeben, die sie sieht</translation>
-    </message>
-    <message>
-        <source>mark its ends in one picture at least</source>
-        <translation>markieren Sie ihre Enden in mindestens einem Bild</translation>
-    </message>
-    <message>
-        <source>the told length is not above 0</source>
-        <translation>die angegebene Länge ist nicht größer als 0</translation>
-    </message>
-    <message>
-        <source>give the length as it was measured with a tape</source>
-        <translation>geben Sie die mit dem Maßband gemessene Länge an</translation>
-    </message>
-    <message>
-        <source>the picture is %1, the camera was registered at %2</source>
-        <translation>das Bild hat %1, die Kamera wurde bei %2 eingemessen</translation>
-    </message>
-    <message>
-        <source>give a picture of that size</source>
-        <translation>geben Sie ein Bild dieser Größe an</translation>
-    </message>
-    <message>
-        <source>this computer</source>
-        <translation>dieser Rechner</translation>
-    </message>
-    <message>
-        <source>it slept for %1, and nothing was recorded meanwhile</source>
-        <translation>er schlief %1, und inzwischen wurde nichts aufgenommen</translation>
-    </message>
-    <message>
-        <source>what came before is kept</source>
-        <translation>was vorher kam, ist erhalten</translation>
-    </message>
-    <message>
-        <source>keep it awake while it records</source>
-        <translation>lassen Sie ihn während der Aufnahme nicht schlafen</translation>
-    </message>
-    <message>
-        <source>camera %1</source>
-        <translation>Kamera %1</translation>
-    </message>
-    <message>
-        <source>it takes only %1 pictures a second of the %2 it was asked for</source>
-        <translation>sie nimmt nur %1 Bilder je Sekunde von den verlangten %2</translation>
-    </message>
-    <message>
-        <source>give it more light or a shorter exposure, or ask for a lower rate</source>
-        <translation>geben Sie ihr mehr Licht oder eine kürzere Belichtung, oder verlangen Sie eine kleinere Rate</translation>
-    </message>
-    <message>
-        <source>it is not there</source>
-        <translation>sie ist nicht da</translation>
-    </message>
-    <message>
-        <source>plug it in, or choose one of those that odograph cameras lists</source>
-        <translation>schließen Sie sie an, oder wählen Sie eine von denen, die odograph cameras nennt</translation>
-    </message>
-    <message>
-        <source>choose one of those that odograph cameras lists</source>
-        <translation>wählen Sie eine von denen, die odograph cameras nennt</translation>
-    </message>
-    <message>
-        <source>you may not use it</source>
-        <translation>Sie dürfen sie nicht benutzen</translation>
-    </message>
-    <message>
-        <source>join the group video (sudo usermod -aG video YOUR-NAME) and log in again</source>
-        <translation>treten Sie der Gruppe video bei (sudo usermod -aG video YOUR-NAME) und melden Sie sich neu an</translation>
-    </message>
-    <message>
-        <source>another program uses it</source>
-        <translation>ein anderes Programm benutzt sie</translation>
-    </message>
-    <message>
-        <source>close that program</source>
-        <translation>schließen Sie jenes Programm</translation>
-    </message>
-    <message>
-        <source>it was unplugged</source>
-        <translation>sie wurde abgezogen</translation>
-    </message>
-    <message>
-        <source>plug it in again</source>
-        <translation>schließen Sie sie wieder an</translation>
-    </message>
-    <message>
-        <source>plug %1 in again</source>
-        <translation>schließen Sie %1 wieder an</translation>
-    </message>
-    <message>
-        <source>plug it in where it shares no bus with another camera, or choose MJPEG, a smaller picture or a lower rate (?format=MJPG&amp;size=640x480&amp;rate=30)</source>
-        <translation>schließen Sie sie an einem eigenen Bus an, oder wählen Sie MJPEG, ein kleineres Bild oder eine kleinere Rate (?format=MJPG&amp;size=640x480&amp;rate=30)</translation>
-    </message>
-    <message>
-        <source>it cannot be opened (%1)</source>
-        <translation>sie kann nicht geöffnet werden (%1)</translation>
-    </message>
-    <message>
-        <source>check its cable and address</source>
-        <translation>prüfen Sie Kabel und Adresse</translation>
-    </message>
-    <message>
-        <source>check that you may use it (a udev rule), and that no other program does</source>
-        <translation>prüfen Sie, ob Sie sie benutzen dürfen (eine udev-Regel) und kein anderes Programm es tut</translation>
-    </message>
-    <message>
-        <source>no picture came for half a second</source>
-        <translation>eine halbe Sekunde lang kam kein Bild</translation>
-    </message>
-    <message>
-        <source>wait, or check its cable</source>
-        <translation>warten Sie, oder prüfen Sie ihr Kabel</translation>
-    </message>
-    <message>
-        <source>it does not answer</source>
-        <translation>sie antwortet nicht</translation>
-    </message>
-    <message>
-        <source>check its power and cable</source>
-        <translation>prüfen Sie Strom und Kabel</translation>
-    </message>
-    <message>
-        <source>it does not start (%1)</source>
-        <translation>sie startet nicht (%1)</translation>
-    </message>
-    <message>
-        <source>check its cable, and that no other program uses it</source>
-        <translation>prüfen Sie ihr Kabel, und dass kein anderes Programm sie benutzt</translation>
-    </message>
-    <message>
-        <source>another camera (%1) is in its place</source>
-        <translation>an ihrem Platz ist eine andere Kamera (%1)</translation>
-    </message>
-    <message>
-        <source>another camera (%1) is in the place of camera %2</source>
-        <translation>an der Stelle der Kamera %2 ist eine andere (%1)</translation>
-    </message>
-    <message>
-        <source>connect the one that belongs there, or begin anew with this one</source>
-        <translation>schließen Sie die richtige an, oder beginnen Sie mit dieser neu</translation>
-    </message>
-    <message>
-        <source>it came back with pictures of another size or format</source>
-        <translation>sie kam mit Bildern anderer Größe oder anderen Formats wieder</translation>
-    </message>
-    <message>
-        <source>set it as before, or begin anew with size and format in its address</source>
-        <translation>stellen Sie sie wie vorher ein, oder beginnen Sie neu mit Größe und Format in ihrer Adresse</translation>
-    </message>
-    <message>
-        <source>it has nothing named &apos;%1&apos; that could be set</source>
-        <translation>sie hat nichts namens &apos;%1&apos;, das eingestellt werden könnte</translation>
-    </message>
-    <message>
-        <source>leave it out</source>
-        <translation>lassen Sie es weg</translation>
-    </message>
-    <message>
-        <source>it refuses this value of %1</source>
-        <translation>sie lehnt diesen Wert von %1 ab</translation>
-    </message>
-    <message>
-        <source>choose another one</source>
-        <translation>wählen Sie einen anderen</translation>
-    </message>
-    <message>
-        <source>%1 cannot be set as the camera stands now</source>
-        <translation>%1 kann jetzt nicht eingestellt werden</translation>
-    </message>
-    <message>
-        <source>turn off the automatic that moves it first</source>
-        <translation>schalten Sie zuerst die Automatik aus, die es verstellt</translation>
-    </message>
-    <message>
-        <source>%1 goes from %2 to %3</source>
-        <translation>%1 geht von %2 bis %3</translation>
-    </message>
-    <message>
-        <source>choose a value between</source>
-        <translation>wählen Sie einen Wert dazwischen</translation>
-    </message>
-    <message>
-        <source>%1 gives no pictures</source>
-        <translation>%1 liefert keine Bilder</translation>
-    </message>
-    <message>
-        <source>it has no format that can be read</source>
-        <translation>sie hat kein lesbares Format</translation>
-    </message>
-    <message>
-        <source>take another camera</source>
-        <translation>nehmen Sie eine andere Kamera</translation>
-    </message>
-    <message>
-        <source>it does not offer what was asked for</source>
-        <translation>sie bietet das Verlangte nicht an</translation>
-    </message>
-    <message>
-        <source>choose of what it offers</source>
-        <translation>wählen Sie aus ihrem Angebot</translation>
-    </message>
-    <message>
-        <source>it does not take %1</source>
-        <translation>sie nimmt %1 nicht an</translation>
-    </message>
-    <message>
-        <source>ask for another size or format</source>
-        <translation>verlangen Sie eine andere Größe oder ein anderes Format</translation>
-    </message>
-    <message>
-        <source>it does not take this size</source>
-        <translation>sie nimmt diese Größe nicht an</translation>
-    </message>
-    <message>
-        <source>it does not take this rate</source>
-        <translation>sie nimmt diese Rate nicht an</translation>
-    </message>
-    <message>
-        <source>it does not take this exposure</source>
-        <translation>sie nimmt diese Belichtung nicht an</translation>
-    </message>
-    <message>
-        <source>it does not take this gain</source>
-        <translation>sie nimmt diese Verstärkung nicht an</translation>
-    </message>
-    <message>
-        <source>ask it for something else, or leave that to the camera</source>
-        <translation>verlangen Sie etwas anderes, oder überlassen Sie es der Kamera</translation>
-    </message>
-    <message>
-        <source>no camera has such an address</source>
-        <translation>keine Kamera hat eine solche Adresse</translation>
-    </message>
-    <message>
-        <source>give one as v4l2:/dev/video0, aravis:192.168.1.20, sim:A or file:PATH</source>
-        <translation>geben Sie eine an wie v4l2:/dev/video0, aravis:192.168.1.20, sim:A oder file:PATH</translation>
-    </message>
-    <message>
-        <source>the video has ended</source>
-        <translation>das Video ist zu Ende</translation>
-    </message>
-    <message>
-        <source>open it again to see it from the start</source>
-        <translation>öffnen Sie es neu, um es von Anfang an zu sehen</translation>
-    </message>
-    <message>
-        <source>the recording %1</source>
-        <translation>die Aufnahme %1</translation>
-    </message>
-    <message>
-        <source>make room, or move the project to another disk</source>
-        <translation>schaffen Sie Platz, oder legen Sie das Projekt auf eine andere Platte</translation>
-    </message>
-    <message>
-        <source>what was recorded so far is kept</source>
-        <translation>was bisher aufgenommen wurde, ist erhalten</translation>
-    </message>
-    <message>
-        <source>recording of trial &apos;%1&apos;</source>
-        <translation>Aufnahme des Versuchs &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>check that they are connected and not used by another program</source>
-        <translation>prüfen Sie, ob sie angeschlossen sind und kein anderes Programm sie benutzt</translation>
-    </message>
-    <message>
-        <source>check that it is connected and not used by another program</source>
-        <translation>prüfen Sie, ob sie angeschlossen ist und kein anderes Programm sie benutzt</translation>
-    </message>
-    <message>
-        <source>camera &apos;%1&apos; gave no picture</source>
-        <translation>Kamera &apos;%1&apos; lieferte kein Bild</translation>
-    </message>
-    <message>
-        <source>no camera was given</source>
-        <translation>keine Kamera wurde angegeben</translation>
-    </message>
-    <message>
-        <source>address &apos;%1&apos; of live positions</source>
-        <translation>Adresse &apos;%1&apos; der Live-Orte</translation>
-    </message>
-    <message>
-        <source>it is no IPv4 address with a port</source>
-        <translation>es ist keine IPv4-Adresse mit Port</translation>
-    </message>
-    <message>
-        <source>write it like 224.5.23.2:10006</source>
-        <translation>schreiben Sie etwa 224.5.23.2:10006</translation>
-    </message>
-    <message>
-        <source>live positions to %1</source>
-        <translation>Live-Orte an %1</translation>
-    </message>
-    <message>
-        <source>interface &apos;%1&apos; takes no multicast</source>
-        <translation>Schnittstelle &apos;%1&apos; kann kein Multicast</translation>
-    </message>
-    <message>
-        <source>this machine has none of that name</source>
-        <translation>dieser Rechner hat keine dieses Namens</translation>
-    </message>
-    <message>
-        <source>close other programs and try again</source>
-        <translation>schließen Sie andere Programme und versuchen Sie es noch einmal</translation>
-    </message>
-    <message>
-        <source>cancelled</source>
-        <translation>abgebrochen</translation>
-    </message>
-    <message>
-        <source>nothing was changed</source>
-        <translation>nichts wurde geändert</translation>
-    </message>
-    <message>
-        <source>another program is writing to it</source>
-        <translation>ein anderes Programm schreibt darin</translation>
-    </message>
-    <message>
-        <source>close the other program and try again</source>
-        <translation>schließen Sie das andere Programm und versuchen Sie es noch einmal</translation>
-    </message>
-    <message>
-        <source>it cannot be written to</source>
-        <translation>Schreiben ist dort nicht erlaubt</translation>
-    </message>
-    <message>
-        <source>its folder cannot be written to</source>
-        <translation>in seinen Ordner kann nicht geschrieben werden</translation>
-    </message>
-    <message>
-        <source>copy it to a folder that you may write to, and open the copy</source>
-        <translation>kopieren Sie es in einen Ordner, in den Sie schreiben dürfen, und öffnen Sie die Kopie</translation>
-    </message>
-    <message>
-        <source>copy it with its videos to a folder that you may write to, and open the copy</source>
-        <translation>kopieren Sie es mit seinen Videos in einen Ordner, in den Sie schreiben dürfen, und öffnen Sie die Kopie</translation>
-    </message>
-    <message>
-        <source>the disk is full, the change was not saved</source>
-        <translation>die Platte ist voll, die Änderung wurde nicht gespeichert</translation>
-    </message>
-    <message>
-        <source>the disk is full</source>
-        <translation>die Platte ist voll</translation>
-    </message>
-    <message>
-        <source>make room on the disk and try again</source>
-        <translation>schaffen Sie Platz auf der Platte und versuchen Sie es noch einmal</translation>
-    </message>
-    <message>
-        <source>the disk reported an error, the change was not saved</source>
-        <translation>die Platte meldete einen Fehler, die Änderung wurde nicht gespeichert</translation>
-    </message>
-    <message>
-        <source>check the disk, and copy the project to another one</source>
-        <translation>prüfen Sie die Platte und kopieren Sie das Projekt auf eine andere</translation>
-    </message>
-    <message>
-        <source>check the disk and try again</source>
-        <translation>prüfen Sie die Platte und versuchen Sie es noch einmal</translation>
-    </message>
-    <message>
-        <source>check the disk</source>
-        <translation>prüfen Sie die Platte</translation>
-    </message>
-    <message>
-        <source>the file is damaged</source>
-        <translation>die Datei ist beschädigt</translation>
-    </message>
-    <message>
-        <source>its tables are not those of a project</source>
-        <translation>seine Tabellen sind nicht die eines Projekts</translation>
-    </message>
-    <message>
-        <source>restore it from a backup copy</source>
-        <translation>stellen Sie es aus einer Sicherungskopie wieder her</translation>
-    </message>
-    <message>
-        <source>the project file is damaged</source>
-        <translation>die Projektdatei ist beschädigt</translation>
-    </message>
-    <message>
-        <source>it is not a project file</source>
-        <translation>es ist keine Projektdatei</translation>
-    </message>
-    <message>
-        <source>it is a database of another program</source>
-        <translation>es ist die Datenbank eines anderen Programms</translation>
-    </message>
-    <message>
-        <source>the journal beside it names another file</source>
-        <translation>das Journal daneben nennt eine andere Datei</translation>
-    </message>
-    <message>
-        <source>choose a file that Odograph has written</source>
-        <translation>wählen Sie eine Datei, die Odograph geschrieben hat</translation>
-    </message>
-    <message>
-        <source>it refers to something that is not in the project, or a value is missing</source>
-        <translation>es bezieht sich auf etwas, das nicht im Projekt ist, oder ein Wert fehlt</translation>
-    </message>
-    <message>
-        <source>add what it refers to first</source>
-        <translation>fügen Sie zuerst hinzu, worauf es sich bezieht</translation>
-    </message>
-    <message>
-        <source>the database refused</source>
-        <translation>die Datenbank verweigerte es</translation>
-    </message>
-    <message>
-        <source>run a check of the project</source>
-        <translation>prüfen Sie das Projekt</translation>
-    </message>
-    <message>
-        <source>there is no such file</source>
-        <translation>es gibt keine solche Datei</translation>
-    </message>
-    <message>
-        <source>check the name, or make a new project</source>
-        <translation>prüfen Sie den Namen, oder legen Sie ein neues Projekt an</translation>
-    </message>
-    <message>
-        <source>check the name and the folder</source>
-        <translation>prüfen Sie Name und Ordner</translation>
-    </message>
-    <message>
-        <source>it is a folder</source>
-        <translation>es ist ein Ordner</translation>
-    </message>
-    <message>
-        <source>it cannot be read</source>
-        <translation>Lesen nicht möglich</translation>
-    </message>
-    <message>
-        <source>it cannot be read (%1)</source>
-        <translation>Lesen nicht möglich (%1)</translation>
-    </message>
-    <message>
-        <source>check that you may read the file</source>
-        <translation>prüfen Sie, ob Sie die Datei lesen dürfen</translation>
-    </message>
-    <message>
-        <source>check that the file is there and may be read</source>
-        <translation>prüfen Sie, ob die Datei da ist und gelesen werden darf</translation>
-    </message>
-    <message>
-        <source>check that it is there and may be read</source>
-        <translation>prüfen Sie, ob sie da ist und gelesen werden darf</translation>
-    </message>
-    <message>
-        <source>the file is empty</source>
-        <translation>die Datei ist leer</translation>
-    </message>
-    <message>
-        <source>the file is cut off</source>
-        <translation>die Datei ist abgeschnitten</translation>
-    </message>
-    <message>
-        <source>it has %1 of %2 bytes</source>
-        <translation>%1 von %2 Bytes sind da</translation>
-    </message>
-    <message>
-        <source>copy it again from where it came, or restore a backup copy</source>
-        <translation>kopieren Sie sie noch einmal von ihrer Quelle, oder stellen Sie eine Sicherungskopie wieder her</translation>
-    </message>
-    <message>
-        <source>it was written by a newer Odograph (format %1, this one knows formats up to %2)</source>
-        <translation>geschrieben von einem neueren Odograph (Format %1, dieses kennt Formate bis %2)</translation>
-    </message>
-    <message>
-        <source>open it with that Odograph, or update this one</source>
-        <translation>öffnen Sie es mit jenem Odograph, oder aktualisieren Sie dieses</translation>
-    </message>
-    <message>
-        <source>open the project with a newer Odograph</source>
-        <translation>öffnen Sie das Projekt mit einem neueren Odograph</translation>
-    </message>
-    <message>
-        <source>it is open in another window</source>
-        <translation>es ist in einem anderen Fenster geöffnet</translation>
-    </message>
-    <message>
-        <source>it is open in another window (%1)</source>
-        <translation>es ist in einem anderen Fenster geöffnet (%1)</translation>
-    </message>
-    <message>
-        <source>close it there first</source>
-        <translation>schließen Sie es dort zuerst</translation>
-    </message>
-    <message>
-        <source>a trial is being recorded into it just now</source>
-        <translation>gerade wird ein Versuch darin aufgenommen</translation>
-    </message>
-    <message>
-        <source>wait until that has ended</source>
-        <translation>warten Sie, bis das beendet ist</translation>
-    </message>
-    <message>
-        <source>check the free space and the rights of the project&apos;s folder</source>
-        <translation>prüfen Sie den freien Platz und die Rechte des Projektordners</translation>
-    </message>
-    <message>
-        <source>check the free space and the rights of its folder</source>
-        <translation>prüfen Sie den freien Platz und die Rechte seines Ordners</translation>
-    </message>
-    <message>
-        <source>a file of that name is there already</source>
-        <translation>eine Datei dieses Namens gibt es schon</translation>
-    </message>
-    <message>
-        <source>choose another name, or remove that file first</source>
-        <translation>wählen Sie einen anderen Namen, oder entfernen Sie zuerst jene Datei</translation>
-    </message>
-    <message>
-        <source>there is no folder &apos;%1&apos;</source>
-        <translation>es gibt keinen Ordner &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>make the folder first, or choose another one</source>
-        <translation>legen Sie den Ordner zuerst an, oder wählen Sie einen anderen</translation>
-    </message>
-    <message>
-        <source>it has no file name</source>
-        <translation>der Dateiname fehlt</translation>
-    </message>
-    <message>
-        <source>give the file a name</source>
-        <translation>geben Sie der Datei einen Namen</translation>
-    </message>
-    <message>
-        <source>its name is too long</source>
-        <translation>der Name ist zu lang</translation>
-    </message>
-    <message>
-        <source>choose a shorter name</source>
-        <translation>wählen Sie einen kürzeren Namen</translation>
-    </message>
-    <message>
-        <source>the folder &apos;%1&apos; cannot be written to (%2)</source>
-        <translation>in den Ordner &apos;%1&apos; kann nicht geschrieben werden (%2)</translation>
-    </message>
-    <message>
-        <source>choose a folder that you may write to</source>
-        <translation>wählen Sie einen Ordner, in den Sie schreiben dürfen</translation>
-    </message>
-    <message>
-        <source>choose a folder that you may write to and that has room</source>
-        <translation>wählen Sie einen Ordner mit Platz, in den Sie schreiben dürfen</translation>
-    </message>
-    <message>
-        <source>choose a folder that can be written to and has room</source>
-        <translation>wählen Sie einen beschreibbaren Ordner mit Platz</translation>
-    </message>
-    <message>
-        <source>writing it failed (%1)</source>
-        <translation>das Schreiben misslang (%1)</translation>
-    </message>
-    <message>
-        <source>it cannot be written (%1)</source>
-        <translation>Schreiben nicht möglich (%1)</translation>
-    </message>
-    <message>
-        <source>what it concerns has been changed or used since</source>
-        <translation>was sie betrifft, wurde seither geändert oder benutzt</translation>
-    </message>
-    <message>
-        <source>take the later change back first, or leave it</source>
-        <translation>nehmen Sie zuerst die spätere Änderung zurück, oder lassen Sie es</translation>
-    </message>
-    <message>
-        <source>nothing has been changed since the project was opened</source>
-        <translation>seit dem Öffnen des Projekts wurde nichts geändert</translation>
-    </message>
-    <message>
-        <source>change something first</source>
-        <translation>ändern Sie zuerst etwas</translation>
-    </message>
-    <message>
-        <source>nothing has been undone</source>
-        <translation>nichts wurde zurückgenommen</translation>
-    </message>
-    <message>
-        <source>undo something first</source>
-        <translation>nehmen Sie zuerst etwas zurück</translation>
-    </message>
-    <message>
-        <source>the project has a %1 of that name already</source>
-        <translation>das Projekt hat schon einen Eintrag „%1“ dieses Namens</translation>
-    </message>
-    <message>
-        <source>the project has a trial of that name</source>
-        <translation>das Projekt hat einen Versuch dieses Namens</translation>
-    </message>
-    <message>
-        <source>choose another name</source>
-        <translation>wählen Sie einen anderen Namen</translation>
-    </message>
-    <message>
-        <source>there is no such %1 in the project</source>
-        <translation>so etwas gibt es im Projekt nicht: %1</translation>
-    </message>
-    <message>
-        <source>class</source>
-        <translation>Klasse</translation>
-    </message>
-    <message>
-        <source>team</source>
-        <translation>Team</translation>
-    </message>
-    <message>
-        <source>robot</source>
-        <translation>Roboter</translation>
-    </message>
-    <message>
-        <source>camera</source>
-        <translation>Kamera</translation>
-    </message>
-    <message>
-        <source>task</source>
-        <translation>Aufgabe</translation>
-    </message>
-    <message>
-        <source>trial</source>
-        <translation>Versuch</translation>
-    </message>
-    <message>
-        <source>layout</source>
-        <translation>Plan</translation>
-    </message>
-    <message>
-        <source>name of a %1</source>
-        <translation>Name (%1)</translation>
-    </message>
-    <message>
-        <source>it is empty</source>
-        <translation>er ist leer</translation>
-    </message>
-    <message>
-        <source>give the %1 a name</source>
-        <translation>geben Sie einen Namen an (%1)</translation>
-    </message>
-    <message>
-        <source>it has %1 characters</source>
-        <translation>%1 Zeichen</translation>
-    </message>
-    <message>
-        <source>use at most %1</source>
-        <translation>verwenden Sie höchstens %1</translation>
-    </message>
-    <message>
-        <source>it holds a line break or another control character</source>
-        <translation>darin ist ein Zeilenumbruch oder ein anderes Steuerzeichen</translation>
-    </message>
-    <message>
-        <source>use a name of one line</source>
-        <translation>verwenden Sie einen einzeiligen Namen</translation>
-    </message>
-    <message>
-        <source>it is not valid UTF-8 text</source>
-        <translation>kein gültiger UTF-8-Text</translation>
-    </message>
-    <message>
-        <source>class &apos;%1&apos;</source>
-        <translation>Klasse &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>team &apos;%1&apos;</source>
-        <translation>Team &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>robot &apos;%1&apos;</source>
-        <translation>Roboter &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>camera &apos;%1&apos;</source>
-        <translation>Kamera &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>task &apos;%1&apos;</source>
-        <translation>Aufgabe &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>layout &apos;%1&apos;</source>
-        <translation>Plan &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>file &apos;%1&apos;</source>
-        <translation>Datei &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>a team belongs to it</source>
-        <translation>ein Team gehört dazu</translation>
-    </message>
-    <message>
-        <source>%1 teams belong to it</source>
-        <translation>%1 Teams gehören dazu</translation>
-    </message>
-    <message>
-        <source>move its teams to another class first, or archive it</source>
-        <translation>verschieben Sie ihre Teams zuerst in eine andere Klasse, oder archivieren Sie sie</translation>
-    </message>
-    <message>
-        <source>it drove in a trial</source>
-        <translation>er fuhr in einem Versuch</translation>
-    </message>
-    <message>
-        <source>keep it</source>
-        <translation>behalten Sie ihn</translation>
-    </message>
-    <message>
-        <source>it can be given another name</source>
-        <translation>ein anderer Name ist möglich</translation>
-    </message>
-    <message>
-        <source>a trial has it</source>
-        <translation>ein Versuch hat sie</translation>
-    </message>
-    <message>
-        <source>%1 trials have it</source>
-        <translation>%1 Versuche haben sie</translation>
-    </message>
-    <message>
-        <source>give them another task first</source>
-        <translation>geben Sie ihnen zuerst eine andere Aufgabe</translation>
-    </message>
-    <message>
-        <source>trials were measured by it</source>
-        <translation>Versuche wurden danach ausgewertet</translation>
-    </message>
-    <message>
-        <source>their figures would not say any more what they were measured by</source>
-        <translation>ihre Kennwerte würden nicht mehr sagen, wonach sie ermittelt wurden</translation>
-    </message>
-    <message>
-        <source>a trial is its</source>
-        <translation>ein Versuch gehört ihm</translation>
-    </message>
-    <message>
-        <source>%1 trials are its</source>
-        <translation>%1 Versuche gehören ihm</translation>
-    </message>
-    <message>
-        <source>delete them for good first, or archive its class</source>
-        <translation>löschen Sie sie zuerst endgültig, oder archivieren Sie seine Klasse</translation>
-    </message>
-    <message>
-        <source>it has more than %1 members</source>
-        <translation>es hat mehr als %1 Mitglieder</translation>
-    </message>
-    <message>
-        <source>give the names of the people in the team</source>
-        <translation>geben Sie die Namen der Personen im Team an</translation>
-    </message>
-    <message>
-        <source>a robot belongs to it twice</source>
-        <translation>ein Roboter gehört ihm zweimal</translation>
-    </message>
-    <message>
-        <source>name each of its robots once</source>
-        <translation>nennen Sie jeden Roboter einmal</translation>
-    </message>
-    <message>
-        <source>it is being recorded</source>
-        <translation>er wird gerade aufgenommen</translation>
-    </message>
-    <message>
-        <source>trial &apos;%1&apos; is being recorded</source>
-        <translation>Versuch &apos;%1&apos; wird gerade aufgenommen</translation>
-    </message>
-    <message>
-        <source>end its recording first</source>
-        <translation>beenden Sie zuerst seine Aufnahme</translation>
-    </message>
-    <message>
-        <source>it is not in the bin</source>
-        <translation>er ist nicht im Papierkorb</translation>
-    </message>
-    <message>
-        <source>put it into the bin first</source>
-        <translation>legen Sie ihn zuerst in den Papierkorb</translation>
-    </message>
-    <message>
-        <source>its height is to be told, but none is given</source>
-        <translation>seine Höhe soll vorgegeben sein, aber es gibt keine</translation>
-    </message>
-    <message>
-        <source>give a height, or let it be estimated</source>
-        <translation>geben Sie eine Höhe an, oder lassen Sie sie schätzen</translation>
-    </message>
-    <message>
-        <source>its height is below the floor</source>
-        <translation>seine Höhe liegt unter dem Boden</translation>
-    </message>
-    <message>
-        <source>give a height of 0 or more</source>
-        <translation>geben Sie eine Höhe von 0 oder mehr an</translation>
-    </message>
-    <message>
-        <source>its size is not above 0</source>
-        <translation>seine Größe ist nicht größer als 0</translation>
-    </message>
-    <message>
-        <source>give length and width in millimetres, like 260x190</source>
-        <translation>geben Sie Länge und Breite in Millimetern an, etwa 260x190</translation>
-    </message>
-    <message>
-        <source>length &apos;%1&apos;</source>
-        <translation>Länge &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>not a number with the unit mm, cm or m</source>
-        <translation>keine Zahl mit der Einheit mm, cm oder m</translation>
-    </message>
-    <message>
-        <source>write it like 25mm, 2.5cm or 0.3m</source>
-        <translation>schreiben Sie etwa 25mm, 2.5cm oder 0.3m</translation>
-    </message>
-    <message>
-        <source>not a finite decimal number</source>
-        <translation>keine endliche Dezimalzahl</translation>
-    </message>
-    <message>
-        <source>write it with digits and a point, like 12.5</source>
-        <translation>schreiben Sie sie mit Ziffern und Punkt, etwa 12.5</translation>
-    </message>
-    <message>
-        <source>correct the pixels</source>
-        <translation>berichtigen Sie die Pixel</translation>
-    </message>
-    <message>
-        <source>correct it</source>
-        <translation>berichtigen Sie es</translation>
-    </message>
-    <message>
-        <source>correct one of them</source>
-        <translation>berichtigen Sie einen davon</translation>
-    </message>
-    <message>
-        <source>point %1 is there twice</source>
-        <translation>Punkt %1 gibt es zweimal</translation>
-    </message>
-    <message>
-        <source>point %1 lies at or beyond the horizon of %2</source>
-        <translation>Punkt %1 liegt am oder hinter dem Horizont von %2</translation>
-    </message>
-    <message>
-        <source>choose points of the floor</source>
-        <translation>wählen Sie Punkte des Bodens</translation>
-    </message>
-    <message>
-        <source>point %1 lies where a lens cannot have put it</source>
-        <translation>Punkt %1 liegt, wohin ihn kein Objektiv abbilden kann</translation>
-    </message>
-    <message>
-        <source>check its pixels and the intrinsics of both cameras</source>
-        <translation>prüfen Sie seine Pixel und die Objektivdaten beider Kameras</translation>
-    </message>
-    <message>
-        <source>the points are mirrored between the pictures of the two cameras</source>
-        <translation>die Punkte sind zwischen den Bildern der beiden Kameras gespiegelt</translation>
-    </message>
-    <message>
-        <source>check which label belongs to which point in %1 and in this camera</source>
-        <translation>prüfen Sie, welche Bezeichnung in %1 und in dieser Kamera zu welchem Punkt gehört</translation>
-    </message>
-    <message>
-        <source>point %1 would lie at or beyond the horizon</source>
-        <translation>Punkt %1 läge am oder hinter dem Horizont</translation>
-    </message>
-    <message>
-        <source>check its pixels in both pictures</source>
-        <translation>prüfen Sie seine Pixel in beiden Bildern</translation>
-    </message>
-    <message>
-        <source>the floor among the points is known only to ±%1 mm</source>
-        <translation>der Boden zwischen den Punkten ist nur auf ±%1 mm bekannt</translation>
-    </message>
-    <message>
-        <source>spread the points over the floor, or register %1 better first</source>
-        <translation>verteilen Sie die Punkte über den Boden, oder messen Sie zuerst %1 besser ein</translation>
-    </message>
-    <message>
-        <source>the markers fit only to %1 px, but %2</source>
-        <translation>die Marker passen nur auf %1 px, aber %2</translation>
-    </message>
-    <message>
-        <source>the %1 markers misfit by %2 px (%3 mm) and check one another too little to tell which of them</source>
-        <translation>die %1 Marker passen um %2 px (%3 mm) nicht und prüfen einander zu wenig, um zu sagen, welcher es ist</translation>
-    </message>
-    <message>
-        <source>it may be wrong by much more</source>
-        <translation>der Fehler kann viel größer sein</translation>
-    </message>
-    <message>
-        <source>there is %1 camera on layout &apos;%2&apos;, two are needed</source>
-        <translation>auf dem Plan &apos;%2&apos; gibt es %1 Kamera, zwei sind nötig</translation>
-    </message>
-    <message>
-        <source>register the cameras one by one by this layout first</source>
-        <translation>messen Sie die Kameras zuerst einzeln über diesen Plan ein</translation>
-    </message>
-    <message>
-        <source>camera &apos;%1&apos; sees only %2 of the markers</source>
-        <translation>Kamera &apos;%1&apos; sieht nur %2 der Marker</translation>
-    </message>
-    <message>
-        <source>register it by more of them first</source>
-        <translation>messen Sie sie zuerst über mehr davon ein</translation>
-    </message>
-    <message>
-        <source>no two of the cameras see the same marker</source>
-        <translation>keine zwei der Kameras sehen denselben Marker</translation>
-    </message>
-    <message>
-        <source>let them see some of the same floor</source>
-        <translation>lassen Sie sie ein Stück gemeinsamen Bodens sehen</translation>
-    </message>
-    <message>
-        <source>the first end lies at or beyond the horizon of camera &apos;%1&apos;</source>
-        <translation>das erste Ende liegt am oder hinter dem Horizont der Kamera &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>the second end lies at or beyond the horizon of camera &apos;%1&apos;</source>
-        <translation>das zweite Ende liegt am oder hinter dem Horizont der Kamera &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>lay the stick on the floor, nearer to the camera</source>
-        <translation>legen Sie den Stab auf den Boden, näher an die Kamera</translation>
-    </message>
-    <message>
-        <source>the floor markers cannot be found</source>
-        <translation>die Marker auf dem Boden sind nicht zu finden</translation>
-    </message>
-    <message>
-        <source>the markers cannot be told apart</source>
-        <translation>die Marker sind nicht zu unterscheiden</translation>
-    </message>
-    <message>
-        <source>in %1 ways they fit the layout equally well, which looks the same from several sides</source>
-        <translation>auf %1 Arten passen sie gleich gut zum Plan, der von mehreren Seiten gleich aussieht</translation>
-    </message>
-    <message>
-        <source>none of the ways to name the %1 rings and dots fits the layout</source>
-        <translation>keine Benennung der %1 Ringe und Punkte passt zum Plan</translation>
-    </message>
-    <message>
-        <source>check the layout&apos;s places and their unit, cover other round things, or mark the markers by hand</source>
-        <translation>prüfen Sie die Orte des Plans und ihre Einheit, verdecken Sie andere runde Dinge, oder markieren Sie die Marker von Hand</translation>
-    </message>
-    <message>
-        <source>tag %1 (marker %2) is seen %3 times</source>
-        <translation>Tag %1 (Marker %2) ist %3-mal zu sehen</translation>
-    </message>
-    <message>
-        <source>leave one of them on the floor</source>
-        <translation>lassen Sie eines davon auf dem Boden</translation>
-    </message>
-    <message>
-        <source>the axes of layout &apos;%1&apos; cannot be changed</source>
-        <translation>die Achsen des Plans &apos;%1&apos; können nicht geändert werden</translation>
-    </message>
-    <message>
-        <source>it has no marker %1</source>
-        <translation>er hat keinen Marker %1</translation>
-    </message>
-    <message>
-        <source>name one of %1</source>
-        <translation>nennen Sie einen von %1</translation>
-    </message>
-    <message>
-        <source>the markers that X is to run along lie at one place</source>
-        <translation>die Marker, entlang derer X verlaufen soll, liegen an einer Stelle</translation>
-    </message>
-    <message>
-        <source>name two that lie apart</source>
-        <translation>nennen Sie zwei, die auseinander liegen</translation>
-    </message>
-    <message>
-        <source>give one of them</source>
-        <translation>geben Sie eins davon an</translation>
-    </message>
-    <message>
-        <source>reversing X alone would mirror the floor, and no camera above it sees it so</source>
-        <translation>X allein umzukehren würde den Boden spiegeln, und keine Kamera darüber sieht ihn so</translation>
-    </message>
-    <message>
-        <source>reversing Y alone would mirror the floor, and no camera above it sees it so</source>
-        <translation>Y allein umzukehren würde den Boden spiegeln, und keine Kamera darüber sieht ihn so</translation>
-    </message>
-    <message>
-        <source>reverse both (a half turn), or turn the axes</source>
-        <translation>kehren Sie beide um (halbe Drehung), oder drehen Sie die Achsen</translation>
-    </message>
-    <message>
-        <source>if the layout was written down mirrored, correct its signs and add it anew</source>
-        <translation>wenn der Plan gespiegelt notiert wurde, berichtigen Sie seine Vorzeichen und fügen Sie ihn neu hinzu</translation>
-    </message>
-    <message>
-        <source>%1 cannot be set while it is automatic</source>
-        <translation>%1 kann nicht eingestellt werden, solange es automatisch ist</translation>
-    </message>
-    <message>
-        <source>turn the automatic off</source>
-        <translation>schalten Sie die Automatik aus</translation>
-    </message>
-    <message>
-        <source>check its power and cable, and that this computer has an address in the camera&apos;s network</source>
-        <translation>prüfen Sie Strom und Kabel, und dass dieser Rechner eine Adresse im Netz der Kamera hat</translation>
-    </message>
-    <message>
-        <source>a camera whose program has crashed is free again after some seconds</source>
-        <translation>eine Kamera, deren Programm abgestürzt ist, ist nach einigen Sekunden wieder frei</translation>
-    </message>
-    <message>
-        <source>no camera of this serial number answers</source>
-        <translation>keine Kamera mit dieser Seriennummer antwortet</translation>
-    </message>
-    <message>
-        <source>check its power and cable; odograph cameras lists those that answer</source>
-        <translation>prüfen Sie Strom und Kabel; odograph cameras nennt die, die antworten</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not understood</source>
-        <translation>&apos;%1&apos; ist nicht verständlich</translation>
-    </message>
-    <message>
-        <source>give each point a label</source>
-        <translation>geben Sie jedem Punkt eine Bezeichnung</translation>
-    </message>
-    <message>
-        <source>write one value for each of %1</source>
-        <translation>schreiben Sie je einen Wert für %1</translation>
-    </message>
-    <message>
-        <source>not of the form #rrggbb</source>
-        <translation>nicht von der Form #rrggbb</translation>
-    </message>
-    <message>
-        <source>write it like #d72328</source>
-        <translation>schreiben Sie etwa #d72328</translation>
-    </message>
-    <message>
-        <source>a board of %1 inner corners is too small</source>
-        <translation>eine Tafel mit %1 inneren Ecken ist zu klein</translation>
-    </message>
-    <message>
-        <source>give 3x3 at least, like 9x6, or leave the size out</source>
-        <translation>geben Sie mindestens 3x3 an, etwa 9x6, oder lassen Sie die Größe weg</translation>
-    </message>
-    <message>
-        <source>the squares have no size</source>
-        <translation>die Felder haben keine Größe</translation>
-    </message>
-    <message>
-        <source>give it like 25mm</source>
-        <translation>geben Sie sie etwa als 25mm an</translation>
-    </message>
-    <message>
-        <source>there is no marker dictionary %1</source>
-        <translation>es gibt kein Marker-Wörterbuch %1</translation>
-    </message>
-    <message>
-        <source>analyse the trial again</source>
-        <translation>werten Sie den Versuch neu aus</translation>
-    </message>
-    <message>
-        <source>analysis of a trial</source>
-        <translation>Auswertung eines Versuchs</translation>
-    </message>
-    <message>
-        <source>the change could not be noted (%1)</source>
-        <translation>die Änderung konnte nicht vermerkt werden (%1)</translation>
-    </message>
-    <message>
-        <source>try it again</source>
-        <translation>versuchen Sie es noch einmal</translation>
-    </message>
-    <message>
-        <source>undo</source>
-        <translation>rückgängig machen</translation>
-    </message>
-    <message>
-        <source>redo</source>
-        <translation>wiederholen</translation>
-    </message>
-    <message>
-        <source>an earlier step of this change failed</source>
-        <translation>ein früherer Schritt dieser Änderung misslang</translation>
-    </message>
-    <message>
-        <source>try the whole change again</source>
-        <translation>versuchen Sie die ganze Änderung noch einmal</translation>
-    </message>
-    <message>
-        <source>cannot hold %1</source>
-        <translation>%1 kann nicht gesperrt werden</translation>
-    </message>
-    <message>
-        <source>the labels are not those that it has</source>
-        <translation>die Bezeichnungen sind nicht die seinen</translation>
-    </message>
-    <message>
-        <source>add another layout for other markers</source>
-        <translation>fügen Sie für andere Marker einen anderen Plan hinzu</translation>
-    </message>
-    <message>
-        <source>the copy differs from what was written</source>
-        <translation>die Kopie weicht vom Geschriebenen ab</translation>
-    </message>
-    <message>
-        <source>it says of itself to have the format %1</source>
-        <translation>sie gibt das Format %1 an</translation>
-    </message>
-    <message>
-        <source>type the name anew</source>
-        <translation>tippen Sie den Namen neu</translation>
-    </message>
-    <message>
-        <source>type the text anew</source>
-        <translation>tippen Sie den Text neu</translation>
-    </message>
-    <message>
-        <source>it has no %1 yet</source>
-        <translation>es hat noch nichts dieser Art: %1</translation>
-    </message>
-    <message>
-        <source>add one first</source>
-        <translation>fügen Sie zuerst eins hinzu</translation>
-    </message>
-    <message>
-        <source>it has the older format %1 and must be brought up to date before it can be read, but %2</source>
-        <translation>es hat das ältere Format %1 und muss vor dem Lesen aktualisiert werden, aber %2</translation>
-    </message>
-    <message>
-        <source>it could not be brought to format %1 (%2)</source>
-        <translation>es konnte nicht auf Format %1 gebracht werden (%2)</translation>
-    </message>
-    <message>
-        <source>reading it failed (%1)</source>
-        <translation>das Lesen misslang (%1)</translation>
-    </message>
-    <message>
-        <source>recording &apos;%1&apos;</source>
-        <translation>Aufnahme &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>its recording has ended already</source>
-        <translation>seine Aufnahme ist schon beendet</translation>
-    </message>
-    <message>
-        <source>record another trial</source>
-        <translation>nehmen Sie einen anderen Versuch auf</translation>
-    </message>
-    <message>
-        <source>comparison of %1</source>
-        <translation>Vergleich von %1</translation>
-    </message>
-    <message>
-        <source>it has more than %1 lines</source>
-        <translation>sie hat mehr als %1 Zeilen</translation>
-    </message>
-    <message>
-        <source>keep those that matter</source>
-        <translation>behalten Sie die wichtigen</translation>
-    </message>
-    <message>
-        <source>a number in it is none</source>
-        <translation>eine Zahl darin ist keine</translation>
-    </message>
-    <message>
-        <source>give three numbers</source>
-        <translation>geben Sie drei Zahlen an</translation>
-    </message>
-    <message>
-        <source>its points are 0, or beyond 1000</source>
-        <translation>ihre Punkte sind 0 oder jenseits von 1000</translation>
-    </message>
-    <message>
-        <source>give points from 1 to 1000, below zero for a penalty</source>
-        <translation>geben Sie Punkte von 1 bis 1000 an, für eine Strafe unter null</translation>
-    </message>
-    <message>
-        <source>it is shorter than 1 mm</source>
-        <translation>kürzer als 1 mm</translation>
-    </message>
-    <message>
-        <source>its points are not on a floor of 1 km</source>
-        <translation>die Punkte liegen nicht auf einem Boden von 1 km</translation>
-    </message>
-    <message>
-        <source>it has more than %1 points</source>
-        <translation>mehr als %1 Punkte</translation>
-    </message>
-    <message>
-        <source>its place is not a number</source>
-        <translation>der Ort ist keine Zahl</translation>
-    </message>
-    <message>
-        <source>a slalom has 1 to 100 poles, not %1</source>
-        <translation>ein Slalom hat 1 bis 100 Stangen, nicht %1</translation>
-    </message>
-    <message>
-        <source>give another number</source>
-        <translation>geben Sie eine andere Zahl an</translation>
-    </message>
-    <message>
-        <source>the board was found in none of %1 pictures (%2)</source>
-        <translation>die Tafel wurde in keinem von %1 Bildern gefunden (%2)</translation>
-    </message>
-    <message>
-        <source>show the whole board, flat, sharp and evenly lit, and check --pattern and --board</source>
-        <translation>zeigen Sie die ganze Tafel, flach, scharf und gleichmäßig beleuchtet, und prüfen Sie Muster und Größe</translation>
-    </message>
-    <message>
-        <source>the size of its pictures is not known</source>
-        <translation>die Größe ihrer Bilder ist nicht bekannt</translation>
-    </message>
-    <message>
-        <source>it has no intrinsics and no recording</source>
-        <translation>sie hat keine Objektivdaten und keine Aufnahme</translation>
-    </message>
-    <message>
-        <source>calibrate it, import its intrinsics, or import a trial with it first</source>
-        <translation>kalibrieren Sie sie, importieren Sie ihre Objektivdaten, oder importieren Sie zuerst einen Versuch mit ihr</translation>
-    </message>
-    <message>
-        <source>it was never calibrated</source>
-        <translation>sie wurde nie kalibriert</translation>
-    </message>
-    <message>
-        <source>it was registered through another camera</source>
-        <translation>sie wurde über eine andere Kamera eingemessen</translation>
-    </message>
-    <message>
-        <source>register it through that camera again</source>
-        <translation>messen Sie sie über jene Kamera neu ein</translation>
-    </message>
-    <message>
-        <source>it cannot be looked at (%1)</source>
-        <translation>Zugriff nicht möglich (%1)</translation>
-    </message>
-    <message>
-        <source>choose a robot of the trial</source>
-        <translation>wählen Sie einen Roboter des Versuchs</translation>
-    </message>
-    <message>
-        <source>no track of it was imported</source>
-        <translation>von ihm wurde keine Spur importiert</translation>
-    </message>
-    <message>
-        <source>begin the file with the line %1</source>
-        <translation>beginnen Sie die Datei mit der Zeile %1</translation>
-    </message>
-    <message>
-        <source>begin the file with the line class,team or class,team,pseudonym</source>
-        <translation>beginnen Sie die Datei mit der Zeile class,team oder class,team,pseudonym</translation>
-    </message>
-    <message>
-        <source>there is no such rule of a zone</source>
-        <translation>diese Regel einer Zone gibt es nicht</translation>
-    </message>
-    <message>
-        <source>it has less than three corners</source>
-        <translation>sie hat weniger als drei Ecken</translation>
-    </message>
-    <message>
-        <source>give the corners of its outline, all the way round</source>
-        <translation>geben Sie die Ecken ihres Umrisses an, ringsherum</translation>
-    </message>
-    <message>
-        <source>give the corners in order, all the way round</source>
-        <translation>geben Sie die Ecken der Reihe nach ringsherum an</translation>
-    </message>
-    <message>
-        <source>it has more than %1 corners</source>
-        <translation>sie hat mehr als %1 Ecken</translation>
-    </message>
-    <message>
-        <source>draw it more coarsely</source>
-        <translation>zeichnen Sie sie gröber</translation>
-    </message>
-    <message>
-        <source>sample it more coarsely</source>
-        <translation>tasten Sie sie gröber ab</translation>
-    </message>
-    <message>
-        <source>its corners are not on a floor of 1 km</source>
-        <translation>ihre Ecken liegen nicht auf einem Boden von 1 km</translation>
-    </message>
-    <message>
-        <source>two corners are less than 1 mm apart</source>
-        <translation>zwei Ecken liegen weniger als 1 mm auseinander</translation>
-    </message>
-    <message>
-        <source>give each corner once</source>
-        <translation>geben Sie jede Ecke einmal an</translation>
-    </message>
-    <message>
-        <source>its outline crosses itself</source>
-        <translation>ihr Umriss kreuzt sich selbst</translation>
-    </message>
-    <message>
-        <source>the task has %1 zones already</source>
-        <translation>die Aufgabe hat schon %1 Zonen</translation>
-    </message>
-    <message>
-        <source>join zones that lie beside one another</source>
-        <translation>verbinden Sie nebeneinander liegende Zonen</translation>
-    </message>
-    <message>
-        <source>give each zone a name of its own</source>
-        <translation>geben Sie jeder Zone einen eigenen Namen</translation>
-    </message>
-    <message>
-        <source>give where it lies in millimetres</source>
-        <translation>geben Sie an, wo es liegt, in Millimetern</translation>
-    </message>
-    <message>
-        <source>name a picture</source>
-        <translation>nennen Sie ein Bild</translation>
-    </message>
-    <message>
-        <source>the file is larger than 200 MB</source>
-        <translation>die Datei ist größer als 200 MB</translation>
-    </message>
-    <message>
-        <source>the file could not be read</source>
-        <translation>die Datei konnte nicht gelesen werden</translation>
-    </message>
-    <message>
-        <source>it is no PNG, JPEG, BMP, TIFF or PNM picture</source>
-        <translation>es ist kein PNG-, JPEG-, BMP-, TIFF- oder PNM-Bild</translation>
-    </message>
-    <message>
-        <source>convert it to PNG or JPEG</source>
-        <translation>wandeln Sie es in PNG oder JPEG um</translation>
-    </message>
-    <message>
-        <source>make it smaller</source>
-        <translation>machen Sie es kleiner</translation>
-    </message>
-    <message>
-        <source>its content is damaged or cut short</source>
-        <translation>der Inhalt ist beschädigt oder abgeschnitten</translation>
-    </message>
-    <message>
-        <source>copy it again</source>
-        <translation>kopieren Sie es noch einmal</translation>
-    </message>
-    <message>
-        <source>cannot decode %1</source>
-        <translation>%1 kann nicht dekodiert werden</translation>
-    </message>
-    <message>
-        <source>cannot show frame %1 of %2</source>
-        <translation>Bild %1 von %2 kann nicht gezeigt werden</translation>
-    </message>
-    <message>
-        <source>it has frames 0 to %1</source>
-        <translation>es hat die Bilder 0 bis %1</translation>
-    </message>
-    <message>
-        <source>choose one of these</source>
-        <translation>wählen Sie eines davon</translation>
-    </message>
-    <message>
-        <source>cannot write the recording %1</source>
-        <translation>die Aufnahme %1 kann nicht geschrieben werden</translation>
-    </message>
-    <message>
-        <source>check that its folder may be written to and has room</source>
-        <translation>prüfen Sie, ob sein Ordner beschreibbar ist und Platz hat</translation>
-    </message>
-    <message>
-        <source>check that the folder may be written to and has room</source>
-        <translation>prüfen Sie, ob der Ordner beschreibbar ist und Platz hat</translation>
-    </message>
-    <message>
-        <source>writing has failed before</source>
-        <translation>das Schreiben ist schon vorher misslungen</translation>
-    </message>
-    <message>
-        <source>convert it to a smaller size</source>
-        <translation>wandeln Sie es in eine kleinere Größe um</translation>
-    </message>
-    <message>
-        <source>H.264 needs an even width and height, not %1</source>
-        <translation>H.264 braucht gerade Breite und Höhe, nicht %1</translation>
-    </message>
-    <message>
-        <source>use MJPEG or FFV1, or another size</source>
-        <translation>verwenden Sie MJPEG oder FFV1, oder eine andere Größe</translation>
-    </message>
-    <message>
-        <source>the installed libavcodec has no encoder for it</source>
-        <translation>das installierte libavcodec hat keinen Encoder dafür</translation>
-    </message>
-    <message>
-        <source>neither their pixels nor a picture to look in was given</source>
-        <translation>weder ihre Pixel noch ein Bild zum Suchen wurde angegeben</translation>
-    </message>
-    <message>
-        <source>it was made with it already</source>
-        <translation>das ist schon damit gemacht</translation>
-    </message>
-    <message>
-        <source>calibrate the lens first, or put another calibration in force</source>
-        <translation>kalibrieren Sie zuerst das Objektiv, oder setzen Sie eine andere Kalibrierung in Kraft</translation>
-    </message>
-    <message>
-        <source>project &apos;%1&apos;</source>
-        <translation>Projekt &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>copy &apos;%1&apos;</source>
-        <translation>Kopie &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>copy of &apos;%1&apos;</source>
-        <translation>Kopie von &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>export of &apos;%1&apos;</source>
-        <translation>Export von &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>cannot open the video %1</source>
-        <translation>das Video %1 kann nicht geöffnet werden</translation>
-    </message>
-    <message>
-        <source>cannot write a frame to the video %1</source>
-        <translation>in das Video %1 kann kein Bild geschrieben werden</translation>
-    </message>
-    <message>
-        <source>cannot finish the video %1</source>
-        <translation>das Video %1 kann nicht abgeschlossen werden</translation>
-    </message>
-    <message>
-        <source>cannot encode the video</source>
-        <translation>das Video kann nicht kodiert werden</translation>
-    </message>
-    <message>
-        <source>the encoder would not start (%1)</source>
-        <translation>der Encoder startet nicht (%1)</translation>
-    </message>
-    <message>
-        <source>check the size, the frame rate and the quality that were asked for</source>
-        <translation>prüfen Sie die verlangte Größe, Bildrate und Qualität</translation>
-    </message>
-    <message>
-        <source>cannot record into %1</source>
-        <translation>in %1 kann nicht aufgenommen werden</translation>
-    </message>
-    <message>
-        <source>demo in &apos;%1&apos;</source>
-        <translation>Demo in &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>colour in the box</source>
-        <translation>Farbe im Rahmen</translation>
-    </message>
-    <message>
-        <source>the box is too small, or outside the picture</source>
-        <translation>der Rahmen ist zu klein oder außerhalb des Bildes</translation>
-    </message>
-    <message>
-        <source>draw it round the robot, at least 8 pixels wide and high</source>
-        <translation>ziehen Sie ihn um den Roboter, mindestens 8 Pixel breit und hoch</translation>
-    </message>
-    <message>
-        <source>the box leaves nothing of the floor to compare with</source>
-        <translation>der Rahmen lässt nichts vom Boden zum Vergleichen übrig</translation>
-    </message>
-    <message>
-        <source>draw it closely round the robot</source>
-        <translation>ziehen Sie ihn eng um den Roboter</translation>
-    </message>
-    <message>
-        <source>what differs from the floor around it is grey, black or white</source>
-        <translation>was sich vom Boden unterscheidet, ist grau, schwarz oder weiß</translation>
-    </message>
-    <message>
-        <source>it holds no colour that differs from the floor around it</source>
-        <translation>er enthält keine Farbe, die sich vom Boden ringsum unterscheidet</translation>
-    </message>
-    <message>
-        <source>draw it closely round the robot, or put a plate of another colour on it</source>
-        <translation>ziehen Sie ihn eng um den Roboter, oder setzen Sie eine Platte anderer Farbe darauf</translation>
-    </message>
-    <message>
-        <source>Cannot track</source>
-        <translation>Verfolgen nicht möglich</translation>
-    </message>
-    <message>
-        <source>Cannot track robot %1</source>
-        <translation>Roboter %1 kann nicht verfolgt werden</translation>
-    </message>
-    <message>
-        <source>no robot is given</source>
-        <translation>es ist kein Roboter angegeben</translation>
-    </message>
-    <message>
-        <source>add a robot with its colour first</source>
-        <translation>fügen Sie zuerst einen Roboter mit seiner Farbe hinzu</translation>
-    </message>
-    <message>
-        <source>its colour %1 is grey, and only hue tells a robot from the floor</source>
-        <translation>seine Farbe %1 ist grau, und nur der Farbton unterscheidet einen Roboter vom Boden</translation>
-    </message>
-    <message>
-        <source>the robot&apos;s path cannot be measured</source>
-        <translation>die Bahn des Roboters kann nicht gemessen werden</translation>
-    </message>
-    <message>
-        <source>the trial has no view</source>
-        <translation>der Versuch hat keine Sicht</translation>
-    </message>
-    <message>
-        <source>import at least one video for it</source>
-        <translation>importieren Sie mindestens ein Video dafür</translation>
-    </message>
-    <message>
-        <source>camera %1 is not registered to the floor</source>
-        <translation>Kamera %1 ist nicht eingemessen</translation>
-    </message>
-    <message>
-        <source>cameras %1 are not registered to the floor</source>
-        <translation>die Kameras %1 sind nicht eingemessen</translation>
-    </message>
-    <message>
-        <source>run odograph register for at least one of them</source>
-        <translation>messen Sie mindestens eine davon ein</translation>
-    </message>
-    <message>
-        <source>run odograph register for them</source>
-        <translation>messen Sie sie ein</translation>
-    </message>
-    <message>
-        <source>view %1 has no frame</source>
-        <translation>die Sicht %1 hat kein Bild</translation>
-    </message>
-    <message>
-        <source>track the trial&apos;s videos first</source>
-        <translation>verfolgen Sie zuerst die Videos des Versuchs</translation>
-    </message>
-    <message>
-        <source>the robot was not found in any picture of %1</source>
-        <translation>der Roboter wurde in keinem Bild von %1 gefunden</translation>
-    </message>
-    <message>
-        <source>only cameras that are not registered to the floor saw the robot</source>
-        <translation>nur nicht eingemessene Kameras sahen den Roboter</translation>
-    </message>
-    <message>
-        <source>its height is to be triangulated, but two registered views hardly ever saw it together</source>
-        <translation>seine Höhe soll trianguliert werden, aber zwei eingemessene Sichten sahen ihn fast nie zugleich</translation>
-    </message>
-    <message>
-        <source>add a second view, or give the robot one height</source>
-        <translation>fügen Sie eine zweite Sicht hinzu, oder geben Sie dem Roboter eine Höhe</translation>
-    </message>
-    <message>
-        <source>not enough data</source>
-        <translation>nicht genug Daten</translation>
-    </message>
-    <message>
-        <source>of %1 frames %2 give a position that can be used</source>
-        <translation>von %1 Bildern ergeben %2 einen brauchbaren Ort</translation>
-    </message>
-    <message>
-        <source>choose a longer video, or check the robot&apos;s colour and the light</source>
-        <translation>wählen Sie ein längeres Video, oder prüfen Sie die Farbe des Roboters und das Licht</translation>
-    </message>
-    <message>
-        <source>it has not been tracked yet</source>
-        <translation>er wurde noch nicht verfolgt</translation>
-    </message>
-    <message>
-        <source>it has not been tracked yet, so there is nothing to analyse again</source>
-        <translation>er wurde noch nicht verfolgt, es gibt also nichts neu auszuwerten</translation>
-    </message>
-    <message>
-        <source>track it first</source>
-        <translation>verfolgen Sie ihn zuerst</translation>
-    </message>
-    <message>
-        <source>comparison</source>
-        <translation>Vergleich</translation>
-    </message>
-    <message>
-        <source>comparison of trial &apos;%1&apos;</source>
-        <translation>Vergleich des Versuchs &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>it takes two runs</source>
-        <translation>es braucht zwei Fahrten</translation>
-    </message>
-    <message>
-        <source>choose another run as well</source>
-        <translation>wählen Sie noch eine Fahrt</translation>
-    </message>
-    <message>
-        <source>a run cannot be compared with itself</source>
-        <translation>eine Fahrt kann nicht mit sich selbst verglichen werden</translation>
-    </message>
-    <message>
-        <source>it has several robots</source>
-        <translation>er hat mehrere Roboter</translation>
-    </message>
-    <message>
-        <source>choose one of them</source>
-        <translation>wählen Sie einen davon</translation>
-    </message>
-    <message>
-        <source>its tracks were imported, so there is no video to track in</source>
-        <translation>seine Spuren wurden importiert, es gibt kein Video zum Verfolgen</translation>
-    </message>
-    <message>
-        <source>its task was changed while it was measured</source>
-        <translation>seine Aufgabe wurde während der Auswertung geändert</translation>
-    </message>
-    <message>
-        <source>the project has no robot to look for</source>
-        <translation>das Projekt hat keinen Roboter, nach dem zu suchen wäre</translation>
-    </message>
-    <message>
-        <source>its pictures are %1 but the camera was calibrated at %2</source>
-        <translation>ihre Bilder haben %1, aber die Kamera wurde bei %2 kalibriert</translation>
-    </message>
-    <message>
-        <source>calibrate and register the camera at the size it records</source>
-        <translation>kalibrieren und messen Sie die Kamera bei der Größe ein, in der sie aufnimmt</translation>
-    </message>
-    <message>
-        <source>view &apos;%1&apos; of trial &apos;%2&apos;</source>
-        <translation>Sicht &apos;%1&apos; des Versuchs &apos;%2&apos;</translation>
-    </message>
-    <message>
-        <source>synchronisation of the clips</source>
-        <translation>Synchronisierung der Videos</translation>
-    </message>
-    <message>
-        <source>flash the room lights once while both cameras record, or give --sync SECONDS</source>
-        <translation>lassen Sie einmal das Raumlicht aufblitzen, während beide Kameras aufnehmen, oder geben Sie den Versatz an</translation>
-    </message>
-    <message>
-        <source>gate &apos;%1&apos;</source>
-        <translation>Tor &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>zone &apos;%1&apos;</source>
-        <translation>Zone &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>its ends are not on a floor of 1 km</source>
-        <translation>die Enden liegen nicht auf einem Boden von 1 km</translation>
-    </message>
-    <message>
-        <source>check the numbers</source>
-        <translation>prüfen Sie die Zahlen</translation>
-    </message>
-    <message>
-        <source>its ends are less than 1 mm apart</source>
-        <translation>die Enden liegen weniger als 1 mm auseinander</translation>
-    </message>
-    <message>
-        <source>give the two ends of the line that is to be passed</source>
-        <translation>geben Sie die beiden Enden der Linie an, die zu überfahren ist</translation>
-    </message>
-    <message>
-        <source>the name is there twice</source>
-        <translation>den Namen gibt es zweimal</translation>
-    </message>
-    <message>
-        <source>give each gate a name of its own</source>
-        <translation>geben Sie jedem Tor einen eigenen Namen</translation>
-    </message>
-    <message>
-        <source>gate &apos;%1&apos; is the start already</source>
-        <translation>Tor &apos;%1&apos; ist schon der Start</translation>
-    </message>
-    <message>
-        <source>gate &apos;%1&apos; is the finish already</source>
-        <translation>Tor &apos;%1&apos; ist schon das Ziel</translation>
-    </message>
-    <message>
-        <source>keep one start and one finish, or one gate with the role start_finish</source>
-        <translation>behalten Sie einen Start und ein Ziel, oder ein Tor, das beides ist</translation>
-    </message>
-    <message>
-        <source>reference path</source>
-        <translation>Sollbahn</translation>
-    </message>
-    <message>
-        <source>it has too few points</source>
-        <translation>zu wenige Punkte</translation>
-    </message>
-    <message>
-        <source>give two points or more, three where the path is closed</source>
-        <translation>geben Sie zwei Punkte oder mehr an, drei bei geschlossener Bahn</translation>
-    </message>
-    <message>
-        <source>limits of a task</source>
-        <translation>Grenzwerte einer Aufgabe</translation>
-    </message>
-    <message>
-        <source>a limit is not above zero</source>
-        <translation>ein Grenzwert ist nicht größer als null</translation>
-    </message>
-    <message>
-        <source>give the largest speed and acceleration that a robot can have in the task</source>
-        <translation>geben Sie die größte Geschwindigkeit und Beschleunigung an, die ein Roboter in der Aufgabe haben kann</translation>
-    </message>
-    <message>
-        <source>template of a task</source>
-        <translation>Muster einer Aufgabe</translation>
-    </message>
-    <message>
-        <source>a size is less than 1 mm</source>
-        <translation>eine Größe ist kleiner als 1 mm</translation>
-    </message>
-    <message>
-        <source>give the sizes in millimetres</source>
-        <translation>geben Sie die Größen in Millimetern an</translation>
-    </message>
-    <message>
-        <source>scoring</source>
-        <translation>Wertung</translation>
-    </message>
-    <message>
-        <source>line %1 of the scoring</source>
-        <translation>Zeile %1 der Wertung</translation>
-    </message>
-    <message>
-        <source>it names no figure</source>
-        <translation>sie nennt keinen Kennwert</translation>
-    </message>
-    <message>
-        <source>choose what is scored</source>
-        <translation>wählen Sie, was gewertet wird</translation>
-    </message>
-    <message>
-        <source>all points and no points are at the same value</source>
-        <translation>alle Punkte und keine Punkte liegen beim selben Wert</translation>
-    </message>
-    <message>
-        <source>give two values, between which the points rise</source>
-        <translation>geben Sie zwei Werte an, zwischen denen die Punkte steigen</translation>
-    </message>
-    <message>
-        <source>%1 points are too few for it</source>
-        <translation>%1 Punkte sind dafür zu wenig</translation>
-    </message>
-    <message>
-        <source>choose a longer range</source>
-        <translation>wählen Sie einen längeren Bereich</translation>
-    </message>
-    <message>
-        <source>the robot was not measured there, so there is nothing to judge</source>
-        <translation>der Roboter wurde dort nicht gemessen, es gibt nichts zu beurteilen</translation>
-    </message>
-    <message>
-        <source>there is no such frame</source>
-        <translation>dieses Bild gibt es nicht</translation>
-    </message>
-    <message>
-        <source>import of trial &apos;%1&apos;</source>
-        <translation>Import des Versuchs &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>no video was given</source>
-        <translation>kein Video wurde angegeben</translation>
-    </message>
-    <message>
-        <source>camera &apos;%1&apos; was given two videos</source>
-        <translation>für Kamera &apos;%1&apos; wurden zwei Videos angegeben</translation>
-    </message>
-    <message>
-        <source>give each view its own camera</source>
-        <translation>geben Sie jeder Sicht ihre eigene Kamera</translation>
-    </message>
-    <message>
-        <source>views &apos;%1&apos; and &apos;%2&apos; have no time in common with an offset of %3 s</source>
-        <translation>die Sichten &apos;%1&apos; und &apos;%2&apos; haben bei einem Versatz von %3 s keine gemeinsame Zeit</translation>
-    </message>
-    <message>
-        <source>check the files and the --sync offset</source>
-        <translation>prüfen Sie die Dateien und den Versatz</translation>
-    </message>
-    <message>
-        <source>name a file</source>
-        <translation>nennen Sie eine Datei</translation>
-    </message>
-    <message>
-        <source>check the permissions of its folder</source>
-        <translation>prüfen Sie die Rechte seines Ordners</translation>
-    </message>
-    <message>
-        <source>copy it from the camera again</source>
-        <translation>kopieren Sie noch einmal von der Kamera</translation>
-    </message>
-    <message>
-        <source>it is not a video of a kind that is read, or its header is damaged or missing (%1)</source>
-        <translation>es ist kein Video lesbarer Art, oder sein Kopf ist beschädigt oder fehlt (%1)</translation>
-    </message>
-    <message>
-        <source>give an MP4, MOV, MKV or AVI file</source>
-        <translation>geben Sie eine MP4-, MOV-, MKV- oder AVI-Datei an</translation>
-    </message>
-    <message>
-        <source>copy it from the camera again if it was cut short</source>
-        <translation>kopieren Sie noch einmal von der Kamera, wenn etwas abgeschnitten wurde</translation>
-    </message>
-    <message>
-        <source>it holds no video stream that can be read</source>
-        <translation>kein lesbarer Videostrom ist darin</translation>
-    </message>
-    <message>
-        <source>give the file that the camera recorded</source>
-        <translation>geben Sie die Datei an, die die Kamera aufgenommen hat</translation>
-    </message>
-    <message>
-        <source>there is no decoder for %1</source>
-        <translation>es gibt keinen Decoder für %1</translation>
-    </message>
-    <message>
-        <source>its decoder would not start (%1)</source>
-        <translation>der Decoder startet nicht (%1)</translation>
-    </message>
-    <message>
-        <source>convert it to H.264</source>
-        <translation>wandeln Sie es in H.264 um</translation>
-    </message>
-    <message>
-        <source>its data are damaged</source>
-        <translation>die Daten sind beschädigt</translation>
-    </message>
-    <message>
-        <source>it is left out</source>
-        <translation>wird weggelassen</translation>
-    </message>
-    <message>
-        <source>the video has no picture</source>
-        <translation>das Video hat kein Bild</translation>
-    </message>
-    <message>
-        <source>it has no picture</source>
-        <translation>kein Bild ist darin</translation>
-    </message>
-    <message>
-        <source>give another file</source>
-        <translation>geben Sie eine andere Datei an</translation>
-    </message>
-    <message>
-        <source>check that the folder exists, may be written to and has room</source>
-        <translation>prüfen Sie, ob es den Ordner gibt, ob er beschreibbar ist und Platz hat</translation>
-    </message>
-    <message>
-        <source>cannot write the video %1</source>
-        <translation>das Video %1 kann nicht geschrieben werden</translation>
-    </message>
-    <message>
-        <source>its name ends with neither .mkv nor .mp4</source>
-        <translation>der Name endet weder auf .mkv noch auf .mp4</translation>
-    </message>
-    <message>
-        <source>give it one of these endings</source>
-        <translation>geben Sie ihm eine dieser Endungen</translation>
-    </message>
-    <message>
-        <source>cannot write &apos;%1&apos;</source>
-        <translation>&apos;%1&apos; kann nicht geschrieben werden</translation>
-    </message>
-    <message>
-        <source>pack &apos;%1&apos;</source>
-        <translation>&apos;%1&apos; packen</translation>
-    </message>
-    <message>
-        <source>unpack &apos;%1&apos;</source>
-        <translation>&apos;%1&apos; entpacken</translation>
-    </message>
-    <message>
-        <source>unpack into &apos;%1&apos;</source>
-        <translation>nach &apos;%1&apos; entpacken</translation>
-    </message>
-    <message>
-        <source>it is there already</source>
-        <translation>das gibt es schon</translation>
-    </message>
-    <message>
-        <source>choose a folder that is not there yet</source>
-        <translation>wählen Sie einen Ordner, den es noch nicht gibt</translation>
-    </message>
-    <message>
-        <source>it has become shorter meanwhile</source>
-        <translation>inzwischen kürzer geworden</translation>
-    </message>
-    <message>
-        <source>wait until nobody writes to it, and try again</source>
-        <translation>warten Sie, bis niemand mehr darin schreibt, und versuchen Sie es noch einmal</translation>
-    </message>
-    <message>
-        <source>there is no project in it</source>
-        <translation>darin ist kein Projekt</translation>
-    </message>
-    <message>
-        <source>it has too many files</source>
-        <translation>zu viele Dateien</translation>
-    </message>
-    <message>
-        <source>it unpacks to more than a hundred times its size</source>
-        <translation>es wird beim Entpacken mehr als hundertmal so groß</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is in it twice</source>
-        <translation>&apos;%1&apos; ist zweimal darin</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; does not belong into a packed project</source>
-        <translation>&apos;%1&apos; gehört nicht in ein gepacktes Projekt</translation>
-    </message>
-    <message>
-        <source>choose a file that Odograph has packed, and copy it anew if it is damaged</source>
-        <translation>wählen Sie eine Datei, die Odograph gepackt hat, und kopieren Sie sie neu, wenn sie beschädigt ist</translation>
-    </message>
-    <message>
-        <source>it is written in UTF-16</source>
-        <translation>in UTF-16 geschrieben</translation>
-    </message>
-    <message>
-        <source>it is not a UTF-8 text file</source>
-        <translation>es ist keine UTF-8-Textdatei</translation>
-    </message>
-    <message>
-        <source>save it again as &quot;CSV UTF-8&quot; or as a UTF-8 text</source>
-        <translation>speichern Sie sie neu als &quot;CSV UTF-8&quot; oder als UTF-8-Text</translation>
-    </message>
-    <message>
-        <source>save it again as UTF-8 text</source>
-        <translation>speichern Sie sie neu als UTF-8-Text</translation>
-    </message>
-    <message>
-        <source>it is larger than %1 KiB</source>
-        <translation>größer als %1 KiB</translation>
-    </message>
-    <message>
-        <source>check that it is the right file</source>
-        <translation>prüfen Sie, ob es die richtige Datei ist</translation>
-    </message>
-    <message>
-        <source>its columns are separated by semicolons</source>
-        <translation>die Spalten sind durch Semikolons getrennt</translation>
-    </message>
-    <message>
-        <source>save it with commas, and with a point in its numbers</source>
-        <translation>speichern Sie sie mit Kommas und mit Punkt in den Zahlen</translation>
-    </message>
-    <message>
-        <source>save it with commas</source>
-        <translation>speichern Sie sie mit Kommas</translation>
-    </message>
-    <message>
-        <source>it lacks the expected header line</source>
-        <translation>die erwartete Kopfzeile fehlt</translation>
-    </message>
-    <message>
-        <source>it lacks the column %1</source>
-        <translation>die Spalte %1 fehlt</translation>
-    </message>
-    <message>
-        <source>it has %1 cells instead of %2</source>
-        <translation>%1 Zellen statt %2</translation>
-    </message>
-    <message>
-        <source>a quoted cell does not end</source>
-        <translation>eine Zelle in Anführungszeichen endet nicht</translation>
-    </message>
-    <message>
-        <source>close the quotes</source>
-        <translation>schließen Sie die Anführungszeichen</translation>
-    </message>
-    <message>
-        <source>%1 &apos;%2&apos; is not a finite number</source>
-        <translation>%1 &apos;%2&apos; ist keine endliche Zahl</translation>
-    </message>
-    <message>
-        <source>the label is empty</source>
-        <translation>die Bezeichnung ist leer</translation>
-    </message>
-    <message>
-        <source>the label &apos;%1&apos; is in line %2 already</source>
-        <translation>die Bezeichnung &apos;%1&apos; steht schon in Zeile %2</translation>
-    </message>
-    <message>
-        <source>the label &apos;%1&apos; is there twice</source>
-        <translation>die Bezeichnung &apos;%1&apos; gibt es zweimal</translation>
-    </message>
-    <message>
-        <source>give each marker a label</source>
-        <translation>geben Sie jedem Marker eine Bezeichnung</translation>
-    </message>
-    <message>
-        <source>give each marker a label of its own</source>
-        <translation>geben Sie jedem Marker eine eigene Bezeichnung</translation>
-    </message>
-    <message>
-        <source>give each point a label of its own</source>
-        <translation>geben Sie jedem Punkt eine eigene Bezeichnung</translation>
-    </message>
-    <message>
-        <source>there are no markers below the header</source>
-        <translation>unter der Kopfzeile stehen keine Marker</translation>
-    </message>
-    <message>
-        <source>write one line for each marker</source>
-        <translation>schreiben Sie eine Zeile je Marker</translation>
-    </message>
-    <message>
-        <source>mend these lines</source>
-        <translation>bessern Sie diese Zeilen aus</translation>
-    </message>
-    <message>
-        <source>nothing was imported</source>
-        <translation>nichts wurde importiert</translation>
-    </message>
-    <message>
-        <source>it has no team</source>
-        <translation>kein Team ist darin</translation>
-    </message>
-    <message>
-        <source>write a line with class and team below the header</source>
-        <translation>schreiben Sie unter die Kopfzeile eine Zeile mit Klasse und Team</translation>
-    </message>
-    <message>
-        <source>roster &apos;%1&apos;</source>
-        <translation>Klassenliste &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>no track was given</source>
-        <translation>keine Spur wurde angegeben</translation>
-    </message>
-    <message>
-        <source>robot &apos;%1&apos; was given two tracks</source>
-        <translation>für Roboter &apos;%1&apos; wurden zwei Spuren angegeben</translation>
-    </message>
-    <message>
-        <source>give each robot one</source>
-        <translation>geben Sie jedem Roboter eine</translation>
-    </message>
-    <message>
-        <source>its column &apos;%1&apos; is in a unit that is not known</source>
-        <translation>die Spalte &apos;%1&apos; hat eine unbekannte Einheit</translation>
-    </message>
-    <message>
-        <source>give times in s or ms and places in m, cm or mm</source>
-        <translation>geben Sie Zeiten in s oder ms und Orte in m, cm oder mm an</translation>
-    </message>
-    <message>
-        <source>none of its tracks is called &apos;%1&apos;</source>
-        <translation>keine der Spuren heißt &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>give the robot the name of one of them</source>
-        <translation>geben Sie dem Roboter den Namen einer davon</translation>
-    </message>
-    <message>
-        <source>it has no samples</source>
-        <translation>keine Messpunkte</translation>
-    </message>
-    <message>
-        <source>its times do not rise</source>
-        <translation>die Zeiten steigen nicht</translation>
-    </message>
-    <message>
-        <source>import another file</source>
-        <translation>importieren Sie eine andere Datei</translation>
-    </message>
-    <message>
-        <source>look in &apos;%1&apos;</source>
-        <translation>Suche in &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>check that the folder is there and may be read</source>
-        <translation>prüfen Sie, ob der Ordner da ist und gelesen werden darf</translation>
-    </message>
-    <message>
-        <source>lost videos</source>
-        <translation>fehlende Videos</translation>
-    </message>
-    <message>
-        <source>no video of this project is lost</source>
-        <translation>kein Video dieses Projekts fehlt</translation>
-    </message>
-    <message>
-        <source>there is nothing to do</source>
-        <translation>es gibt nichts zu tun</translation>
-    </message>
-    <message>
-        <source>the lost video is not there</source>
-        <translation>das fehlende Video ist nicht dort</translation>
-    </message>
-    <message>
-        <source>none of the %1 lost videos is there</source>
-        <translation>keins der %1 fehlenden Videos ist dort</translation>
-    </message>
-    <message>
-        <source>choose the folder where they were copied to</source>
-        <translation>wählen Sie den Ordner, in den sie kopiert wurden</translation>
-    </message>
-    <message>
-        <source>%1 is there already</source>
-        <translation>%1 gibt es schon</translation>
-    </message>
-    <message>
-        <source>open it, or choose another folder</source>
-        <translation>öffnen Sie es, oder wählen Sie einen anderen Ordner</translation>
-    </message>
-    <message>
-        <source>choose a folder you can write to, with 300 MB free</source>
-        <translation>wählen Sie einen beschreibbaren Ordner mit 300 MB Platz</translation>
-    </message>
-    <message>
-        <source>take over the set-up of %1</source>
-        <translation>Aufbau von %1 übernehmen</translation>
-    </message>
-    <message>
-        <source>new project</source>
-        <translation>neues Projekt</translation>
-    </message>
-    <message>
-        <source>taking over the set-up</source>
-        <translation>Aufbau wird übernommen</translation>
-    </message>
-    <message>
-        <source>speed limit</source>
-        <translation>Geschwindigkeitsgrenze</translation>
-    </message>
-    <message>
-        <source>acceleration limit</source>
-        <translation>Beschleunigungsgrenze</translation>
-    </message>
-    <message>
-        <source>views disagree</source>
-        <translation>Sichten uneins</translation>
-    </message>
-    <message>
-        <source>low score</source>
-        <translation>geringe Güte</translation>
-    </message>
-    <message>
-        <source>lost</source>
-        <translation>verloren</translation>
-    </message>
-    <message>
-        <source>duplicate frame</source>
-        <translation>doppeltes Bild</translation>
-    </message>
-    <message>
-        <source>interpolated</source>
-        <translation>interpoliert</translation>
-    </message>
-    <message>
-        <source>by hand</source>
-        <translation>von Hand</translation>
-    </message>
-    <message>
-        <source>it says neither an address nor a serial number</source>
-        <translation>darin steht weder eine Adresse noch eine Seriennummer</translation>
-    </message>
-    <message>
-        <source>give one as aravis:192.168.1.20 or aravis:SERIAL</source>
-        <translation>geben Sie eine an, etwa aravis:192.168.1.20 oder aravis:SERIAL</translation>
-    </message>
-    <message>
-        <source>odograph cameras lists them</source>
-        <translation>odograph cameras führt sie auf</translation>
-    </message>
-    <message>
-        <source>take rate, exposure_ms, gain, format, size, trigger=software, packet_size or packet_delay_us, as in ?rate=30&amp;size=640x480</source>
-        <translation>verwenden Sie rate, exposure_ms, gain, format, size, trigger=software, packet_size oder packet_delay_us, etwa ?rate=30&amp;size=640x480</translation>
-    </message>
-    <message>
-        <source>set it to something between</source>
-        <translation>stellen Sie etwas dazwischen ein</translation>
-    </message>
-    <message>
-        <source>set it to something else</source>
-        <translation>stellen Sie etwas anderes ein</translation>
-    </message>
-    <message>
-        <source>it does not take this for %1 (%2)</source>
-        <translation>dieser Wert von %1 wird nicht angenommen (%2)</translation>
-    </message>
-    <message>
-        <source>it does not take this size (%1)</source>
-        <translation>sie nimmt diese Größe nicht an (%1)</translation>
-    </message>
-    <message>
-        <source>it does not take this rate (%1)</source>
-        <translation>sie nimmt diese Rate nicht an (%1)</translation>
-    </message>
-    <message>
-        <source>it does not take this exposure (%1)</source>
-        <translation>sie nimmt diese Belichtung nicht an (%1)</translation>
-    </message>
-    <message>
-        <source>it does not take this gain (%1)</source>
-        <translation>sie nimmt diese Verstärkung nicht an (%1)</translation>
-    </message>
-    <message>
-        <source>it does not take this packet size (%1)</source>
-        <translation>sie nimmt diese Paketgröße nicht an (%1)</translation>
-    </message>
-    <message>
-        <source>it does not take this packet delay (%1)</source>
-        <translation>sie nimmt diese Paketverzögerung nicht an (%1)</translation>
-    </message>
-    <message>
-        <source>its pictures have %1 pixels at most</source>
-        <translation>die Bilder haben höchstens %1 Pixel</translation>
-    </message>
-    <message>
-        <source>ask it for a size within that</source>
-        <translation>verlangen Sie eine Größe innerhalb davon</translation>
-    </message>
-    <message>
-        <source>it has no format %1 (%2)</source>
-        <translation>ein Format %1 hat sie nicht (%2)</translation>
-    </message>
-    <message>
-        <source>it has no pixel format that is understood</source>
-        <translation>sie hat kein Pixelformat, das verstanden wird</translation>
-    </message>
-    <message>
-        <source>take a camera that has one of %1</source>
-        <translation>nehmen Sie eine Kamera mit einem von %1</translation>
-    </message>
-    <message>
-        <source>it has no software trigger (%1)</source>
-        <translation>sie hat keinen Software-Auslöser (%1)</translation>
-    </message>
-    <message>
-        <source>it does not tell its pixel format (%1)</source>
-        <translation>sie sagt ihr Pixelformat nicht (%1)</translation>
-    </message>
-    <message>
-        <source>its pixel format is not understood</source>
-        <translation>das Pixelformat wird nicht verstanden</translation>
-    </message>
-    <message>
-        <source>ask it for one of %1</source>
-        <translation>verlangen Sie eines von %1</translation>
-    </message>
-    <message>
-        <source>it does not tell its size (%1)</source>
-        <translation>sie sagt ihre Größe nicht (%1)</translation>
-    </message>
-    <message>
-        <source>its pictures have no size</source>
-        <translation>die Bilder haben keine Größe</translation>
-    </message>
-    <message>
-        <source>set its width and height</source>
-        <translation>stellen Sie Breite und Höhe ein</translation>
-    </message>
-    <message>
-        <source>it does not tell how large its pictures are (%1)</source>
-        <translation>sie sagt nicht, wie groß ihre Bilder sind (%1)</translation>
-    </message>
-    <message>
-        <source>the system keeps only %1 kB of the network&apos;s packets</source>
-        <translation>das System hält nur %1 kB der Netzwerkpakete vor</translation>
-    </message>
-    <message>
-        <source>there is no simulated camera %1</source>
-        <translation>es gibt keine simulierte Kamera %1</translation>
-    </message>
-    <message>
-        <source>take sim:A or sim:B</source>
-        <translation>nehmen Sie sim:A oder sim:B</translation>
-    </message>
-    <message>
-        <source>the picture</source>
-        <translation>das Bild</translation>
-    </message>
-    <message>
-        <source>write for instance v4l2:/dev/video0?size=1280x720&amp;rate=30&amp;format=MJPG</source>
-        <translation>schreiben Sie zum Beispiel v4l2:/dev/video0?size=1280x720&amp;rate=30&amp;format=MJPG</translation>
-    </message>
-    <message>
-        <source>all its pictures come damaged</source>
-        <translation>alle Bilder kommen beschädigt an</translation>
-    </message>
-    <message>
-        <source>try another cable or port, or ask for fewer or smaller pictures</source>
-        <translation>versuchen Sie ein anderes Kabel oder einen anderen Anschluss, oder verlangen Sie weniger oder kleinere Bilder</translation>
-    </message>
-    <message>
-        <source>it is there but sends no pictures</source>
-        <translation>sie ist da, sendet aber keine Bilder</translation>
-    </message>
-    <message>
-        <source>look at its cable, or plug it in again if that lasts</source>
-        <translation>sehen Sie nach dem Kabel, oder stecken Sie sie neu ein, wenn das anhält</translation>
-    </message>
-    <message>
-        <source>no camera gave a picture</source>
-        <translation>keine Kamera lieferte ein Bild</translation>
-    </message>
-    <message>
-        <source>camera &apos;%1&apos; or its address &apos;%2&apos; was given twice</source>
-        <translation>Kamera &apos;%1&apos; oder ihre Adresse &apos;%2&apos; wurde zweimal angegeben</translation>
-    </message>
-    <message>
-        <source>give one or more, like --camera A=sim:A</source>
-        <translation>geben Sie eine oder mehr an, etwa --camera A=sim:A</translation>
-    </message>
-    <message>
-        <source>it would take no time, or more than a day</source>
-        <translation>die Dauer ist null, oder mehr als ein Tag</translation>
-    </message>
-    <message>
-        <source>give the seconds, like 10</source>
-        <translation>geben Sie die Sekunden an, etwa 10</translation>
-    </message>
-    <message>
-        <source>what is kept from before is no time, or more than 10 s</source>
-        <translation>was von vorher behalten wird, ist keine Zeit, oder mehr als 10 s</translation>
-    </message>
-    <message>
-        <source>give a pre-roll of 0 to 10 seconds</source>
-        <translation>geben Sie einen Vorlauf von 0 bis 10 Sekunden an</translation>
-    </message>
-    <message>
-        <source>none of its cameras is registered to the floor, so there are no live positions to send</source>
-        <translation>keine der Kameras ist eingemessen, darum gibt es keine Orte zu senden</translation>
-    </message>
-    <message>
-        <source>run odograph register for one of them, or leave --ssl-vision out</source>
-        <translation>messen Sie eine davon ein, oder lassen Sie --ssl-vision weg</translation>
-    </message>
-    <message>
-        <source>interface &apos;%1&apos; of live positions</source>
-        <translation>Schnittstelle &apos;%1&apos; der laufenden Orte</translation>
-    </message>
-    <message>
-        <source>choose one that `ip link` names, or lo to stay on this machine</source>
-        <translation>wählen Sie eine, die `ip link` nennt, oder lo, um auf diesem Rechner zu bleiben</translation>
-    </message>
-    <message>
-        <source>this machine gives no socket</source>
-        <translation>dieser Rechner gibt keinen Socket frei</translation>
-    </message>
-    <message>
-        <source>completing the recordings</source>
-        <translation>Vervollständigen der Aufnahmen</translation>
-    </message>
-    <message>
-        <source>write the task as odograph task list --json shows one</source>
-        <translation>schreiben Sie die Aufgabe so, wie odograph task list --json eine zeigt</translation>
-    </message>
-    <message>
-        <source>use a calibration file as ROS or OpenCV writes it</source>
-        <translation>verwenden Sie eine Kalibrierdatei, wie ROS oder OpenCV sie schreibt</translation>
-    </message>
-    <message>
-        <source>the entry &apos;%1&apos; is missing</source>
-        <translation>der Eintrag &apos;%1&apos; fehlt</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not a finite number</source>
-        <translation>&apos;%1&apos; ist keine endliche Zahl</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not a whole number from %2 to %3</source>
-        <translation>&apos;%1&apos; ist keine ganze Zahl von %2 bis %3</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; has %2 numbers instead of %3 × %4</source>
-        <translation>&apos;%1&apos; hat %2 Zahlen statt %3 × %4</translation>
-    </message>
-    <message>
-        <source>&apos;camera_matrix&apos; is not a 3 × 3 matrix</source>
-        <translation>&apos;camera_matrix&apos; ist keine 3 × 3-Matrix</translation>
-    </message>
-    <message>
-        <source>&apos;camera_matrix&apos; is not of the form fx 0 cx, 0 fy cy, 0 0 1</source>
-        <translation>&apos;camera_matrix&apos; hat nicht die Form fx 0 cx, 0 fy cy, 0 0 1</translation>
-    </message>
-    <message>
-        <source>&apos;distortion_coefficients&apos; is neither a row nor a column</source>
-        <translation>&apos;distortion_coefficients&apos; ist weder Zeile noch Spalte</translation>
-    </message>
-    <message>
-        <source>the lens model &apos;%1&apos; is not known (plumb_bob, rational_polynomial, equidistant are)</source>
-        <translation>das Objektivmodell &apos;%1&apos; ist nicht bekannt (plumb_bob, rational_polynomial, equidistant sind es)</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is left there from before</source>
-        <translation>&apos;%1&apos; ist dort von früher liegen geblieben</translation>
-    </message>
-    <message>
-        <source>the file holds no task</source>
-        <translation>die Datei enthält keine Aufgabe</translation>
-    </message>
-    <message>
-        <source>an object in braces is expected here</source>
-        <translation>hier wird ein Objekt in geschweiften Klammern erwartet</translation>
-    </message>
-    <message>
-        <source>write one with %1</source>
-        <translation>schreiben Sie eines mit %1</translation>
-    </message>
-    <message>
-        <source>the key &apos;%1&apos; is not known</source>
-        <translation>der Schlüssel &apos;%1&apos; ist nicht bekannt</translation>
-    </message>
-    <message>
-        <source>use %1</source>
-        <translation>verwenden Sie %1</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not above zero</source>
-        <translation>&apos;%1&apos; ist nicht größer als null</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not a point [x, y] in mm</source>
-        <translation>&apos;%1&apos; ist kein Punkt [x, y] in mm</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not a list in brackets</source>
-        <translation>&apos;%1&apos; ist keine Liste in eckigen Klammern</translation>
-    </message>
-    <message>
-        <source>the reference path is given by nothing</source>
-        <translation>die Sollbahn ist durch nichts angegeben</translation>
-    </message>
-    <message>
-        <source>the reference path is given twice</source>
-        <translation>die Sollbahn ist zweimal angegeben</translation>
-    </message>
-    <message>
-        <source>give one of points_mm, circle, figure_eight or slalom</source>
-        <translation>geben Sie points_mm, circle, figure_eight oder slalom an</translation>
-    </message>
-    <message>
-        <source>&apos;closed&apos; is neither true nor false</source>
-        <translation>&apos;closed&apos; ist weder true noch false</translation>
-    </message>
-    <message>
-        <source>&apos;poles&apos; is not a whole number from 1 to 100</source>
-        <translation>&apos;poles&apos; ist keine ganze Zahl von 1 bis 100</translation>
-    </message>
-    <message>
-        <source>the slalom ends where it starts</source>
-        <translation>der Slalom endet, wo er beginnt</translation>
-    </message>
-    <message>
-        <source>the zone is given twice</source>
-        <translation>die Zone ist zweimal angegeben</translation>
-    </message>
-    <message>
-        <source>the zone is given by nothing</source>
-        <translation>die Zone ist durch nichts angegeben</translation>
-    </message>
-    <message>
-        <source>give corners_mm, all the way round, or two opposite corners as rectangle_mm</source>
-        <translation>geben Sie corners_mm ringsherum an, oder zwei gegenüberliegende Ecken als rectangle_mm</translation>
-    </message>
-    <message>
-        <source>&apos;rectangle_mm&apos; is not two corners</source>
-        <translation>&apos;rectangle_mm&apos; hat nicht zwei Ecken</translation>
-    </message>
-    <message>
-        <source>give two opposite corners: [[x, y], [x, y]]</source>
-        <translation>geben Sie zwei gegenüberliegende Ecken an: [[x, y], [x, y]]</translation>
-    </message>
-    <message>
-        <source>style &apos;%1&apos; of CSV</source>
-        <translation>CSV-Stil &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>there is no such style</source>
-        <translation>diesen Stil gibt es nicht</translation>
-    </message>
-    <message>
-        <source>choose analysis, international or continental</source>
-        <translation>wählen Sie analysis, international oder continental</translation>
-    </message>
-    <message>
-        <source>write it with digits, like 12.5, or leave the place blank</source>
-        <translation>schreiben Sie die Zahl mit Ziffern, etwa 12.5, oder lassen Sie die Stelle leer</translation>
-    </message>
-    <message>
-        <source>write it with digits, like 12.5</source>
-        <translation>schreiben Sie die Zeit mit Ziffern, etwa 12.5</translation>
-    </message>
-    <message>
-        <source>its time is that of the line before</source>
-        <translation>die Zeit ist die der Zeile davor</translation>
-    </message>
-    <message>
-        <source>its time is before that of the line before</source>
-        <translation>die Zeit liegt vor der der Zeile davor</translation>
-    </message>
-    <message>
-        <source>put the lines in the order of time, each time once</source>
-        <translation>ordnen Sie die Zeilen nach der Zeit, jede Zeit einmal</translation>
-    </message>
-    <message>
-        <source>it is more than a week after the first line</source>
-        <translation>das ist mehr als eine Woche nach der ersten Zeile</translation>
-    </message>
-    <message>
-        <source>check the unit of the times, and that all lines are of one run</source>
-        <translation>prüfen Sie die Einheit der Zeiten, und ob alle Zeilen von einer Fahrt sind</translation>
-    </message>
-    <message>
-        <source>its place is more than 100 km away</source>
-        <translation>der Ort ist mehr als 100 km entfernt</translation>
-    </message>
-    <message>
-        <source>check the unit of the places: m, cm or mm</source>
-        <translation>prüfen Sie die Einheit der Orte: m, cm oder mm</translation>
-    </message>
-    <message>
-        <source>the track has %1 position</source>
-        <translation>die Spur hat %1 Ort</translation>
-    </message>
-    <message>
-        <source>the track has %1 positions</source>
-        <translation>die Spur hat %1 Orte</translation>
-    </message>
-    <message>
-        <source>track &apos;%1&apos; has %2 position</source>
-        <translation>Spur &apos;%1&apos; hat %2 Ort</translation>
-    </message>
-    <message>
-        <source>track &apos;%1&apos; has %2 positions</source>
-        <translation>Spur &apos;%1&apos; hat %2 Orte</translation>
-    </message>
-    <message>
-        <source>choose a file with three positions or more</source>
-        <translation>wählen Sie eine Datei mit drei oder mehr Orten</translation>
-    </message>
-    <message>
-        <source>choose a track with more positions</source>
-        <translation>wählen Sie eine Spur mit mehr Orten</translation>
-    </message>
-    <message>
-        <source>none of its tracks has a position</source>
-        <translation>keine der Spuren hat einen Ort</translation>
-    </message>
-    <message>
-        <source>it has %1 entry instead of the 8 of TUM</source>
-        <translation>%1 Eintrag statt der 8 von TUM</translation>
-    </message>
-    <message>
-        <source>it has %1 entries instead of the 8 of TUM</source>
-        <translation>%1 Einträge statt der 8 von TUM</translation>
-    </message>
-    <message>
-        <source>write %1, or begin the file with the line %2</source>
-        <translation>schreiben Sie %1, oder beginnen Sie die Datei mit der Zeile %2</translation>
-    </message>
-    <message>
-        <source>begin the file with the line %1, or write lines of %2</source>
-        <translation>beginnen Sie die Datei mit der Zeile %1, oder schreiben Sie Zeilen aus %2</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not a time in seconds</source>
-        <translation>&apos;%1&apos; ist keine Zeit in Sekunden</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not a time</source>
-        <translation>&apos;%1&apos; ist keine Zeit</translation>
-    </message>
-    <message>
-        <source>one of its two places is blank</source>
-        <translation>einer der beiden Orte ist leer</translation>
-    </message>
-    <message>
-        <source>one of its two errors is blank</source>
-        <translation>einer der beiden Fehler ist leer</translation>
-    </message>
-    <message>
-        <source>fill in both or none</source>
-        <translation>füllen Sie beide oder keines aus</translation>
-    </message>
-    <message>
-        <source>it has %1 cell where the header has %2</source>
-        <translation>%1 Zelle, die Kopfzeile hat %2</translation>
-    </message>
-    <message>
-        <source>it has %1 cells where the header has %2</source>
-        <translation>%1 Zellen, die Kopfzeile hat %2</translation>
-    </message>
-    <message>
-        <source>give each line as many cells as the header</source>
-        <translation>geben Sie jeder Zeile so viele Zellen wie der Kopfzeile</translation>
-    </message>
-    <message>
-        <source>it has no header with a time, x and y, and is no TUM either</source>
-        <translation>eine Kopfzeile mit Zeit, x und y fehlt, und TUM ist es auch nicht</translation>
-    </message>
-    <message>
-        <source>it holds more than one document</source>
-        <translation>darin steht mehr als ein Dokument</translation>
-    </message>
-    <message>
-        <source>it is nested more than %1 deep</source>
-        <translation>die Verschachtelung ist tiefer als %1</translation>
-    </message>
-    <message>
-        <source>it holds more than %1 values</source>
-        <translation>darin stehen mehr als %1 Werte</translation>
-    </message>
-    <message>
-        <source>the key &apos;%1&apos; is there twice</source>
-        <translation>den Schlüssel &apos;%1&apos; gibt es zweimal</translation>
-    </message>
-    <message>
-        <source>the archive library refused</source>
-        <translation>die Archivbibliothek hat es abgelehnt</translation>
-    </message>
-    <message>
-        <source>it has %1</source>
-        <translation>vorhanden: %1</translation>
-    </message>
-    <message>
-        <source>give one or more, like --track R=run.csv</source>
-        <translation>geben Sie eine oder mehr an, etwa --track R=run.csv</translation>
-    </message>
-    <message>
-        <source>number &apos;%1&apos;</source>
-        <translation>Zahl &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>colour &apos;%1&apos;</source>
-        <translation>Farbe &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>marker</source>
-        <translation>Marker</translation>
-    </message>
-    <message>
-        <source>member</source>
-        <translation>Mitglied</translation>
-    </message>
-    <message>
-        <source>pseudonym</source>
-        <translation>Pseudonym</translation>
-    </message>
-    <message>
-        <source>track</source>
-        <translation>Spur</translation>
-    </message>
-    <message>
-        <source>gate</source>
-        <translation>Tor</translation>
-    </message>
-    <message>
-        <source>zone</source>
-        <translation>Zone</translation>
-    </message>
-    <message>
-        <source>figure</source>
-        <translation>Kennwert</translation>
-    </message>
-    <message>
-        <source>tag</source>
-        <translation>Schlagwort</translation>
-    </message>
-    <message>
-        <source>calibration</source>
-        <translation>Kalibrierung</translation>
-    </message>
-    <message>
-        <source>registration</source>
-        <translation>Einmessung</translation>
-    </message>
-    <message>
-        <source>lens</source>
-        <translation>Objektiv</translation>
-    </message>
-    <message>
-        <source>title of the project</source>
-        <translation>Titel des Projekts</translation>
-    </message>
-    <message>
-        <source>address of a camera</source>
-        <translation>Adresse einer Kamera</translation>
-    </message>
-    <message>
-        <source>origin of a calibration</source>
-        <translation>Herkunft einer Kalibrierung</translation>
-    </message>
-    <message>
-        <source>reading of a track</source>
-        <translation>Lesart einer Spur</translation>
-    </message>
-    <message>
-        <source>words of a change</source>
-        <translation>Worte einer Änderung</translation>
-    </message>
-    <message>
-        <source>notes of a trial</source>
-        <translation>Notizen eines Versuchs</translation>
-    </message>
-    <message>
-        <source>path of a recording</source>
-        <translation>Pfad einer Aufnahme</translation>
-    </message>
-    <message>
-        <source>path of a registration&apos;s picture</source>
-        <translation>Pfad des Bilds einer Einmessung</translation>
-    </message>
-    <message>
-        <source>path of a calibration picture</source>
-        <translation>Pfad eines Kalibrierbilds</translation>
-    </message>
-    <message>
-        <source>name of a calibration picture</source>
-        <translation>Name eines Kalibrierbilds</translation>
-    </message>
-    <message>
-        <source>samples and profile differ in length</source>
-        <translation>Messpunkte und Profil sind verschieden lang</translation>
-    </message>
-    <message>
-        <source>it has more than %1 samples</source>
-        <translation>mehr als %1 Messpunkte</translation>
-    </message>
-    <message>
-        <source>views and registrations differ in number</source>
-        <translation>Sichten und Einmessungen sind verschieden viele</translation>
-    </message>
-    <message>
-        <source>metric &apos;%1&apos;</source>
-        <translation>Kennwert &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>it is not a finite number</source>
-        <translation>das ist keine endliche Zahl</translation>
-    </message>
-    <message>
-        <source>analysis %1 of the project</source>
-        <translation>Auswertung %1 des Projekts</translation>
-    </message>
-    <message>
-        <source>its series are missing</source>
-        <translation>die Reihen fehlen</translation>
-    </message>
-    <message>
-        <source>a spike refers to a sample that is not there</source>
-        <translation>ein Ausreißer verweist auf einen Messpunkt, den es nicht gibt</translation>
-    </message>
-    <message>
-        <source>its stored series is not of the expected kind</source>
-        <translation>die gespeicherte Reihe ist nicht von der erwarteten Art</translation>
-    </message>
-    <message>
-        <source>its stored series has the unknown layout %1</source>
-        <translation>die gespeicherte Reihe hat den unbekannten Aufbau %1</translation>
-    </message>
-    <message>
-        <source>its stored series announces %1 rows but holds %2 bytes</source>
-        <translation>die gespeicherte Reihe kündigt %1 Zeilen an, hat aber %2 Bytes</translation>
-    </message>
-    <message>
-        <source>check the input that it was computed from</source>
-        <translation>prüfen Sie, woraus er berechnet wurde</translation>
-    </message>
-    <message>
-        <source>lens %1 of the project</source>
-        <translation>Objektiv %1 des Projekts</translation>
-    </message>
-    <message>
-        <source>registration %1 of the project</source>
-        <translation>Einmessung %1 des Projekts</translation>
-    </message>
-    <message>
-        <source>it has no %1 with the number %2</source>
-        <translation>mit der Nummer %2 gibt es darin nichts: %1</translation>
-    </message>
-    <message>
-        <source>restore the project from a backup copy</source>
-        <translation>stellen Sie das Projekt aus einer Sicherungskopie wieder her</translation>
-    </message>
-    <message>
-        <source>it has no file</source>
-        <translation>dazu fehlt die Datei</translation>
-    </message>
-    <message>
-        <source>name the video&apos;s file</source>
-        <translation>nennen Sie die Datei des Videos</translation>
-    </message>
-    <message>
-        <source>its relative path leaves the project&apos;s folder</source>
-        <translation>der relative Pfad führt aus dem Ordner des Projekts hinaus</translation>
-    </message>
-    <message>
-        <source>copy the file beside the project</source>
-        <translation>kopieren Sie die Datei neben das Projekt</translation>
-    </message>
-    <message>
-        <source>its stored covariance is not a 6 by 6 matrix</source>
-        <translation>die gespeicherte Kovarianz ist keine 6 × 6-Matrix</translation>
-    </message>
-    <message>
-        <source>its stored matrix of %1 numbers is not square</source>
-        <translation>die gespeicherte Matrix aus %1 Zahlen ist nicht quadratisch</translation>
-    </message>
-    <message>
-        <source>track &apos;%1&apos;</source>
-        <translation>Spur &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>a position or its covariance is no number</source>
-        <translation>ein Ort oder seine Kovarianz ist keine Zahl</translation>
-    </message>
-    <message>
-        <source>truth of a trial</source>
-        <translation>Wahrheit eines Versuchs</translation>
-    </message>
-    <message>
-        <source>its series differ in length</source>
-        <translation>die Reihen sind verschieden lang</translation>
-    </message>
-    <message>
-        <source>give position, velocity and acceleration for each time</source>
-        <translation>geben Sie zu jeder Zeit Ort, Geschwindigkeit und Beschleunigung an</translation>
-    </message>
-    <message>
-        <source>its stored setting &apos;%1&apos; is unknown</source>
-        <translation>die gespeicherte Einstellung &apos;%1&apos; ist unbekannt</translation>
-    </message>
-    <message>
-        <source>its reference path ends within a point</source>
-        <translation>die Sollbahn endet mitten in einem Punkt</translation>
-    </message>
-    <message>
-        <source>its zone &apos;%1&apos; ends within a point</source>
-        <translation>die Zone &apos;%1&apos; endet mitten in einem Punkt</translation>
-    </message>
-    <message>
-        <source>raw times of recording %1</source>
-        <translation>Rohzeiten der Aufnahme %1</translation>
-    </message>
-    <message>
-        <source>its recording has ended, and is kept</source>
-        <translation>die Aufnahme ist beendet und wird behalten</translation>
-    </message>
-    <message>
-        <source>leave it</source>
-        <translation>lassen Sie es dabei</translation>
-    </message>
-    <message>
-        <source>look for lost videos</source>
-        <translation>Suche nach verlorenen Videos</translation>
-    </message>
-    <message>
-        <source>demo</source>
-        <translation>Demo</translation>
-    </message>
-    <message>
-        <source>the planned camera</source>
-        <translation>die geplante Kamera</translation>
-    </message>
-    <message>
-        <source>from there it would see %1 of the layout&apos;s markers (%2), four are needed</source>
-        <translation>von dort sähe sie %1 der Marker des Plans (%2), vier werden gebraucht</translation>
-    </message>
-    <message>
-        <source>move it back or up, or choose a wider lens</source>
-        <translation>rücken Sie die Kamera zurück oder höher, oder wählen Sie ein weiteres Objektiv</translation>
-    </message>
-    <message>
-        <source>the markers that it would see do not hold it</source>
-        <translation>die Marker, die sie sähe, legen ihre Lage nicht fest</translation>
-    </message>
-    <message>
-        <source>it cannot stand %1 m above the floor</source>
-        <translation>%1 m über dem Boden kann keine Kamera stehen</translation>
-    </message>
-    <message>
-        <source>give a height of 0.05 m to 100 m</source>
-        <translation>geben Sie eine Höhe von 0,05 m bis 100 m an</translation>
-    </message>
-    <message>
-        <source>it cannot stand %1 m away</source>
-        <translation>%1 m entfernt kann keine Kamera stehen</translation>
-    </message>
-    <message>
-        <source>give a distance of 0 m to 1000 m</source>
-        <translation>geben Sie einen Abstand von 0 m bis 1000 m an</translation>
-    </message>
-    <message>
-        <source>its field of view is %1°</source>
-        <translation>das Blickfeld ist %1°</translation>
-    </message>
-    <message>
-        <source>give 2° to 150°, and the size of its pictures</source>
-        <translation>geben Sie 2° bis 150° an, und die Größe der Bilder</translation>
-    </message>
-    <message>
-        <source>the best place for a camera</source>
-        <translation>der beste Ort für eine Kamera</translation>
-    </message>
-    <message>
-        <source>the layout has %1 markers, four are needed</source>
-        <translation>der Plan hat %1 Marker, vier werden gebraucht</translation>
-    </message>
-    <message>
-        <source>make a layout of four markers or more</source>
-        <translation>legen Sie einen Plan mit vier oder mehr Markern an</translation>
-    </message>
-    <message>
-        <source>from nowhere within %1 m beyond the markers would it see four of them at the height and with the lens given</source>
-        <translation>bis %1 m um die Marker herum sähe sie mit dieser Höhe und diesem Objektiv nirgends vier davon</translation>
-    </message>
-    <message>
-        <source>let it stand higher or farther away, or choose a wider lens</source>
-        <translation>stellen Sie die Kamera höher oder weiter weg, oder wählen Sie ein weiteres Objektiv</translation>
-    </message>
-    <message>
-        <source>the board is seen too obliquely, at %1 degrees</source>
-        <translation>die Tafel ist zu schräg zu sehen, unter %1 Grad</translation>
-    </message>
-    <message>
-        <source>tilt it by 30 to 45 degrees</source>
-        <translation>neigen Sie sie um 30 bis 45 Grad</translation>
-    </message>
-    <message>
-        <source>the board is too small</source>
-        <translation>die Tafel ist zu klein</translation>
-    </message>
-    <message>
-        <source>it fills %1 % of the picture</source>
-        <translation>sie füllt %1 % des Bilds</translation>
-    </message>
-    <message>
-        <source>hold it closer to the camera</source>
-        <translation>halten Sie sie näher an die Kamera</translation>
-    </message>
-    <message>
-        <source>it is %1×%2, the first picture %3×%4</source>
-        <translation>dieses Bild hat %1×%2, das erste %3×%4</translation>
-    </message>
-    <message>
-        <source>use pictures of one camera at one resolution</source>
-        <translation>verwenden Sie Bilder einer Kamera mit einer Auflösung</translation>
-    </message>
-    <message>
-        <source>the corners do not lie as on a flat board</source>
-        <translation>die Ecken liegen nicht wie auf einer flachen Tafel</translation>
-    </message>
-    <message>
-        <source>glue the board onto something stiff and flat</source>
-        <translation>kleben Sie die Tafel auf etwas Steifes und Flaches</translation>
-    </message>
-    <message>
-        <source>the board stands as in %1 already</source>
-        <translation>die Tafel steht wie schon in %1</translation>
-    </message>
-    <message>
-        <source>the board stands as in a picture already taken</source>
-        <translation>die Tafel steht wie in einem schon aufgenommenen Bild</translation>
-    </message>
-    <message>
-        <source>move it elsewhere, turn it or tilt it</source>
-        <translation>halten Sie sie woanders hin, drehen oder neigen Sie sie</translation>
-    </message>
-    <message>
-        <source>the board is not sharp</source>
-        <translation>die Tafel ist nicht scharf</translation>
-    </message>
-    <message>
-        <source>focus the camera, or give more light</source>
-        <translation>stellen Sie die Kamera scharf, oder sorgen Sie für mehr Licht</translation>
-    </message>
-    <message>
-        <source>the pictures ask for two focal lengths</source>
-        <translation>die Bilder verlangen zwei Brennweiten</translation>
-    </message>
-    <message>
-        <source>%1 for about %2 px, %3 (such as %4) for about %5 px</source>
-        <translation>%1 etwa %2 px, %3 (etwa %4) etwa %5 px</translation>
-    </message>
-    <message>
-        <source>it has %1 corners of the board, six are needed</source>
-        <translation>es zeigt %1 Ecken der Tafel, sechs werden gebraucht</translation>
-    </message>
-    <message>
-        <source>show more of it</source>
-        <translation>zeigen Sie mehr davon</translation>
-    </message>
-    <message>
-        <source>a corner of it is not a number</source>
-        <translation>eine Ecke darin ist keine Zahl</translation>
-    </message>
-    <message>
-        <source>let the board be found in it again</source>
-        <translation>lassen Sie die Tafel darin neu suchen</translation>
-    </message>
-    <message>
-        <source>too few pictures to compare it with others</source>
-        <translation>zu wenige Bilder, um es mit anderen zu vergleichen</translation>
-    </message>
-    <message>
-        <source>name one like DICT_6X6_250, or leave it out</source>
-        <translation>nennen Sie eines wie DICT_6X6_250, oder lassen Sie es weg</translation>
-    </message>
-    <message>
-        <source>the markers that were read do not lie as on a ChArUco board</source>
-        <translation>die gelesenen Marker liegen nicht wie auf einer ChArUco-Tafel</translation>
-    </message>
-    <message>
-        <source>the markers that were read do not lie as on a ChArUco board of %1 inner corners</source>
-        <translation>die gelesenen Marker liegen nicht wie auf einer ChArUco-Tafel mit %1 inneren Ecken</translation>
-    </message>
-    <message>
-        <source>the pixel of point %1 is not a finite number</source>
-        <translation>das Pixel von Punkt %1 ist keine endliche Zahl</translation>
-    </message>
-    <message>
-        <source>the pixel of marker %1 is not a finite number</source>
-        <translation>das Pixel von Marker %1 ist keine endliche Zahl</translation>
-    </message>
-    <message>
-        <source>the place of marker %1 is not a finite number</source>
-        <translation>der Ort von Marker %1 ist keine endliche Zahl</translation>
-    </message>
-    <message>
-        <source>point %1 lies outside the picture of %2 (%3)</source>
-        <translation>Punkt %1 liegt außerhalb des Bilds von %2 (%3)</translation>
-    </message>
-    <message>
-        <source>check which columns belong to which camera</source>
-        <translation>prüfen Sie, welche Spalten zu welcher Kamera gehören</translation>
-    </message>
-    <message>
-        <source>this camera</source>
-        <translation>diese Kamera</translation>
-    </message>
-    <message>
-        <source>camera &apos;%1&apos; is there twice</source>
-        <translation>Kamera &apos;%1&apos; gibt es zweimal</translation>
-    </message>
-    <message>
-        <source>name each camera once</source>
-        <translation>nennen Sie jede Kamera einmal</translation>
-    </message>
-    <message>
-        <source>the σ of the tape measure is not above 0</source>
-        <translation>das σ des Maßbands ist nicht größer als 0</translation>
-    </message>
-    <message>
-        <source>give some 2 mm</source>
-        <translation>geben Sie etwa 2 mm an</translation>
-    </message>
-    <message>
-        <source>no pose</source>
-        <translation>keine Lage</translation>
-    </message>
-    <message>
-        <source>%1 lies where this camera&apos;s lens cannot have put it</source>
-        <translation>%1 liegt, wohin das Objektiv dieser Kamera nichts abbilden kann</translation>
-    </message>
-    <message>
-        <source>check its pixel and the camera&apos;s intrinsics</source>
-        <translation>prüfen Sie das Pixel und die Objektivdaten der Kamera</translation>
-    </message>
-    <message>
-        <source>spread the points over the floor, not along a line</source>
-        <translation>verteilen Sie die Punkte über den Boden, nicht entlang einer Linie</translation>
-    </message>
-    <message>
-        <source>both an angle and a pair of markers were given for X</source>
-        <translation>für X wurden ein Winkel und ein Paar Marker angegeben</translation>
-    </message>
-    <message>
-        <source>both a marker and a point were given for the origin</source>
-        <translation>für den Ursprung wurden ein Marker und ein Punkt angegeben</translation>
-    </message>
-    <message>
-        <source>unit &apos;%1&apos;</source>
-        <translation>Einheit &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>it is not known</source>
-        <translation>das ist nicht bekannt</translation>
-    </message>
-    <message>
-        <source>use mm, cm, m or inch</source>
-        <translation>verwenden Sie mm, cm, m oder inch</translation>
-    </message>
-    <message>
-        <source>a length factor of %1 makes no floor</source>
-        <translation>ein Längenfaktor von %1 ergibt keinen Boden</translation>
-    </message>
-    <message>
-        <source>give a number above 0</source>
-        <translation>geben Sie eine Zahl über 0 an</translation>
-    </message>
-    <message>
-        <source>the origin or the angle is not a finite number</source>
-        <translation>der Ursprung oder der Winkel ist keine endliche Zahl</translation>
-    </message>
-    <message>
-        <source>give plain numbers</source>
-        <translation>geben Sie gewöhnliche Zahlen an</translation>
-    </message>
-    <message>
-        <source>check the unit of the layout</source>
-        <translation>prüfen Sie die Einheit des Plans</translation>
-    </message>
-    <message>
-        <source>it is given in mm</source>
-        <translation>erwartet werden mm</translation>
-    </message>
-    <message>
-        <source>no homography</source>
-        <translation>keine Homographie</translation>
-    </message>
-    <message>
-        <source>four points are needed, %1 given</source>
-        <translation>vier Punkte werden gebraucht, %1 sind angegeben</translation>
-    </message>
-    <message>
-        <source>add points</source>
-        <translation>fügen Sie Punkte hinzu</translation>
-    </message>
-    <message>
-        <source>a coordinate of %1 is not a finite number</source>
-        <translation>eine Koordinate von %1 ist keine endliche Zahl</translation>
-    </message>
-    <message>
-        <source>%1 lie at one place</source>
-        <translation>%1 liegen an einer Stelle</translation>
-    </message>
-    <message>
-        <source>%1 lie at one place in the picture</source>
-        <translation>%1 liegen im Bild an einer Stelle</translation>
-    </message>
-    <message>
-        <source>%1 lie on one line</source>
-        <translation>%1 liegen auf einer Linie</translation>
-    </message>
-    <message>
-        <source>%1 lie on one line in the picture</source>
-        <translation>%1 liegen im Bild auf einer Linie</translation>
-    </message>
-    <message>
-        <source>use four points of which no three are in line</source>
-        <translation>verwenden Sie vier Punkte, von denen keine drei auf einer Linie liegen</translation>
-    </message>
-    <message>
-        <source>%1 would lie beyond the horizon</source>
-        <translation>%1 läge hinter dem Horizont</translation>
-    </message>
-    <message>
-        <source>the order of the points crosses over like a bow tie</source>
-        <translation>die Reihenfolge der Punkte überkreuzt sich wie eine Schleife</translation>
-    </message>
-    <message>
-        <source>check which point is which</source>
-        <translation>prüfen Sie, welcher Punkt welcher ist</translation>
-    </message>
-    <message>
-        <source>the points do not determine it</source>
-        <translation>die Punkte bestimmen sie nicht</translation>
-    </message>
-    <message>
-        <source>spread the points</source>
-        <translation>verteilen Sie die Punkte</translation>
-    </message>
-    <message>
-        <source>the chain has no links</source>
-        <translation>die Kette hat keine Glieder</translation>
-    </message>
-    <message>
-        <source>give at least one</source>
-        <translation>geben Sie mindestens eines an</translation>
-    </message>
-    <message>
-        <source>link %1 of %2 of the chain is singular</source>
-        <translation>Glied %1 von %2 der Kette ist singulär</translation>
-    </message>
-    <message>
-        <source>use four points in it of which no three are in line</source>
-        <translation>verwenden Sie darin vier Punkte, von denen keine drei auf einer Linie liegen</translation>
-    </message>
-    <message>
-        <source>the picture size %1 is not positive</source>
-        <translation>die Bildgröße %1 ist nicht positiv</translation>
-    </message>
-    <message>
-        <source>one of the values is not a finite number</source>
-        <translation>einer der Werte ist keine endliche Zahl</translation>
-    </message>
-    <message>
-        <source>the focal length %1 px is not positive</source>
-        <translation>die Brennweite %1 px ist nicht positiv</translation>
-    </message>
-    <message>
-        <source>%1 distortion coefficients do not belong to this lens model</source>
-        <translation>%1 Verzeichnungskoeffizienten gehören nicht zu diesem Objektivmodell</translation>
-    </message>
-    <message>
-        <source>the covariance has the wrong size</source>
-        <translation>die Kovarianz hat die falsche Größe</translation>
-    </message>
-    <message>
-        <source>no picture could be read</source>
-        <translation>kein Bild konnte gelesen werden</translation>
-    </message>
-    <message>
-        <source>calibration picture &apos;%1&apos;</source>
-        <translation>Kalibrierbild &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>intrinsics of camera &apos;%1&apos;</source>
-        <translation>Objektivdaten der Kamera &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>run odograph calibrate, or odograph intrinsics import</source>
-        <translation>kalibrieren Sie sie, oder importieren Sie ihre Objektivdaten</translation>
-    </message>
-    <message>
-        <source>markers for camera &apos;%1&apos;</source>
-        <translation>Marker für Kamera &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>give --pixels pixels.csv, --image picture.png or --video clip.mp4</source>
-        <translation>geben Sie --pixels pixels.csv, --image picture.png oder --video clip.mp4 an</translation>
-    </message>
-    <message>
-        <source>calibrate it, import its intrinsics, or give --image or --video as well</source>
-        <translation>kalibrieren Sie sie, importieren Sie ihre Objektivdaten, oder geben Sie auch --image oder --video an</translation>
-    </message>
-    <message>
-        <source>registration of camera &apos;%1&apos; with the lens in force</source>
-        <translation>Einmessung der Kamera &apos;%1&apos; mit dem gültigen Objektiv</translation>
-    </message>
-    <message>
-        <source>camera &apos;%1&apos; has none of that number</source>
-        <translation>Kamera &apos;%1&apos; hat keine mit dieser Nummer</translation>
-    </message>
-    <message>
-        <source>see its revisions for those there are</source>
-        <translation>die Liste ihrer Revisionen zeigt, welche es gibt</translation>
-    </message>
-    <message>
-        <source>calibration %1</source>
-        <translation>Kalibrierung %1</translation>
-    </message>
-    <message>
-        <source>registration %1</source>
-        <translation>Einmessung %1</translation>
-    </message>
-    <message>
-        <source>one view saw the robot in fewer than %1 pictures</source>
-        <translation>eine Sicht sah den Roboter in weniger als %1 Bildern</translation>
-    </message>
-    <message>
-        <source>the views hardly ever saw the robot at the same time</source>
-        <translation>die Sichten sahen den Roboter fast nie zugleich</translation>
-    </message>
-    <message>
-        <source>the robot stood still or ran straight at constant speed, so every offset fits</source>
-        <translation>der Roboter stand oder fuhr gleichmäßig geradeaus, darum passt jeder Versatz</translation>
-    </message>
-    <message>
-        <source>the views&apos; tracks do not resemble one another</source>
-        <translation>die Spuren der Sichten ähneln einander nicht</translation>
-    </message>
-    <message>
-        <source>the views&apos; tracks do not coincide at any offset looked at</source>
-        <translation>die Spuren der Sichten decken sich bei keinem untersuchten Versatz</translation>
-    </message>
-    <message>
-        <source>the motion repeats itself</source>
-        <translation>die Bewegung wiederholt sich</translation>
-    </message>
-    <message>
-        <source>offsets of %1 s and %2 s fit alike</source>
-        <translation>ein Versatz von %1 s und von %2 s passt gleich gut</translation>
-    </message>
-    <message>
-        <source>neither view shows a flash of light</source>
-        <translation>keine der Sichten zeigt einen Lichtblitz</translation>
-    </message>
-    <message>
-        <source>only one of the views shows a flash of light</source>
-        <translation>nur eine der Sichten zeigt einen Lichtblitz</translation>
-    </message>
-    <message>
-        <source>the light flickers</source>
-        <translation>das Licht flackert</translation>
-    </message>
-    <message>
-        <source>the flashes of light in the views do not belong together</source>
-        <translation>die Lichtblitze der Sichten gehören nicht zusammen</translation>
-    </message>
-    <message>
-        <source>the flashes of light fit alike at offsets of %1 s and %2 s</source>
-        <translation>die Lichtblitze passen bei einem Versatz von %1 s und von %2 s gleich gut</translation>
-    </message>
-    <message>
-        <source>%1, and neither view shows a flash of light</source>
-        <translation>%1, und keine der Sichten zeigt einen Lichtblitz</translation>
-    </message>
-    <message>
-        <source>%1, and only one of the views shows a flash of light</source>
-        <translation>%1, und nur eine der Sichten zeigt einen Lichtblitz</translation>
-    </message>
-    <message>
-        <source>%1, and the light flickers</source>
-        <translation>%1, und das Licht flackert</translation>
-    </message>
-    <message>
-        <source>%1, and the flashes of light in the views do not belong together</source>
-        <translation>%1, und die Lichtblitze der Sichten gehören nicht zusammen</translation>
-    </message>
-    <message>
-        <source>%1, and the flashes of light fit alike at offsets of %2 s and %3 s</source>
-        <translation>%1, und die Lichtblitze passen bei einem Versatz von %2 s und von %3 s gleich gut</translation>
-    </message>
-    <message>
-        <source>%1, so it is taken as begun together</source>
-        <translation>%1, darum gilt sie als gemeinsam begonnen</translation>
-    </message>
-    <message>
-        <source>fit of %1</source>
-        <translation>Anpassung (%1)</translation>
-    </message>
-    <message>
-        <source>a constant</source>
-        <translation>eine Konstante</translation>
-    </message>
-    <message>
-        <source>a straight line</source>
-        <translation>eine Gerade</translation>
-    </message>
-    <message>
-        <source>a parabola</source>
-        <translation>eine Parabel</translation>
-    </message>
-    <message>
-        <source>%1 point is too few for it</source>
-        <translation>%1 Punkt ist dafür zu wenig</translation>
-    </message>
-    <message>
-        <source>the robot does not move in %1</source>
-        <translation>in %1 bewegt sich der Roboter nicht</translation>
-    </message>
-    <message>
-        <source>the robot hardly moves in %1</source>
-        <translation>in %1 bewegt sich der Roboter kaum</translation>
-    </message>
-    <message>
-        <source>choose a run with motion</source>
-        <translation>wählen Sie eine Fahrt mit Bewegung</translation>
-    </message>
-    <message>
-        <source>%1 drives the way in the other direction than %2</source>
-        <translation>%1 fährt den Weg in anderer Richtung als %2</translation>
-    </message>
-    <message>
-        <source>choose runs in the same direction</source>
-        <translation>wählen Sie Fahrten in gleicher Richtung</translation>
-    </message>
-    <message>
-        <source>%1 has no stretch of the way in common with the task&apos;s path</source>
-        <translation>%1 hat kein Stück Weg mit der Sollbahn gemeinsam</translation>
-    </message>
-    <message>
-        <source>%1 has no stretch of the way in common with %2</source>
-        <translation>%1 hat kein Stück Weg mit %2 gemeinsam</translation>
-    </message>
-    <message>
-        <source>choose runs of the same task</source>
-        <translation>wählen Sie Fahrten derselben Aufgabe</translation>
-    </message>
-    <message>
-        <source>%1 does not pass a start gate</source>
-        <translation>%1 fährt durch kein Starttor</translation>
-    </message>
-    <message>
-        <source>align by motion onset or distance</source>
-        <translation>richten Sie nach Bewegungsbeginn oder Weg aus</translation>
-    </message>
-    <message>
-        <source>the robot of %1 drives already when it is first seen</source>
-        <translation>der Roboter von %1 fährt schon, wenn er zum ersten Mal zu sehen ist</translation>
-    </message>
-    <message>
-        <source>align by distance</source>
-        <translation>richten Sie nach dem Weg aus</translation>
-    </message>
-    <message>
-        <source>a moment of each run is needed to align them by hand</source>
-        <translation>zum Ausrichten von Hand wird von jeder Fahrt ein Zeitpunkt gebraucht</translation>
-    </message>
-    <message>
-        <source>tell one for each</source>
-        <translation>nennen Sie für jede einen</translation>
-    </message>
-    <message>
-        <source>the moment told for %1 lies outside of it</source>
-        <translation>der für %1 genannte Zeitpunkt liegt außerhalb</translation>
-    </message>
-    <message>
-        <source>tell one between its first and last frame</source>
-        <translation>nennen Sie einen zwischen dem ersten und dem letzten Bild</translation>
-    </message>
-    <message>
-        <source>%1 was not seen at the place to align by</source>
-        <translation>%1 war am Ort der Ausrichtung nicht zu sehen</translation>
-    </message>
-    <message>
-        <source>choose a place that both runs pass</source>
-        <translation>wählen Sie einen Ort, an dem beide Fahrten vorbeikommen</translation>
-    </message>
-    <message>
-        <source>there is no such template</source>
-        <translation>dieses Muster gibt es nicht</translation>
-    </message>
-    <message>
-        <source>template &apos;%1&apos;</source>
-        <translation>Muster &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>rule &apos;%1&apos;</source>
-        <translation>Regel &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>use stay_inside or stay_outside</source>
-        <translation>verwenden Sie stay_inside oder stay_outside</translation>
-    </message>
-    <message>
-        <source>smoother %1</source>
-        <translation>Glättung %1</translation>
-    </message>
-    <message>
-        <source>there is none of that name</source>
-        <translation>so heißt keine</translation>
-    </message>
-    <message>
-        <source>use rts, savgol, tracker or none</source>
-        <translation>verwenden Sie rts, savgol, tracker oder none</translation>
-    </message>
-    <message>
-        <source>robot &apos;%1&apos; was not tracked in it, but %2</source>
-        <translation>Roboter &apos;%1&apos; wurde darin nicht verfolgt, wohl aber %2</translation>
-    </message>
-    <message>
-        <source>track it, or choose another</source>
-        <translation>verfolgen Sie ihn, oder wählen Sie einen anderen</translation>
-    </message>
-    <message>
-        <source>track it, or choose another with --robot</source>
-        <translation>verfolgen Sie ihn, oder wählen Sie mit --robot einen anderen</translation>
-    </message>
-    <message>
-        <source>none of its tracks is called &apos;%1&apos;; it has %2</source>
-        <translation>keine der Spuren heißt &apos;%1&apos;; vorhanden: %2</translation>
-    </message>
-    <message>
-        <source>run odograph track first</source>
-        <translation>verfolgen Sie zuerst</translation>
-    </message>
-    <message>
-        <source>run odograph track without --again first</source>
-        <translation>verfolgen Sie zuerst ohne --again</translation>
-    </message>
-    <message>
-        <source>analyse them anew with</source>
-        <translation>werten Sie sie neu aus mit</translation>
-    </message>
-    <message>
-        <source>choose one with --robot</source>
-        <translation>wählen Sie einen mit --robot</translation>
-    </message>
-    <message>
-        <source>frame %1 of trial &apos;%2&apos;</source>
-        <translation>Bild %1 des Versuchs &apos;%2&apos;</translation>
-    </message>
-    <message>
-        <source>%1 s of trial &apos;%2&apos;</source>
-        <translation>%1 s des Versuchs &apos;%2&apos;</translation>
-    </message>
-    <message>
-        <source>the analysis has no sample</source>
-        <translation>die Auswertung hat keinen Messpunkt</translation>
-    </message>
-    <message>
-        <source>track the trial again</source>
-        <translation>verfolgen Sie den Versuch noch einmal</translation>
-    </message>
-    <message>
-        <source>choose a time from %1 s to %2 s</source>
-        <translation>wählen Sie eine Zeit von %1 s bis %2 s</translation>
-    </message>
-    <message>
-        <source>choose a frame with a measurement</source>
-        <translation>wählen Sie ein Bild mit einer Messung</translation>
-    </message>
-    <message>
-        <source>nothing was said by hand there</source>
-        <translation>dort wurde nichts von Hand festgelegt</translation>
-    </message>
-    <message>
-        <source>see the flags by_hand in odograph export</source>
-        <translation>siehe die Kennzeichen by_hand in odograph export</translation>
-    </message>
-    <message>
-        <source>tracking</source>
-        <translation>Verfolgung</translation>
-    </message>
-    <message>
-        <source>add one with</source>
-        <translation>fügen Sie einen hinzu mit</translation>
-    </message>
-    <message>
-        <source>cannot render %1</source>
-        <translation>%1 kann nicht gerechnet werden</translation>
-    </message>
-    <message>
-        <source>rendering %1</source>
-        <translation>Rechnen von %1</translation>
-    </message>
-    <message>
-        <source>camera %1 takes no frame while the scene lasts</source>
-        <translation>Kamera %1 nimmt kein Bild auf, solange die Szene dauert</translation>
-    </message>
-    <message>
-        <source>give the scene a longer duration or start the camera earlier</source>
-        <translation>lassen Sie die Szene länger dauern, oder starten Sie die Kamera früher</translation>
-    </message>
-    <message>
-        <source>a picture cannot be coded</source>
-        <translation>ein Bild kann nicht kodiert werden</translation>
-    </message>
-    <message>
-        <source>JPEG does not have its layout of colours</source>
-        <translation>diese Anordnung der Farben kennt JPEG nicht</translation>
-    </message>
-    <message>
-        <source>let the camera give another format</source>
-        <translation>lassen Sie die Kamera ein anderes Format liefern</translation>
-    </message>
-    <message>
-        <source>cannot decode all of a frame</source>
-        <translation>ein Bild kann nicht ganz dekodiert werden</translation>
-    </message>
-    <message>
-        <source>its sound part is used</source>
-        <translation>verwendet wird der unbeschädigte Teil</translation>
-    </message>
-    <message>
-        <source>its time scale was not found where the muxer should have put it</source>
-        <translation>die Zeitskala fehlt an der Stelle, an die der Muxer sie schreiben sollte</translation>
-    </message>
-    <message>
-        <source>report this as a bug</source>
-        <translation>melden Sie dies als Fehler</translation>
-    </message>
-    <message>
-        <source>its header could not be rewritten</source>
-        <translation>die Kopfdaten konnten nicht neu geschrieben werden</translation>
-    </message>
-    <message>
-        <source>check that there is room on the disk</source>
-        <translation>prüfen Sie, ob auf der Platte Platz ist</translation>
-    </message>
-    <message>
-        <source>a packet there is damaged</source>
-        <translation>ein Paket dort ist beschädigt</translation>
-    </message>
-    <message>
-        <source>its header promises %1</source>
-        <translation>die Kopfdaten versprechen %1</translation>
-    </message>
-    <message>
-        <source>not one whole frame is in it</source>
-        <translation>darin ist kein einziges ganzes Bild</translation>
-    </message>
-    <message>
-        <source>its time stamps span %1</source>
-        <translation>die Zeitstempel umfassen %1</translation>
-    </message>
-    <message>
-        <source>it says that it has %1 pixels</source>
-        <translation>darin steht, dass es %1 Pixel sind</translation>
-    </message>
-    <message>
-        <source>picture</source>
-        <translation>Bild</translation>
-    </message>
-    <message>
-        <source>picture &apos;%1&apos;</source>
-        <translation>Bild &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>it could not be packed</source>
-        <translation>das Bild konnte nicht gepackt werden</translation>
-    </message>
-    <message>
-        <source>check the folder, the free space, and that the name ends in .png or .jpg</source>
-        <translation>prüfen Sie den Ordner, den freien Platz, und ob der Name auf .png oder .jpg endet</translation>
-    </message>
-    <message>
-        <source>it could not be written</source>
-        <translation>Schreiben nicht möglich</translation>
-    </message>
-    <message>
-        <source>its format is not known</source>
-        <translation>das Format ist nicht bekannt</translation>
-    </message>
-    <message>
-        <source>the size of its pictures could not be found out</source>
-        <translation>die Größe der Bilder ließ sich nicht feststellen</translation>
-    </message>
-    <message>
-        <source>its pixel format %1 is not read</source>
-        <translation>das Pixelformat %1 wird nicht gelesen</translation>
-    </message>
-    <message>
-        <source>its pixel format (unknown) is not read</source>
-        <translation>das (unbekannte) Pixelformat wird nicht gelesen</translation>
-    </message>
-    <message>
-        <source>convert it to 8-bit YUV, e.g. ffmpeg -i FILE -pix_fmt yuv420p NEW.mp4</source>
-        <translation>wandeln Sie es in 8-Bit-YUV um, z. B. mit ffmpeg -i FILE -pix_fmt yuv420p NEW.mp4</translation>
-    </message>
-    <message>
-        <source>frames of this size or chroma format cannot be encoded</source>
-        <translation>Bilder dieser Größe oder dieses Farbformats können nicht kodiert werden</translation>
-    </message>
-    <message>
-        <source>use 4:2:0, 4:2:2 or 4:4:4</source>
-        <translation>verwenden Sie 4:2:0, 4:2:2 oder 4:4:4</translation>
-    </message>
-    <message>
-        <source>install Debian&apos;s libavcodec with libx264</source>
-        <translation>installieren Sie Debians libavcodec mit libx264</translation>
-    </message>
-    <message>
-        <source>the chroma siting could not be set (%1)</source>
-        <translation>die Lage der Farbwerte konnte nicht gesetzt werden (%1)</translation>
-    </message>
-    <message>
-        <source>install Debian&apos;s libavcodec</source>
-        <translation>installieren Sie Debians libavcodec</translation>
-    </message>
-    <message>
-        <source>FFV1 does not go into MP4</source>
-        <translation>FFV1 passt nicht in MP4</translation>
-    </message>
-    <message>
-        <source>use the ending .mkv</source>
-        <translation>verwenden Sie die Endung .mkv</translation>
-    </message>
-    <message>
-        <source>its frame rate is not positive</source>
-        <translation>die Bildrate ist nicht positiv</translation>
-    </message>
-    <message>
-        <source>give the frames per second, e.g. 30</source>
-        <translation>geben Sie die Bilder je Sekunde an, z. B. 30</translation>
-    </message>
-    <message>
-        <source>start the video again</source>
-        <translation>beginnen Sie das Video neu</translation>
-    </message>
-    <message>
-        <source>its format differs from the video&apos;s</source>
-        <translation>das Format ist ein anderes als das des Videos</translation>
-    </message>
-    <message>
-        <source>write one format to a file</source>
-        <translation>schreiben Sie in eine Datei ein Format</translation>
-    </message>
-    <message>
-        <source>its time is not after the frame&apos;s before it</source>
-        <translation>die Zeit liegt nicht nach der des Bilds davor</translation>
-    </message>
-    <message>
-        <source>write the frames in order, at least a microsecond apart</source>
-        <translation>schreiben Sie die Bilder der Reihe nach, mindestens eine Mikrosekunde auseinander</translation>
-    </message>
-    <message>
-        <source>it is finished</source>
-        <translation>es ist abgeschlossen</translation>
-    </message>
-    <message>
-        <source>start it again</source>
-        <translation>beginnen Sie es neu</translation>
-    </message>
-    <message>
-        <source>no frame was written to it</source>
-        <translation>kein Bild wurde hineingeschrieben</translation>
-    </message>
-    <message>
-        <source>write at least one</source>
-        <translation>schreiben Sie mindestens eines</translation>
-    </message>
-    <message>
-        <source>give one view or more, like --video A=a.mp4</source>
-        <translation>geben Sie eine oder mehr Sichten an, etwa --video A=a.mp4</translation>
-    </message>
-    <message>
-        <source>%1 views were given and the offsets of %2</source>
-        <translation>angegeben sind %1 Sichten und der Versatz von %2</translation>
-    </message>
-    <message>
-        <source>give one offset for each view but the first, like --sync 0.1,0.2, or use --sync auto</source>
-        <translation>geben Sie für jede Sicht außer der ersten einen Versatz an, etwa --sync 0.1,0.2, oder nehmen Sie --sync auto</translation>
-    </message>
-    <message>
-        <source>frame %1 of &apos;%2&apos;</source>
-        <translation>Bild %1 von &apos;%2&apos;</translation>
-    </message>
-    <message>
-        <source>choose one from %1 to %2</source>
-        <translation>wählen Sie eines von %1 bis %2</translation>
-    </message>
-    <message>
-        <source>its only one is frame 0</source>
-        <translation>das einzige ist Bild 0</translation>
-    </message>
-    <message>
-        <source>there is no such role</source>
-        <translation>diese Rolle gibt es nicht</translation>
-    </message>
-    <message>
-        <source>role &apos;%1&apos;</source>
-        <translation>Rolle &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>from a flash of light, to %1 ms only, for %2</source>
-        <translation>aus einem Lichtblitz, nur auf %1 ms, denn %2</translation>
-    </message>
-    <message>
-        <source>%1 frames left out</source>
-        <translation>%1 Bilder weggelassen</translation>
-    </message>
-    <message>
-        <source>their time stamps repeat the frame before</source>
-        <translation>ihre Zeitstempel wiederholen den des Bilds davor</translation>
-    </message>
-    <message>
-        <source>ends early at %1</source>
-        <translation>endet vorzeitig bei %1</translation>
-    </message>
-    <message>
-        <source>the file has no time stamps</source>
-        <translation>die Datei hat keine Zeitstempel</translation>
-    </message>
-    <message>
-        <source>an even %1 frames/s is assumed</source>
-        <translation>gleichmäßige %1 Bilder/s werden angenommen</translation>
-    </message>
-    <message>
-        <source>Simulated camera %1</source>
-        <translation>Simulierte Kamera %1</translation>
-    </message>
-    <message>
-        <source>%1 at %2 frames/s</source>
-        <translation>%1 mit %2 Bildern/s</translation>
-    </message>
-    <message>
-        <source>check that all lines are of one run</source>
-        <translation>prüfen Sie, ob alle Zeilen von einer Fahrt sind</translation>
-    </message>
-    <message>
-        <source>it sends no pictures</source>
-        <translation>sie sendet keine Bilder</translation>
-    </message>
-    <message>
-        <source>check its cable</source>
-        <translation>prüfen Sie das Kabel</translation>
-    </message>
-    <message>
-        <source>it is taken up again by itself</source>
-        <translation>danach geht es von selbst weiter</translation>
-    </message>
-    <message>
-        <source>it has been away</source>
-        <translation>sie war fort</translation>
-    </message>
-    <message>
-        <source>wait: it is taken up again</source>
-        <translation>warten Sie: es geht von selbst weiter</translation>
-    </message>
-    <message>
-        <source>its pictures come incomplete</source>
-        <translation>die Bilder kommen unvollständig an</translation>
-    </message>
-    <message>
-        <source>check its cable and the network</source>
-        <translation>prüfen Sie das Kabel und das Netz</translation>
-    </message>
-    <message>
-        <source>ask for a smaller size or rate</source>
-        <translation>verlangen Sie eine kleinere Größe oder Rate</translation>
-    </message>
-    <message>
-        <source>it answers, but sends no pictures</source>
-        <translation>sie antwortet, sendet aber keine Bilder</translation>
-    </message>
-    <message>
-        <source>check its trigger and this computer&apos;s firewall</source>
-        <translation>prüfen Sie den Auslöser und die Firewall dieses Computers</translation>
-    </message>
-    <message>
-        <source>it failed (%1)</source>
-        <translation>sie ist ausgefallen (%1)</translation>
-    </message>
-    <message>
-        <source>unplug it and plug it in again if that lasts</source>
-        <translation>ziehen Sie sie ab und stecken Sie sie neu ein, wenn das anhält</translation>
-    </message>
-    <message>
-        <source>no picture has come for %1</source>
-        <translation>seit %1 kam kein Bild</translation>
-    </message>
-    <message>
-        <source>look at its cable</source>
-        <translation>sehen Sie nach dem Kabel</translation>
-    </message>
-    <message>
-        <source>take it off and put it on again if it stays so</source>
-        <translation>ziehen Sie sie ab und stecken Sie sie wieder an, wenn es so bleibt</translation>
-    </message>
-    <message>
-        <source>its disk has only %1 MB left, of which %2 are kept free</source>
-        <translation>auf der Platte sind nur noch %1 MB frei, von denen %2 frei bleiben sollen</translation>
-    </message>
-    <message>
-        <source>the disk of %1</source>
-        <translation>die Platte von %1</translation>
-    </message>
-    <message>
-        <source>it is too slow</source>
-        <translation>sie ist zu langsam</translation>
-    </message>
-    <message>
-        <source>a picture has waited %1 s for it, and %2 % of the room to wait in is taken</source>
-        <translation>ein Bild hat %1 s gewartet, und %2 % des Platzes zum Warten sind belegt</translation>
-    </message>
-    <message>
-        <source>nothing is lost yet</source>
-        <translation>noch ist nichts verloren</translation>
-    </message>
-    <message>
-        <source>end what else writes to it</source>
-        <translation>beenden Sie, was sonst darauf schreibt</translation>
-    </message>
-    <message>
-        <source>pictures are being lost</source>
-        <translation>Bilder gehen verloren</translation>
-    </message>
-    <message>
-        <source>record to another disk, or fewer cameras</source>
-        <translation>nehmen Sie auf eine andere Platte auf, oder mit weniger Kameras</translation>
-    </message>
-    <message>
-        <source>Exposure and gain</source>
-        <translation>Belichtung und Verstärkung</translation>
-    </message>
-    <message>
-        <source>line %1 has no team</source>
-        <translation>Zeile %1 hat kein Team</translation>
-    </message>
-    <message>
-        <source>line %1 has no class for team &apos;%2&apos;</source>
-        <translation>Zeile %1 hat keine Klasse zum Team &apos;%2&apos;</translation>
-    </message>
-    <message>
-        <source>line %1 names team &apos;%2&apos; again, as line %3</source>
-        <translation>Zeile %1 nennt Team &apos;%2&apos; noch einmal, wie Zeile %3</translation>
-    </message>
-    <message>
-        <source>and %1 lines more</source>
-        <translation>und %1 weitere Zeilen</translation>
-    </message>
-    <message>
-        <source>line %1</source>
-        <translation>Zeile %1</translation>
-    </message>
-    <message>
-        <source>positions to %1 mm, as the file says</source>
-        <translation>Orte auf %1 mm, wie die Datei sagt</translation>
-    </message>
-    <message>
-        <source>positions to %1 mm, as estimated from them</source>
-        <translation>Orte auf %1 mm, aus ihnen geschätzt</translation>
-    </message>
-    <message>
-        <source>the file&apos;s track &apos;%1&apos;</source>
-        <translation>Spur &apos;%1&apos; der Datei</translation>
-    </message>
-    <message>
-        <source>its times count from %1 s</source>
-        <translation>die Zeiten zählen ab %1 s</translation>
-    </message>
-    <message>
-        <source>a value is too large to be stored</source>
-        <translation>ein Wert ist zu groß zum Speichern</translation>
-    </message>
-    <message>
-        <source>split the recording into shorter ones</source>
-        <translation>teilen Sie die Aufnahme in kürzere</translation>
-    </message>
-    <message>
-        <source>%1 is missing</source>
-        <translation>%1 fehlt</translation>
-    </message>
-    <message>
-        <source>put the file back in its place, and open the project again</source>
-        <translation>legen Sie die Datei an ihren Ort zurück, und öffnen Sie das Projekt noch einmal</translation>
-    </message>
-    <message>
-        <source>camera &apos;%1&apos; is not registered to the floor</source>
-        <translation>Kamera &apos;%1&apos; ist nicht eingemessen</translation>
-    </message>
-    <message>
-        <source>glue the board onto something stiff</source>
-        <translation>kleben Sie die Tafel auf etwas Steifes</translation>
-    </message>
-    <message>
-        <source>its corners do not lie as on a flat board</source>
-        <translation>die Ecken liegen nicht wie auf einer flachen Tafel</translation>
-    </message>
-    <message>
-        <source>point %1 lies outside the picture of the camera to register (%2)</source>
-        <translation>Punkt %1 liegt außerhalb des Bilds der Kamera, die eingemessen wird (%2)</translation>
-    </message>
-    <message>
-        <source>its numbers look like %1, then it would stand %2 m above the floor</source>
-        <translation>die Zahlen sehen nach %1 aus, dann stünde sie %2 m über dem Boden</translation>
-    </message>
-    <message>
-        <source>metres</source>
-        <translation>Metern</translation>
-    </message>
-    <message>
-        <source>inches</source>
-        <translation>Zoll</translation>
-    </message>
-    <message>
-        <source>centimetres</source>
-        <translation>Zentimetern</translation>
-    </message>
-    <message>
-        <source>thousandths of a mm</source>
-        <translation>tausendstel mm</translation>
-    </message>
-    <message>
-        <source>tenths of a mm</source>
-        <translation>zehntel mm</translation>
-    </message>
-    <message>
-        <source>with %1 and %2 exchanged they fit to %3 px</source>
-        <translation>mit %1 und %2 vertauscht passen sie auf %3 px</translation>
-    </message>
-    <message>
-        <source>%1 % of what was measured is beyond the limits of task &apos;%2&apos;, so that they were left out</source>
-        <translation>%1 % des Gemessenen liegen jenseits der Grenzwerte der Aufgabe &apos;%2&apos;, darum blieben diese außer Betracht</translation>
-    </message>
-    <message>
-        <source>nearly all that was measured is beyond the limits of task &apos;%1&apos;, so that they were left out</source>
-        <translation>fast alles Gemessene liegt jenseits der Grenzwerte der Aufgabe &apos;%1&apos;, darum blieben diese außer Betracht</translation>
-    </message>
-    <message>
-        <source>give the task the limits of its fastest robot</source>
-        <translation>geben Sie der Aufgabe die Grenzwerte ihres schnellsten Roboters</translation>
-    </message>
-    <message>
-        <source>copy &apos;%1&apos;, which is sound, to a new name and open that, and keep the damaged file</source>
-        <translation>kopieren Sie „%1“, das unversehrt ist, unter einen neuen Namen, öffnen Sie diese Kopie, und behalten Sie die beschädigte Datei</translation>
-    </message>
-    <message>
-        <source>the disk could not be read, and nothing was changed</source>
-        <translation>die Platte konnte nicht gelesen werden, und nichts wurde geändert</translation>
-    </message>
-    <message>
-        <source>it lies on a network disk (%1), where a recording can stall and two computers can damage it</source>
-        <translation>es liegt auf einem Netzlaufwerk (%1), wo eine Aufnahme stocken kann und zwei Rechner es beschädigen können</translation>
-    </message>
-    <message>
-        <source>it lies in a folder that %1 copies while it changes, so that a copy may have half a change</source>
-        <translation>es liegt in einem Ordner, den %1 kopiert, während es sich ändert, sodass eine Kopie eine halbe Änderung haben kann</translation>
-    </message>
-    <message>
-        <source>keep it on a disk of this computer, and pack it to share it</source>
-        <translation>halten Sie es auf einer Platte dieses Rechners, und packen Sie es, um es weiterzugeben</translation>
-    </message>
-    <message>
-        <source>printing on &apos;%1&apos;</source>
-        <translation>Drucken auf „%1“</translation>
-    </message>
-    <message>
-        <source>it cannot be reached</source>
-        <translation>er ist nicht erreichbar</translation>
-    </message>
-    <message>
-        <source>it takes no further page</source>
-        <translation>er nimmt keine weitere Seite an</translation>
-    </message>
-    <message>
-        <source>it did not take the pages</source>
-        <translation>er hat die Seiten nicht angenommen</translation>
-    </message>
-    <message>
-        <source>look at the printer and its queue, or save the report as PDF</source>
-        <translation>sehen Sie nach dem Drucker und seiner Warteschlange, oder speichern Sie den Bericht als PDF</translation>
-    </message>
-    <message>
-        <source>report &apos;%1&apos;</source>
-        <translation>Bericht „%1“</translation>
-    </message>
-    <message>
-        <source>it has no page</source>
-        <translation>er hat keine Seite</translation>
-    </message>
-    <message>
-        <source>choose a trial or a class</source>
-        <translation>wählen Sie einen Versuch oder eine Klasse</translation>
-    </message>
-    <message>
-        <source>cannot decode the video</source>
-        <translation>das Video kann nicht dekodiert werden</translation>
-    </message>
-    <message>
-        <source>cannot read the picture %1</source>
-        <translation>das Bild %1 kann nicht gelesen werden</translation>
-    </message>
-    <message>
-        <source>cannot do this</source>
-        <translation>das geht jetzt nicht</translation>
-    </message>
-    <message>
-        <source>the cameras</source>
-        <translation>die Kameras</translation>
-    </message>
-    <message>
-        <source>live tracking</source>
-        <translation>Verfolgung während der Aufnahme</translation>
-    </message>
-    <message>
-        <source>a picture of camera %1</source>
-        <translation>ein Bild der Kamera %1</translation>
-    </message>
-    <message>
-        <source>this computer has not enough free memory for it</source>
-        <translation>dieser Rechner hat dafür nicht genug freien Arbeitsspeicher</translation>
-    </message>
-    <message>
-        <source>this computer gives no further thread</source>
-        <translation>dieser Rechner gibt keinen weiteren Thread her</translation>
-    </message>
-    <message>
-        <source>too many files are open</source>
-        <translation>zu viele Dateien sind geöffnet</translation>
-    </message>
-    <message>
-        <source>what was saved is safe</source>
-        <translation>was gespeichert war, ist sicher</translation>
-    </message>
-    <message>
-        <source>its frame rate varies, pictures are %1 to %2 ms apart</source>
-        <translation>seine Bildrate schwankt, die Bilder liegen %1 bis %2 ms auseinander</translation>
-    </message>
-    <message>
-        <source>each counts at its own time</source>
-        <translation>jedes zählt zu seiner eigenen Zeit</translation>
-    </message>
-    <message>
-        <source>frame times of &apos;%1&apos;</source>
-        <translation>Bildzeiten von &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>calibration %1 of the project</source>
-        <translation>Kalibrierung %1 des Projekts</translation>
-    </message>
-    <message>
-        <source>observations %1 of the project</source>
-        <translation>Beobachtungen %1 des Projekts</translation>
-    </message>
-    <message>
-        <source>truth of trial %1</source>
-        <translation>Wahrheit des Versuchs %1</translation>
-    </message>
-    <message>
-        <source>the list of changes</source>
-        <translation>die Änderungsliste</translation>
-    </message>
-    <message>
-        <source>registration of camera &apos;%1&apos; through &apos;%2&apos;</source>
-        <translation>Einmessung der Kamera &apos;%1&apos; über &apos;%2&apos;</translation>
-    </message>
-    <message>
-        <source>point %1</source>
-        <translation>Punkt %1</translation>
-    </message>
-    <message>
-        <source>checking halves against one another</source>
-        <translation>die Hälften werden gegeneinander geprüft</translation>
-    </message>
-    <message>
-        <source>completing a recording that was cut off</source>
-        <translation>eine abgebrochene Aufnahme wird vervollständigt</translation>
-    </message>
-    <message>
-        <source>done</source>
-        <translation>fertig</translation>
-    </message>
-    <message>
-        <source>fitting the lens to %1 pictures</source>
-        <translation>das Objektiv wird an %1 Bilder angepasst</translation>
-    </message>
-    <message>
-        <source>looking about the best place</source>
-        <translation>die Umgebung des besten Orts wird abgesucht</translation>
-    </message>
-    <message>
-        <source>looking for the board in %1</source>
-        <translation>die Tafel wird gesucht in %1</translation>
-    </message>
-    <message>
-        <source>making the hash of %1</source>
-        <translation>die Prüfsumme wird gebildet: %1</translation>
-    </message>
-    <message>
-        <source>packing %1</source>
-        <translation>gepackt wird: %1</translation>
-    </message>
-    <message>
-        <source>unpacking</source>
-        <translation>wird entpackt</translation>
-    </message>
-    <message>
-        <source>reading %1</source>
-        <translation>gelesen wird: %1</translation>
-    </message>
-    <message>
-        <source>reading line %1</source>
-        <translation>Zeile %1 wird gelesen</translation>
-    </message>
-    <message>
-        <source>removing %1</source>
-        <translation>entfernt wird: %1</translation>
-    </message>
-    <message>
-        <source>tracking, picture %1 of %2</source>
-        <translation>Verfolgung, Bild %1 von %2</translation>
-    </message>
-    <message>
-        <source>The world axes were changed afterwards</source>
-        <translation>Die Achsen der Welt wurden nachher geändert</translation>
-    </message>
-    <message>
-        <source>The world axes were changed afterwards, and all lengths multiplied by %1</source>
-        <translation>Die Achsen der Welt wurden nachher geändert, und alle Längen mit %1 multipliziert</translation>
-    </message>
-    <message>
-        <source>It was made through registration %1 of the project</source>
-        <translation>Sie wurde über die Einmessung %1 des Projekts gemacht</translation>
-    </message>
-    <message>
-        <source>the video of camera %1 in trial &apos;%2&apos; lies elsewhere and is another file than it was, and not in the packed project</source>
-        <translation>das Video der Kamera %1 im Versuch &apos;%2&apos; liegt anderswo und ist eine andere Datei als früher, und nicht im gepackten Projekt</translation>
-    </message>
-    <message>
-        <source>another program uses it (open in %1)</source>
-        <translation>ein anderes Programm benutzt sie (geöffnet in %1)</translation>
-    </message>
-    <message>
-        <source>its USB bus has no room left for its pictures (the bus is full, not the disk)</source>
-        <translation>ihr USB-Bus hat keinen Platz mehr für ihre Bilder (der Bus ist voll, nicht der Datenträger)</translation>
-    </message>
-    <message>
-        <source>no sound backup lies beside it</source>
-        <translation>keine unversehrte Sicherungskopie liegt daneben</translation>
-    </message>
-    <message>
-        <source>its file is no longer there</source>
-        <translation>ihre Datei ist nicht mehr da</translation>
-    </message>
-    <message>
-        <source>the project&apos;s file is no longer there</source>
-        <translation>die Datei des Projekts ist nicht mehr da</translation>
-    </message>
-    <message>
-        <source>put its disk or folder back where it was</source>
-        <translation>bringen Sie den Datenträger oder Ordner wieder dorthin, wo er war</translation>
-    </message>
-    <message>
-        <source>what was recorded so far is there</source>
-        <translation>was bisher aufgenommen wurde, ist dort</translation>
-    </message>
-    <message>
-        <source>nothing was recorded</source>
-        <translation>nichts wurde aufgenommen</translation>
-    </message>
-    <message>
-        <source>the disk has become read-only, the change was not saved</source>
-        <translation>die Platte ist schreibgeschützt geworden, die Änderung wurde nicht gespeichert</translation>
-    </message>
-    <message>
-        <source>with %1 called %2 they fit to %3 px</source>
-        <translation>mit %1 als %2 bezeichnet passen sie auf %3 px</translation>
-    </message>
-    <message>
-        <source>its pictures have more than 100 megapixels or 32000 pixels a side</source>
-        <translation>die Bilder haben mehr als 100 Megapixel oder 32000 Pixel je Seite</translation>
-    </message>
-    <message>
-        <source>more than 50 megapixels or 32000 pixels a side are not read</source>
-        <translation>mehr als 50 Megapixel oder 32000 Pixel je Seite werden nicht gelesen</translation>
-    </message>
-    <message>
-        <source>its results are not those that its analysis gave</source>
-        <translation>seine Ergebnisse sind nicht die, die seine Auswertung ergeben hat</translation>
-    </message>
-    <message>
-        <source>they were changed in the file</source>
-        <translation>sie wurden in der Datei geändert</translation>
-    </message>
-    <message>
-        <source>run odograph check, or analyse the trial again</source>
-        <translation>führen Sie odograph check aus, oder werten Sie den Versuch noch einmal aus</translation>
-    </message>
-    <message>
-        <source>it has no name</source>
-        <translation>sie hat keinen Namen</translation>
-    </message>
-    <message>
-        <source>its folder cannot be used (%1)</source>
-        <translation>ihr Ordner ist nicht verwendbar (%1)</translation>
-    </message>
-    <message>
-        <source>choose another folder</source>
-        <translation>wählen Sie einen anderen Ordner</translation>
-    </message>
-    <message>
-        <source>it is a named pipe</source>
-        <translation>es ist eine benannte Pipe</translation>
-    </message>
-    <message>
-        <source>it is a socket</source>
-        <translation>es ist ein Socket</translation>
-    </message>
-    <message>
-        <source>it is a device</source>
-        <translation>es ist ein Gerät</translation>
-    </message>
-    <message>
-        <source>it is the project itself</source>
-        <translation>es ist das Projekt selbst</translation>
-    </message>
-    <message>
-        <source>it is the log, the lock or a backup of a project</source>
-        <translation>es ist das Protokoll, die Sperre oder eine Sicherungskopie eines Projekts</translation>
-    </message>
-    <message>
-        <source>it is in the media folder of project &apos;%1&apos;</source>
-        <translation>sie liegt im Medienordner des Projekts &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>it is an input of the same call</source>
-        <translation>sie ist eine Eingabe desselben Aufrufs</translation>
-    </message>
-    <message>
-        <source>it is a recording of the project</source>
-        <translation>es ist eine Aufnahme des Projekts</translation>
-    </message>
-    <message>
-        <source>it is another project</source>
-        <translation>es ist ein anderes Projekt</translation>
-    </message>
-    <message>
-        <source>it is a database</source>
-        <translation>es ist eine Datenbank</translation>
-    </message>
-    <message>
-        <source>a file of another kind has that name</source>
-        <translation>eine Datei anderer Art hat diesen Namen</translation>
-    </message>
-    <message>
-        <source>choose another name, or replace it with --force</source>
-        <translation>wählen Sie einen anderen Namen, oder ersetzen Sie sie mit --force</translation>
-    </message>
-    <message>
-        <source>choose another name or folder</source>
-        <translation>wählen Sie einen anderen Namen oder Ordner</translation>
-    </message>
-    <message>
-        <source>the file has more than 1.5 million places</source>
-        <translation>die Datei hat mehr als 1,5 Millionen Orte</translation>
-    </message>
-    <message>
-        <source>it is longer than 8 MiB</source>
-        <translation>sie ist länger als 8 MiB</translation>
-    </message>
-    <message>
-        <source>folder &apos;%1&apos;</source>
-        <translation>Ordner &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>it holds an invisible character, %1</source>
-        <translation>darin ist ein unsichtbares Zeichen, %1</translation>
-    </message>
-    <message>
-        <source>it has more than %1 markers</source>
-        <translation>er hat mehr als %1 Marken</translation>
-    </message>
-    <message>
-        <source>leave out those that no camera sees</source>
-        <translation>lassen Sie die weg, die keine Kamera sieht</translation>
-    </message>
-    <message>
-        <source>marker &apos;%1&apos; is not on a floor of 1 km</source>
-        <translation>Marke &apos;%1&apos; liegt nicht auf einem Boden von 1 km</translation>
-    </message>
-    <message>
-        <source>it is larger than %1 m</source>
-        <translation>er ist größer als %1 m</translation>
-    </message>
-    <message>
-        <source>it has %1 views</source>
-        <translation>er hat %1 Sichten</translation>
-    </message>
-    <message>
-        <source>it has %1 robots</source>
-        <translation>er hat %1 Roboter</translation>
-    </message>
-    <message>
-        <source>%1: texts of more than %2 characters: %3</source>
-        <translation>%1: Texte von mehr als %2 Zeichen: %3</translation>
-    </message>
-    <message>
-        <source>%1: numbers beyond %2: %3</source>
-        <translation>%1: Zahlen jenseits von %2: %3</translation>
-    </message>
-    <message>
-        <source>%1: more than %2 of one %3: %4</source>
-        <translation>%1: mehr als %2 je %3: %4</translation>
-    </message>
-    <message>
-        <source>the rest is not read; change it here, or where the file comes from</source>
-        <translation>der Rest wird nicht gelesen; ändern Sie es hier oder dort, wo die Datei herkommt</translation>
-    </message>
-    <message>
-        <source>trial %1 of the project</source>
-        <translation>Versuch %1 des Projekts</translation>
-    </message>
-    <message>
-        <source>a value to be stored is not a number of ordinary size</source>
-        <translation>ein zu speichernder Wert ist keine Zahl gewöhnlicher Größe</translation>
-    </message>
-    <message>
-        <source>look for stray files</source>
-        <translation>Suche nach herrenlosen Dateien</translation>
-    </message>
-    <message>
-        <source>remove stray files</source>
-        <translation>Entfernen herrenloser Dateien</translation>
-    </message>
-    <message>
-        <source>cannot remove &apos;%1&apos;</source>
-        <translation>&apos;%1&apos; kann nicht entfernt werden</translation>
-    </message>
-    <message>
-        <source>check the rights of the project&apos;s folder</source>
-        <translation>prüfen Sie die Rechte des Projektordners</translation>
-    </message>
-    <message>
-        <source>another program is writing or removing it just now</source>
-        <translation>gerade schreibt oder entfernt es ein anderes Programm</translation>
-    </message>
-    <message>
-        <source>its videos are kept in &apos;%1&apos;; put the project back, and run odograph check P.odo --adopt</source>
-        <translation>seine Videos bleiben in &apos;%1&apos;; legen Sie das Projekt zurück und rufen Sie odograph check P.odo --adopt auf</translation>
-    </message>
-    <message>
-        <source>something unexpected happened (%1)</source>
-        <translation>etwas Unerwartetes ist geschehen (%1)</translation>
-    </message>
-    <message>
-        <source>try again, and report it if it happens again</source>
-        <translation>versuchen Sie es noch einmal, und melden Sie es, wenn es wieder geschieht</translation>
-    </message>
-    <message>
-        <source>its frame rate is not between 0.1 and 100,000 frames a second</source>
-        <translation>die Bildrate liegt nicht zwischen 0,1 und 100.000 Bildern pro Sekunde</translation>
-    </message>
-    <message>
-        <source>give the rate at which the camera took the frames</source>
-        <translation>geben Sie die Rate an, mit der die Kamera aufgenommen hat</translation>
-    </message>
-    <message>
-        <source>looking through the media folder</source>
-        <translation>der Medienordner wird durchsucht</translation>
-    </message>
-    <message>
-        <source>it is a project that is open here</source>
-        <translation>es ist ein Projekt, das hier geöffnet ist</translation>
-    </message>
-    <message>
-        <source>choose another file</source>
-        <translation>wählen Sie eine andere Datei</translation>
-    </message>
-    <message>
-        <source>put the file back in its place</source>
-        <translation>legen Sie die Datei an ihren Platz zurück</translation>
-    </message>
-    <message>
-        <source>its folder is gone, and there is no home folder to rescue it to</source>
-        <translation>sein Ordner ist verschwunden, und es gibt keinen persönlichen Ordner, in den es gerettet werden könnte</translation>
-    </message>
-    <message>
-        <source>it could not be copied to be read (%1)</source>
-        <translation>es konnte zum Lesen nicht kopiert werden (%1)</translation>
-    </message>
-    <message>
-        <source>copy it with the files beside it to a folder that you may write to, and open the copy</source>
-        <translation>kopieren Sie es mit den Dateien daneben in einen Ordner, in den Sie schreiben dürfen, und öffnen Sie die Kopie</translation>
-    </message>
-    <message>
-        <source>analysing position %1</source>
-        <translation>Position %1 wird ausgewertet</translation>
-    </message>
-    <message>
-        <source>check of the project</source>
-        <translation>Prüfung des Projekts</translation>
-    </message>
-    <message>
-        <source>checking the database</source>
-        <translation>die Datenbank wird geprüft</translation>
-    </message>
-    <message>
-        <source>checking %1</source>
-        <translation>%1 wird geprüft</translation>
-    </message>
-    <message>
-        <source>project &apos;%1&apos; beside it may use them, and cannot be read (%2)</source>
-        <translation>das Projekt „%1“ daneben verwendet sie vielleicht und kann nicht gelesen werden (%2)</translation>
-    </message>
-    <message>
-        <source>open that project, or move it to a folder of its own with its videos</source>
-        <translation>öffnen Sie jenes Projekt, oder verschieben Sie es mit seinen Videos in einen eigenen Ordner</translation>
-    </message>
-    <message>
-        <source>another program wrote over its file while it was open; nothing more was stored</source>
-        <translation>ein anderes Programm hat seine Datei überschrieben, während es offen war; danach wurde nichts mehr gespeichert</translation>
-    </message>
-    <message>
-        <source>open it again; if you were recording, look for stray files (odograph check --adopt)</source>
-        <translation>öffnen Sie es erneut; wenn Sie gerade aufgenommen haben, suchen Sie nach herrenlosen Dateien (odograph check --adopt)</translation>
-    </message>
-    <message>
-        <source>the project&apos;s file was deleted, renamed or replaced; recording goes on, and what is in it is rescued at the end</source>
-        <translation>die Datei des Projekts wurde gelöscht, umbenannt oder ersetzt; die Aufnahme geht weiter, und am Ende wird ihr Inhalt gerettet</translation>
-    </message>
-    <message>
-        <source>the project&apos;s file was deleted, renamed or replaced meanwhile; what was in it is rescued in &apos;%1&apos;, which is the project from now on</source>
-        <translation>die Datei des Projekts wurde inzwischen gelöscht, umbenannt oder ersetzt; ihr Inhalt ist in &apos;%1&apos; gerettet, das von nun an das Projekt ist</translation>
-    </message>
-    <message>
-        <source>its file was deleted, renamed or replaced while it was open; nothing was stored</source>
-        <translation>seine Datei wurde gelöscht, umbenannt oder ersetzt, während es offen war; nichts wurde gespeichert</translation>
-    </message>
-    <message>
-        <source>it is in a media folder beside a project</source>
-        <translation>sie liegt in einem Medienordner neben einem Projekt</translation>
-    </message>
-    <message>
-        <source>Odograph uses such names for temporary files</source>
-        <translation>Odograph verwendet solche Namen für temporäre Dateien</translation>
-    </message>
-    <message>
-        <source>a name ending in .odo is for a project</source>
-        <translation>ein Name, der auf .odo endet, ist für ein Projekt</translation>
-    </message>
-    <message>
-        <source>give the project a title</source>
-        <translation>geben Sie dem Projekt einen Titel</translation>
-    </message>
-    <message>
-        <source>put it back in its place and try again</source>
-        <translation>legen Sie sie an ihren Platz zurück und versuchen Sie es noch einmal</translation>
-    </message>
-    <message>
-        <source>its folder has &apos;%1&apos;, the log or journal of another file of this name</source>
-        <translation>in seinem Ordner liegt „%1“, das Protokoll oder Journal einer anderen Datei dieses Namens</translation>
-    </message>
-    <message>
-        <source>choose another name, or move &apos;%1&apos; to another folder first</source>
-        <translation>wählen Sie einen anderen Namen, oder verschieben Sie „%1“ zuerst in einen anderen Ordner</translation>
-    </message>
-    <message>
-        <source>the log beside it (&apos;%1&apos;) belongs to another file or to another state of this one</source>
-        <translation>das Protokoll daneben („%1“) gehört zu einer anderen Datei oder zu einem anderen Stand dieser Datei</translation>
-    </message>
-    <message>
-        <source>move the log to another folder to open the file without it, or put the file back that the log belongs to</source>
-        <translation>verschieben Sie das Protokoll in einen anderen Ordner, um die Datei ohne es zu öffnen, oder legen Sie die Datei zurück, zu der es gehört</translation>
-    </message>
-    <message>
-        <source>it is a folder or a device, not a file</source>
-        <translation>es ist ein Ordner oder Gerät, keine Datei</translation>
-    </message>
-    <message>
-        <source>put the original file back in its place</source>
-        <translation>legen Sie die ursprüngliche Datei wieder an ihren Platz</translation>
-    </message>
-    <message>
-        <source>add the robot without a colour, so that it is found by how it differs from the floor</source>
-        <translation>fügen Sie den Roboter ohne Farbe hinzu, dann wird er daran erkannt, worin er sich vom Boden unterscheidet</translation>
-    </message>
-    <message>
-        <source>tell no colour, so that it is found by how it differs from the floor</source>
-        <translation>geben Sie keine Farbe an, dann wird er daran erkannt, worin er sich vom Boden unterscheidet</translation>
-    </message>
-    <message>
-        <source>check that the robot moves in the pictures, that a colour that was told is the one it has there, and that the light is sufficient</source>
-        <translation>prüfen Sie, ob sich der Roboter in den Bildern bewegt, ob eine angegebene Farbe die dort sichtbare ist und ob das Licht ausreicht</translation>
-    </message>
-    <message>
-        <source>its reference point is farther from its centre than %1 m</source>
-        <translation>sein Bezugspunkt liegt weiter als %1 m von seiner Mitte entfernt</translation>
-    </message>
-    <message>
-        <source>a reference point beside its centre takes a heading, which is not known where the height changes</source>
-        <translation>ein Bezugspunkt neben der Mitte braucht eine Fahrtrichtung, die nicht bekannt ist, wo sich die Höhe ändert</translation>
-    </message>
-    <message>
-        <source>leave out one of the two</source>
-        <translation>lassen Sie eines von beiden weg</translation>
-    </message>
-    <message>
-        <source>its reference point lies beside its centre, but its outlines do not tell its heading</source>
-        <translation>sein Bezugspunkt liegt neben seiner Mitte, aber seine Umrisse verraten seine Ausrichtung nicht</translation>
-    </message>
-    <message>
-        <source>give it the reference point 0,0 and track again</source>
-        <translation>geben Sie ihm den Bezugspunkt 0,0 und verfolgen Sie ihn erneut</translation>
-    </message>
-    <message>
-        <source>another sample was judged by hand while this one was analysed</source>
-        <translation>ein anderer Messpunkt wurde von Hand beurteilt, während dieser ausgewertet wurde</translation>
-    </message>
-    <message>
-        <source>say it again for frame %1</source>
-        <translation>geben Sie es für Bild %1 noch einmal an</translation>
-    </message>
-    <message>
-        <source>give each a colour of its own</source>
-        <translation>geben Sie jedem eine eigene Farbe</translation>
-    </message>
-    <message>
-        <source>track only the robots that are in the pictures (--robot)</source>
-        <translation>messen Sie nur die Roboter, die in den Bildern sind (--robot)</translation>
-    </message>
-    <message>
-        <source>from %1 s to %2 s it is doubtful whether this is %3 or %4</source>
-        <translation>von %1 s bis %2 s ist zweifelhaft, ob dies %3 oder %4 ist</translation>
-    </message>
-    <message>
-        <source>from %1 s to %2 s it is doubtful whether this is %3 or another robot of its look</source>
-        <translation>von %1 s bis %2 s ist zweifelhaft, ob dies %3 oder ein anderer Roboter dieses Aussehens ist</translation>
-    </message>
-    <message>
-        <source>from %1 s to %2 s (the first of %3 times) it is doubtful whether this is %4 or %5</source>
-        <translation>von %1 s bis %2 s (das erste von %3 Malen) ist zweifelhaft, ob dies %4 oder %5 ist</translation>
-    </message>
-    <message>
-        <source>from %1 s to %2 s (the first of %3 times) it is doubtful whether this is %4 or another robot of its look</source>
-        <translation>von %1 s bis %2 s (das erste von %3 Malen) ist zweifelhaft, ob dies %4 oder ein anderer Roboter dieses Aussehens ist</translation>
-    </message>
-    <message>
-        <source>in %1 of %2 pictures the views have it at places far apart</source>
-        <translation>in %1 von %2 Bildern sehen ihn die Sichten an weit entfernten Orten</translation>
-    </message>
-    <message>
-        <source>one of them follows something else, or is not where it was registered</source>
-        <translation>eine von ihnen folgt etwas anderem oder steht nicht dort, wo sie eingemessen wurde</translation>
-    </message>
-    <message>
-        <source>look at the outlines, and tell the robot&apos;s colour or keep others out of the pictures</source>
-        <translation>sehen Sie sich die Umrisse an und geben Sie die Farbe des Roboters an, oder halten Sie andere aus den Bildern</translation>
-    </message>
-    <message>
-        <source>robot &apos;%1&apos; in view &apos;%2&apos;</source>
-        <translation>Roboter &apos;%1&apos; in Sicht &apos;%2&apos;</translation>
-    </message>
-    <message>
-        <source>robot &apos;%1&apos; pointed out in view &apos;%2&apos;</source>
-        <translation>Roboter &apos;%1&apos;, gezeigt in Sicht &apos;%2&apos;</translation>
-    </message>
-    <message>
-        <source>nothing stands out from the floor at %1,%2 at %3 s for some frames</source>
-        <translation>bei %1,%2 hebt sich zur Zeit %3 s einige Bilder lang nichts vom Boden ab</translation>
-    </message>
-    <message>
-        <source>point it out where all of it is seen and it moves</source>
-        <translation>zeigen Sie ihn dort, wo er ganz zu sehen ist und sich bewegt</translation>
-    </message>
-    <message>
-        <source>it is found by its colour</source>
-        <translation>er wird an seiner Farbe gefunden</translation>
-    </message>
-    <message>
-        <source>pick its colour again, or take the colour from it</source>
-        <translation>nehmen Sie seine Farbe neu auf, oder nehmen Sie sie ihm</translation>
-    </message>
-    <message>
-        <source>the trial has no such view</source>
-        <translation>der Versuch hat keine solche Sicht</translation>
-    </message>
-    <message>
-        <source>name one of its cameras</source>
-        <translation>nennen Sie eine seiner Kameras</translation>
-    </message>
-    <message>
-        <source>the view has no picture at that time</source>
-        <translation>die Sicht hat zu dieser Zeit kein Bild</translation>
-    </message>
-    <message>
-        <source>name a time within the trial, in seconds</source>
-        <translation>nennen Sie eine Zeit innerhalb des Versuchs, in Sekunden</translation>
-    </message>
-    <message>
-        <source>the place lies outside the picture</source>
-        <translation>die Stelle liegt außerhalb des Bildes</translation>
-    </message>
-    <message>
-        <source>name it in pixels from the picture&apos;s top left corner</source>
-        <translation>nennen Sie sie in Pixeln von der linken oberen Ecke des Bildes</translation>
-    </message>
-    <message>
-        <source>it is not tracked in trial &apos;%1&apos;</source>
-        <translation>er wird im Versuch &apos;%1&apos; nicht verfolgt</translation>
-    </message>
-    <message>
-        <source>name one of its robots</source>
-        <translation>nennen Sie einen seiner Roboter</translation>
-    </message>
-    <message>
-        <source>hidden behind %1 in view %2</source>
-        <translation>verdeckt von %1 in Sicht %2</translation>
-    </message>
-    <message>
-        <source>partly hidden behind %1 in view %2</source>
-        <translation>teilweise verdeckt von %1 in Sicht %2</translation>
-    </message>
-    <message>
-        <source>one outline with %1 in view %2</source>
-        <translation>ein Umriss mit %1 in Sicht %2</translation>
-    </message>
-    <message>
-        <source>cut by the frame&apos;s edge in view %1</source>
-        <translation>vom Bildrand abgeschnitten in Sicht %1</translation>
-    </message>
-    <message>
-        <source>not visible in view %1</source>
-        <translation>nicht sichtbar in Sicht %1</translation>
-    </message>
-    <message>
-        <source>outline smaller than usual in view %1</source>
-        <translation>Umriss kleiner als sonst in Sicht %1</translation>
-    </message>
-    <message>
-        <source>outline larger than usual in view %1</source>
-        <translation>Umriss größer als sonst in Sicht %1</translation>
-    </message>
-    <message>
-        <source>in %1 of %2 pictures the views contradict one another</source>
-        <translation>in %1 von %2 Bildern widersprechen sich die Sichten</translation>
-    </message>
-    <message>
-        <source>they put it %1 mm apart</source>
-        <translation>sie setzen ihn %1 mm auseinander</translation>
-    </message>
-    <message>
-        <source>a camera was moved after it was registered, the views are out of step, or the robot&apos;s height is not what was told</source>
-        <translation>eine Kamera wurde nach dem Einmessen bewegt, die Sichten laufen nicht synchron, oder der Roboter ist nicht so hoch wie angegeben</translation>
-    </message>
-    <message>
-        <source>register the cameras again</source>
-        <translation>messen Sie die Kameras neu ein</translation>
-    </message>
-    <message>
-        <source>the views put it %1 mm apart</source>
-        <translation>die Sichten setzen ihn %1 mm auseinander</translation>
-    </message>
-    <message>
-        <source>a camera was moved after it was registered, the videos belong to other cameras, or one view follows something else</source>
-        <translation>eine Kamera wurde nach dem Einmessen bewegt, die Videos gehören zu anderen Kameras, oder eine Sicht folgt etwas anderem</translation>
-    </message>
-    <message>
-        <source>look at the outlines, and register the cameras again</source>
-        <translation>sehen Sie sich die Umrisse an und messen Sie die Kameras neu ein</translation>
-    </message>
-    <message>
-        <source>a key is no text, or a bracket is not closed</source>
-        <translation>ein Schlüssel ist kein Text, oder eine Klammer ist nicht geschlossen</translation>
-    </message>
-    <message>
-        <source>anchors and aliases are not understood</source>
-        <translation>Anker und Verweise werden nicht verstanden</translation>
-    </message>
-    <message>
-        <source>it is no valid YAML (%1)</source>
-        <translation>es ist kein gültiges YAML (%1)</translation>
-    </message>
-</context>
-<context>
     <name>DoubtfulStretches</name>
     <message>
         <source>Which robot? Until %1</source>
@@ -7373,28 +1070,12 @@ Das Verfahren folgt S. Park, „Computational Vision for Automatic Tracking and 
 <context>
     <name>OwnChanges</name>
     <message>
-        <source>nothing was changed here</source>
-        <translation>hier wurde nichts geändert</translation>
-    </message>
-    <message>
-        <source>what was changed before is taken back in the window&apos;s menu Edit</source>
-        <translation>frühere Änderungen im Menü Bearbeiten des Fensters zurücknehmen</translation>
-    </message>
-    <message>
         <source>Done: %1. Ctrl+Z takes it back.</source>
         <translation>Erledigt: %1. Strg+Z nimmt es zurück.</translation>
     </message>
     <message>
-        <source>undo</source>
-        <translation>rückgängig machen</translation>
-    </message>
-    <message>
         <source>Undone: %1.</source>
         <translation>Rückgängig gemacht: %1.</translation>
-    </message>
-    <message>
-        <source>redo</source>
-        <translation>wiederholen</translation>
     </message>
     <message>
         <source>Made again: %1.</source>
@@ -7811,6 +1492,42 @@ Das Verfahren folgt S. Park, „Computational Vision for Automatic Tracking and 
         <source>±: %1.</source>
         <translation>±: %1.</translation>
     </message>
+    <message>
+        <source>jump</source>
+        <translation>Sprung</translation>
+    </message>
+    <message>
+        <source>speed limit</source>
+        <translation>Geschwindigkeitsgrenze</translation>
+    </message>
+    <message>
+        <source>acceleration limit</source>
+        <translation>Beschleunigungsgrenze</translation>
+    </message>
+    <message>
+        <source>views disagree</source>
+        <translation>Sichten uneins</translation>
+    </message>
+    <message>
+        <source>low score</source>
+        <translation>geringe Güte</translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation>verloren</translation>
+    </message>
+    <message>
+        <source>duplicate frame</source>
+        <translation>doppeltes Bild</translation>
+    </message>
+    <message>
+        <source>interpolated</source>
+        <translation>interpoliert</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>von Hand</translation>
+    </message>
 </context>
 <context>
     <name>ReportStills</name>
@@ -7972,6 +1689,37 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>%1 points at %2 or more, none at %3 or less</source>
         <translation>%1 Punkte bei %2 oder mehr, keine bei %3 oder weniger</translation>
+    </message>
+</context>
+<context>
+    <name>ShownMessageWords</name>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1 or %2</source>
+        <translation>%1 oder %2</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 und %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1; %2</translation>
     </message>
 </context>
 <context>
@@ -8177,18 +1925,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Robot:</source>
         <translation>Roboter:</translation>
-    </message>
-    <message>
-        <source>export of %1</source>
-        <translation>Export von %1</translation>
-    </message>
-    <message>
-        <source>it has not been tracked yet</source>
-        <translation>der Roboter wurde noch nicht verfolgt</translation>
-    </message>
-    <message>
-        <source>track it first</source>
-        <translation>ihn zuerst verfolgen</translation>
     </message>
     <message>
         <source>Export %1</source>
@@ -8486,6 +2222,5963 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Odograph</source>
         <translation>Odograph</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.a_constant</name>
+    <message>
+        <source>a constant</source>
+        <translation>eine Konstante</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.a_parabola</name>
+    <message>
+        <source>a parabola</source>
+        <translation>eine Parabel</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.a_straight_line</name>
+    <message>
+        <source>a straight line</source>
+        <translation>eine Gerade</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.align_by_distance</name>
+    <message>
+        <source>align by distance</source>
+        <translation>richten Sie nach dem Weg aus</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.align_otherwise</name>
+    <message>
+        <source>align by motion onset or distance</source>
+        <translation>richten Sie nach Bewegungsbeginn oder Weg aus</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.check_numbers</name>
+    <message>
+        <source>check the numbers</source>
+        <translation>prüfen Sie die Zahlen</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.choose_another_run</name>
+    <message>
+        <source>choose another run as well</source>
+        <translation>wählen Sie noch eine Fahrt</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.choose_common_place</name>
+    <message>
+        <source>choose a place that both runs pass</source>
+        <translation>wählen Sie einen Ort, an dem beide Fahrten vorbeikommen</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.choose_figure</name>
+    <message>
+        <source>choose what is scored</source>
+        <translation>wählen Sie, was gewertet wird</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.choose_longer_range</name>
+    <message>
+        <source>choose a longer range</source>
+        <translation>wählen Sie einen längeren Bereich</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.choose_motion</name>
+    <message>
+        <source>choose a run with motion</source>
+        <translation>wählen Sie eine Fahrt mit Bewegung</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.choose_same_direction</name>
+    <message>
+        <source>choose runs in the same direction</source>
+        <translation>wählen Sie Fahrten in gleicher Richtung</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.choose_same_task</name>
+    <message>
+        <source>choose runs of the same task</source>
+        <translation>wählen Sie Fahrten derselben Aufgabe</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.comparison</name>
+    <message>
+        <source>comparison</source>
+        <translation>Vergleich</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.comparison_of</name>
+    <message>
+        <source>comparison of %1</source>
+        <translation>Vergleich von %1</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.corners_in_order</name>
+    <message>
+        <source>give the corners in order, all the way round</source>
+        <translation>geben Sie die Ecken der Reihe nach ringsherum an</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.corners_off_floor</name>
+    <message>
+        <source>its corners are not on a floor of 1 km</source>
+        <translation>ihre Ecken liegen nicht auf einem Boden von 1 km</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.corners_once</name>
+    <message>
+        <source>give each corner once</source>
+        <translation>geben Sie jede Ecke einmal an</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.corners_too_near</name>
+    <message>
+        <source>two corners are less than 1 mm apart</source>
+        <translation>zwei Ecken liegen weniger als 1 mm auseinander</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.draw_coarsely</name>
+    <message>
+        <source>draw it more coarsely</source>
+        <translation>zeichnen Sie sie gröber</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.ends_off_floor</name>
+    <message>
+        <source>its ends are not on a floor of 1 km</source>
+        <translation>die Enden liegen nicht auf einem Boden von 1 km</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.ends_too_near</name>
+    <message>
+        <source>its ends are less than 1 mm apart</source>
+        <translation>die Enden liegen weniger als 1 mm auseinander</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.few_corners</name>
+    <message>
+        <source>it has less than three corners</source>
+        <translation>sie hat weniger als drei Ecken</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.few_points</name>
+    <message>
+        <source>it has too few points</source>
+        <translation>zu wenige Punkte</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.finish_is_there</name>
+    <message>
+        <source>gate &apos;%1&apos; is the finish already</source>
+        <translation>Tor &apos;%1&apos; ist schon das Ziel</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.fit_of</name>
+    <message>
+        <source>fit of %1</source>
+        <translation>Anpassung (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.gate</name>
+    <message>
+        <source>gate &apos;%1&apos;</source>
+        <translation>Tor &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.give_another_number</name>
+    <message>
+        <source>give another number</source>
+        <translation>geben Sie eine andere Zahl an</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.give_corners</name>
+    <message>
+        <source>give the corners of its outline, all the way round</source>
+        <translation>geben Sie die Ecken ihres Umrisses an, ringsherum</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.give_ends</name>
+    <message>
+        <source>give the two ends of the line that is to be passed</source>
+        <translation>geben Sie die beiden Enden der Linie an, die zu überfahren ist</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.give_limits</name>
+    <message>
+        <source>give the largest speed and acceleration that a robot can have in the task</source>
+        <translation>geben Sie die größte Geschwindigkeit und Beschleunigung an, die ein Roboter in der Aufgabe haben kann</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.give_place</name>
+    <message>
+        <source>give where it lies in millimetres</source>
+        <translation>geben Sie an, wo es liegt, in Millimetern</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.give_points</name>
+    <message>
+        <source>give points from 1 to 1000, below zero for a penalty</source>
+        <translation>geben Sie Punkte von 1 bis 1000 an, für eine Strafe unter null</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.give_sizes</name>
+    <message>
+        <source>give the sizes in millimetres</source>
+        <translation>geben Sie die Größen in Millimetern an</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.give_three_numbers</name>
+    <message>
+        <source>give three numbers</source>
+        <translation>geben Sie drei Zahlen an</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.give_two_points</name>
+    <message>
+        <source>give two points or more, three where the path is closed</source>
+        <translation>geben Sie zwei Punkte oder mehr an, drei bei geschlossener Bahn</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.give_two_values</name>
+    <message>
+        <source>give two values, between which the points rise</source>
+        <translation>geben Sie zwei Werte an, zwischen denen die Punkte steigen</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.join_zones</name>
+    <message>
+        <source>join zones that lie beside one another</source>
+        <translation>verbinden Sie nebeneinander liegende Zonen</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.keep_what_matters</name>
+    <message>
+        <source>keep those that matter</source>
+        <translation>behalten Sie die wichtigen</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.limit_not_positive</name>
+    <message>
+        <source>a limit is not above zero</source>
+        <translation>ein Grenzwert ist nicht größer als null</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.limits</name>
+    <message>
+        <source>limits of a task</source>
+        <translation>Grenzwerte einer Aufgabe</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.line_of_scoring</name>
+    <message>
+        <source>line %1 of the scoring</source>
+        <translation>Zeile %1 der Wertung</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.little_motion</name>
+    <message>
+        <source>the robot hardly moves in %1</source>
+        <translation>in %1 bewegt sich der Roboter kaum</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.many_corners</name>
+    <message>
+        <source>it has more than %1 corners</source>
+        <translation>sie hat mehr als %1 Ecken</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.many_lines</name>
+    <message>
+        <source>it has more than %1 lines</source>
+        <translation>sie hat mehr als %1 Zeilen</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.many_points</name>
+    <message>
+        <source>it has more than %1 points</source>
+        <translation>mehr als %1 Punkte</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.many_zones</name>
+    <message>
+        <source>the task has %1 zones already</source>
+        <translation>die Aufgabe hat schon %1 Zonen</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.moment_outside</name>
+    <message>
+        <source>the moment told for %1 lies outside of it</source>
+        <translation>der für %1 genannte Zeitpunkt liegt außerhalb</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.moments_missing</name>
+    <message>
+        <source>a moment of each run is needed to align them by hand</source>
+        <translation>zum Ausrichten von Hand wird von jeder Fahrt ein Zeitpunkt gebraucht</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.name_each_gate</name>
+    <message>
+        <source>give each gate a name of its own</source>
+        <translation>geben Sie jedem Tor einen eigenen Namen</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.name_each_zone</name>
+    <message>
+        <source>give each zone a name of its own</source>
+        <translation>geben Sie jeder Zone einen eigenen Namen</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.name_twice</name>
+    <message>
+        <source>the name is there twice</source>
+        <translation>den Namen gibt es zweimal</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.no_figure</name>
+    <message>
+        <source>it names no figure</source>
+        <translation>sie nennt keinen Kennwert</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.no_motion</name>
+    <message>
+        <source>the robot does not move in %1</source>
+        <translation>in %1 bewegt sich der Roboter nicht</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.no_onset</name>
+    <message>
+        <source>the robot of %1 drives already when it is first seen</source>
+        <translation>der Roboter von %1 fährt schon, wenn er zum ersten Mal zu sehen ist</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.no_start_gate</name>
+    <message>
+        <source>%1 does not pass a start gate</source>
+        <translation>%1 fährt durch kein Starttor</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.no_such_role</name>
+    <message>
+        <source>there is no such role</source>
+        <translation>diese Rolle gibt es nicht</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.no_such_rule</name>
+    <message>
+        <source>there is no such rule of a zone</source>
+        <translation>diese Regel einer Zone gibt es nicht</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.no_such_template</name>
+    <message>
+        <source>there is no such template</source>
+        <translation>dieses Muster gibt es nicht</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.not_on_tasks_path</name>
+    <message>
+        <source>%1 has no stretch of the way in common with the task&apos;s path</source>
+        <translation>%1 hat kein Stück Weg mit der Sollbahn gemeinsam</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.not_seen_there</name>
+    <message>
+        <source>%1 was not seen at the place to align by</source>
+        <translation>%1 war am Ort der Ausrichtung nicht zu sehen</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.nothing_in_common</name>
+    <message>
+        <source>%1 has no stretch of the way in common with %2</source>
+        <translation>%1 hat kein Stück Weg mit %2 gemeinsam</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.number_is_none</name>
+    <message>
+        <source>a number in it is none</source>
+        <translation>eine Zahl darin ist keine</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.one_point_too_few</name>
+    <message>
+        <source>%1 point is too few for it</source>
+        <translation>%1 Punkt ist dafür zu wenig</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.one_start_and_finish</name>
+    <message>
+        <source>keep one start and one finish, or one gate with the role start_finish</source>
+        <translation>behalten Sie einen Start und ein Ziel, oder ein Tor, das beides ist</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.other_direction</name>
+    <message>
+        <source>%1 drives the way in the other direction than %2</source>
+        <translation>%1 fährt den Weg in anderer Richtung als %2</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.outline_crosses</name>
+    <message>
+        <source>its outline crosses itself</source>
+        <translation>ihr Umriss kreuzt sich selbst</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.path_too_short</name>
+    <message>
+        <source>it is shorter than 1 mm</source>
+        <translation>kürzer als 1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.place_no_number</name>
+    <message>
+        <source>its place is not a number</source>
+        <translation>der Ort ist keine Zahl</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.points_off_floor</name>
+    <message>
+        <source>its points are not on a floor of 1 km</source>
+        <translation>die Punkte liegen nicht auf einem Boden von 1 km</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.points_out_of_range</name>
+    <message>
+        <source>its points are 0, or beyond 1000</source>
+        <translation>ihre Punkte sind 0 oder jenseits von 1000</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.points_too_few</name>
+    <message>
+        <source>%1 points are too few for it</source>
+        <translation>%1 Punkte sind dafür zu wenig</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.reference_path</name>
+    <message>
+        <source>reference path</source>
+        <translation>Sollbahn</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.role</name>
+    <message>
+        <source>role &apos;%1&apos;</source>
+        <translation>Rolle &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.rule</name>
+    <message>
+        <source>rule &apos;%1&apos;</source>
+        <translation>Regel &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.same_values</name>
+    <message>
+        <source>all points and no points are at the same value</source>
+        <translation>alle Punkte und keine Punkte liegen beim selben Wert</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.sample_coarsely</name>
+    <message>
+        <source>sample it more coarsely</source>
+        <translation>tasten Sie sie gröber ab</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.scoring</name>
+    <message>
+        <source>scoring</source>
+        <translation>Wertung</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.size_too_small</name>
+    <message>
+        <source>a size is less than 1 mm</source>
+        <translation>eine Größe ist kleiner als 1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.start_is_there</name>
+    <message>
+        <source>gate &apos;%1&apos; is the start already</source>
+        <translation>Tor &apos;%1&apos; ist schon der Start</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.takes_two_runs</name>
+    <message>
+        <source>it takes two runs</source>
+        <translation>es braucht zwei Fahrten</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.tell_moment_inside</name>
+    <message>
+        <source>tell one between its first and last frame</source>
+        <translation>nennen Sie einen zwischen dem ersten und dem letzten Bild</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.tell_moments</name>
+    <message>
+        <source>tell one for each</source>
+        <translation>nennen Sie für jede einen</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.template</name>
+    <message>
+        <source>template &apos;%1&apos;</source>
+        <translation>Muster &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.template_of_task</name>
+    <message>
+        <source>template of a task</source>
+        <translation>Muster einer Aufgabe</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.use_a_rule</name>
+    <message>
+        <source>use stay_inside or stay_outside</source>
+        <translation>verwenden Sie stay_inside oder stay_outside</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.use_one_of</name>
+    <message>
+        <source>use %1</source>
+        <translation>verwenden Sie %1</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.wrong_poles</name>
+    <message>
+        <source>a slalom has 1 to 100 poles, not %1</source>
+        <translation>ein Slalom hat 1 bis 100 Stangen, nicht %1</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.zone</name>
+    <message>
+        <source>zone &apos;%1&apos;</source>
+        <translation>Zone &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.camera</name>
+    <message>
+        <source>camera &apos;%1&apos;</source>
+        <translation>Kamera &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.cancelled</name>
+    <message>
+        <source>cancelled</source>
+        <translation>abgebrochen</translation>
+    </message>
+</context>
+<context>
+    <name>base.cannot_do_this</name>
+    <message>
+        <source>cannot do this</source>
+        <translation>das geht jetzt nicht</translation>
+    </message>
+</context>
+<context>
+    <name>base.class</name>
+    <message>
+        <source>class &apos;%1&apos;</source>
+        <translation>Klasse &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.close_other_programs</name>
+    <message>
+        <source>close other programs and try again</source>
+        <translation>schließen Sie andere Programme und versuchen Sie es noch einmal</translation>
+    </message>
+</context>
+<context>
+    <name>base.colon</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>base.colour</name>
+    <message>
+        <source>colour &apos;%1&apos;</source>
+        <translation>Farbe &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.comma</name>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>base.file</name>
+    <message>
+        <source>file &apos;%1&apos;</source>
+        <translation>Datei &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.foreign</name>
+    <message>
+        <source>%1</source>
+        <translation>%1</translation>
+    </message>
+</context>
+<context>
+    <name>base.is_device</name>
+    <message>
+        <source>it is a device</source>
+        <translation>es ist ein Gerät</translation>
+    </message>
+</context>
+<context>
+    <name>base.is_folder</name>
+    <message>
+        <source>it is a folder</source>
+        <translation>es ist ein Ordner</translation>
+    </message>
+</context>
+<context>
+    <name>base.is_pipe</name>
+    <message>
+        <source>it is a named pipe</source>
+        <translation>es ist eine benannte Pipe</translation>
+    </message>
+</context>
+<context>
+    <name>base.is_socket</name>
+    <message>
+        <source>it is a socket</source>
+        <translation>es ist ein Socket</translation>
+    </message>
+</context>
+<context>
+    <name>base.layout</name>
+    <message>
+        <source>layout &apos;%1&apos;</source>
+        <translation>Plan &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.length</name>
+    <message>
+        <source>length &apos;%1&apos;</source>
+        <translation>Länge &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.marker</name>
+    <message>
+        <source>marker %1</source>
+        <translation>Marker %1</translation>
+    </message>
+</context>
+<context>
+    <name>base.name</name>
+    <message>
+        <source>%1</source>
+        <translation>%1</translation>
+    </message>
+</context>
+<context>
+    <name>base.no_colour</name>
+    <message>
+        <source>not of the form #rrggbb</source>
+        <translation>nicht von der Form #rrggbb</translation>
+    </message>
+</context>
+<context>
+    <name>base.no_files</name>
+    <message>
+        <source>too many files are open</source>
+        <translation>zu viele Dateien sind geöffnet</translation>
+    </message>
+</context>
+<context>
+    <name>base.no_length</name>
+    <message>
+        <source>not a number with the unit mm, cm or m</source>
+        <translation>keine Zahl mit der Einheit mm, cm oder m</translation>
+    </message>
+</context>
+<context>
+    <name>base.no_memory</name>
+    <message>
+        <source>this computer has not enough free memory for it</source>
+        <translation>dieser Rechner hat dafür nicht genug freien Arbeitsspeicher</translation>
+    </message>
+</context>
+<context>
+    <name>base.no_number</name>
+    <message>
+        <source>not a finite decimal number</source>
+        <translation>keine endliche Dezimalzahl</translation>
+    </message>
+</context>
+<context>
+    <name>base.no_thread</name>
+    <message>
+        <source>this computer gives no further thread</source>
+        <translation>dieser Rechner gibt keinen weiteren Thread her</translation>
+    </message>
+</context>
+<context>
+    <name>base.none</name>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+</context>
+<context>
+    <name>base.nothing_changed</name>
+    <message>
+        <source>nothing was changed</source>
+        <translation>nichts wurde geändert</translation>
+    </message>
+</context>
+<context>
+    <name>base.number</name>
+    <message>
+        <source>number &apos;%1&apos;</source>
+        <translation>Zahl &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.quoted_name</name>
+    <message>
+        <source>&apos;%1&apos;</source>
+        <translation>&apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.robot</name>
+    <message>
+        <source>robot &apos;%1&apos;</source>
+        <translation>Roboter &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.robot_in_trial</name>
+    <message>
+        <source>robot &apos;%1&apos; in trial &apos;%2&apos;</source>
+        <translation>Roboter &apos;%1&apos; im Versuch &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.saved_is_safe</name>
+    <message>
+        <source>what was saved is safe</source>
+        <translation>was gespeichert war, ist sicher</translation>
+    </message>
+</context>
+<context>
+    <name>base.semicolon</name>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1; %2</translation>
+    </message>
+</context>
+<context>
+    <name>base.space</name>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+</context>
+<context>
+    <name>base.task</name>
+    <message>
+        <source>task &apos;%1&apos;</source>
+        <translation>Aufgabe &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.team</name>
+    <message>
+        <source>team &apos;%1&apos;</source>
+        <translation>Team &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.trial</name>
+    <message>
+        <source>trial &apos;%1&apos;</source>
+        <translation>Versuch &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.try_again_and_report</name>
+    <message>
+        <source>try again, and report it if it happens again</source>
+        <translation>versuchen Sie es noch einmal, und melden Sie es, wenn es wieder geschieht</translation>
+    </message>
+</context>
+<context>
+    <name>base.unexpected</name>
+    <message>
+        <source>something unexpected happened (%1)</source>
+        <translation>etwas Unerwartetes ist geschehen (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>base.view_in_trial</name>
+    <message>
+        <source>view &apos;%1&apos; in trial &apos;%2&apos;</source>
+        <translation>Sicht &apos;%1&apos; im Versuch &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.wordless_exception</name>
+    <message>
+        <source>an exception without words</source>
+        <translation>eine Ausnahme ohne Worte</translation>
+    </message>
+</context>
+<context>
+    <name>base.write_colour</name>
+    <message>
+        <source>write it like #d72328</source>
+        <translation>schreiben Sie etwa #d72328</translation>
+    </message>
+</context>
+<context>
+    <name>base.write_length</name>
+    <message>
+        <source>write it like 25mm, 2.5cm or 0.3m</source>
+        <translation>schreiben Sie etwa 25mm, 2.5cm oder 0.3m</translation>
+    </message>
+</context>
+<context>
+    <name>base.write_number</name>
+    <message>
+        <source>write it with digits and a point, like 12.5</source>
+        <translation>schreiben Sie sie mit Ziffern und Punkt, etwa 12.5</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.add_floor_points</name>
+    <message>
+        <source>add points of the floor, such as corners of tiles</source>
+        <translation>fügen Sie Punkte des Bodens hinzu, etwa Ecken von Fliesen</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.all_agree</name>
+    <message>
+        <source>The markers and the cameras agree with one another.</source>
+        <translation>Die Marker und die Kameras stimmen überein.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.axes_changed</name>
+    <message>
+        <source>The world axes were changed afterwards.</source>
+        <translation>Die Achsen der Welt wurden nachher geändert.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.axes_changed_and_scaled</name>
+    <message>
+        <source>The world axes were changed afterwards, and all lengths multiplied by %1.</source>
+        <translation>Die Achsen der Welt wurden nachher geändert, und alle Längen mit %1 multipliziert.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.axes_no_number</name>
+    <message>
+        <source>the origin or the angle is not a finite number</source>
+        <translation>der Ursprung oder der Winkel ist keine endliche Zahl</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.axes_not_changed</name>
+    <message>
+        <source>the axes of layout &apos;%1&apos; cannot be changed</source>
+        <translation>die Achsen des Plans &apos;%1&apos; können nicht geändert werden</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.best_place</name>
+    <message>
+        <source>the best place for a camera</source>
+        <translation>der beste Ort für eine Kamera</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_blurred</name>
+    <message>
+        <source>the board is blurred</source>
+        <translation>die Tafel ist unscharf</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_cut_off</name>
+    <message>
+        <source>the board is cut off</source>
+        <translation>die Tafel ist abgeschnitten</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_fills</name>
+    <message>
+        <source>it fills %1 of the picture</source>
+        <translation>sie füllt %1 des Bilds</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_in_one_place</name>
+    <message>
+        <source>all %1 pictures show the board in one place, the %2 %3 of the picture</source>
+        <translation>alle %1 Bilder zeigen die Tafel an einer Stelle (%2, %3 des Bildes)</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_not_flat</name>
+    <message>
+        <source>the corners do not lie as on a flat board</source>
+        <translation>die Ecken liegen nicht wie auf einer flachen Tafel</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_not_sharp</name>
+    <message>
+        <source>the board is not sharp</source>
+        <translation>die Tafel ist nicht scharf</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_of_other_size</name>
+    <message>
+        <source>this board has %1 inner corners, %2 was asked for</source>
+        <translation>diese Tafel hat %1 innere Ecken, verlangt war %2</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_part_seen</name>
+    <message>
+        <source>only %1 of its %2 inner corners are seen</source>
+        <translation>nur %1 ihrer %2 inneren Ecken sind zu sehen</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_stands_as_before</name>
+    <message>
+        <source>the board stands as in a picture already taken</source>
+        <translation>die Tafel steht wie in einem schon aufgenommenen Bild</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_stands_as_in</name>
+    <message>
+        <source>the board stands as in %1 already</source>
+        <translation>die Tafel steht wie schon in %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_too_oblique</name>
+    <message>
+        <source>the board is seen too obliquely, at %1 degrees</source>
+        <translation>die Tafel ist zu schräg zu sehen, unter %1 Grad</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_too_small</name>
+    <message>
+        <source>the board is too small</source>
+        <translation>die Tafel ist zu klein</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.calibrate_to_rely</name>
+    <message>
+        <source>Calibrate it for positions to rely on.</source>
+        <translation>Kalibrieren Sie sie, um verlässliche Orte zu bekommen.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.camera_alone_says</name>
+    <message>
+        <source>Camera &apos;%1&apos; alone says %2</source>
+        <translation>Kamera &apos;%1&apos; allein sagt %2</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.camera_below_floor</name>
+    <message>
+        <source>seen in this order the camera would be below the floor</source>
+        <translation>in dieser Reihenfolge wäre die Kamera unter dem Boden</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.camera_moved</name>
+    <message>
+        <source>%1 has moved %2 = %3</source>
+        <translation>%1 hat sich um %2 = %3 bewegt</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.camera_sees_elsewhere</name>
+    <message>
+        <source>%1 sees %2 %3 from where the others do</source>
+        <translation>%1 sieht %2 um %3 neben der Stelle, an der die anderen ihn sehen</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.camera_sees_too_few</name>
+    <message>
+        <source>camera &apos;%1&apos; sees only %2 of the markers</source>
+        <translation>Kamera &apos;%1&apos; sieht nur %2 der Marker</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.camera_stands_low</name>
+    <message>
+        <source>The camera would stand only %1 above the floor</source>
+        <translation>Die Kamera stünde nur %1 über dem Boden</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.camera_still</name>
+    <message>
+        <source>%1 stands where it was registered</source>
+        <translation>%1 steht, wo sie eingemessen wurde</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.camera_too_high</name>
+    <message>
+        <source>the camera would stand %1 above the floor</source>
+        <translation>die Kamera stünde %1 über dem Boden</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.camera_too_low</name>
+    <message>
+        <source>the camera would stand only %1 above the floor</source>
+        <translation>die Kamera stünde nur %1 über dem Boden</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.camera_twice</name>
+    <message>
+        <source>camera &apos;%1&apos; is there twice</source>
+        <translation>Kamera &apos;%1&apos; gibt es zweimal</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.cameras_undetermined</name>
+    <message>
+        <source>the markers do not determine where the cameras stand</source>
+        <translation>die Marker bestimmen nicht, wo die Kameras stehen</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.cannot_be_calibrated</name>
+    <message>
+        <source>the camera cannot be calibrated</source>
+        <translation>die Kamera kann nicht kalibriert werden</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.centimetres</name>
+    <message>
+        <source>centimetres</source>
+        <translation>Zentimetern</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_all</name>
+    <message>
+        <source>check the layout, the labels and the intrinsics</source>
+        <translation>prüfen Sie den Plan, die Bezeichnungen und die Objektivdaten</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_both_lenses</name>
+    <message>
+        <source>check its pixels and the intrinsics of both cameras</source>
+        <translation>prüfen Sie seine Pixel und die Objektivdaten beider Kameras</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_both_pixels</name>
+    <message>
+        <source>check its pixels in both pictures</source>
+        <translation>prüfen Sie seine Pixel in beiden Bildern</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_columns</name>
+    <message>
+        <source>check which columns belong to which camera</source>
+        <translation>prüfen Sie, welche Spalten zu welcher Kamera gehören</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_labels</name>
+    <message>
+        <source>check these labels</source>
+        <translation>prüfen Sie diese Bezeichnungen</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_layout_places</name>
+    <message>
+        <source>check the layout&apos;s places and their unit, cover other round things, or mark the markers by hand</source>
+        <translation>prüfen Sie die Orte des Plans und ihre Einheit, verdecken Sie andere runde Dinge, oder markieren Sie die Marker von Hand</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_length</name>
+    <message>
+        <source>Check the length itself, whether it lies on the floor, and the places of the markers.</source>
+        <translation>Prüfen Sie die Länge selbst, ob sie auf dem Boden liegt, und die Plätze der Marker.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_one_camera</name>
+    <message>
+        <source>check that all are of one camera, at one zoom and focus</source>
+        <translation>prüfen Sie, ob alle von einer Kamera mit einem Zoom und Fokus sind</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_pictures</name>
+    <message>
+        <source>check that all pictures are sharp, of one flat board and of one camera at one zoom and focus</source>
+        <translation>prüfen Sie, ob alle Bilder scharf sind, von einer flachen Tafel und von einer Kamera mit einem Zoom und Fokus</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_pixel_and_lens</name>
+    <message>
+        <source>check its pixel and the camera&apos;s intrinsics</source>
+        <translation>prüfen Sie das Pixel und die Objektivdaten der Kamera</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_place_and_pixel</name>
+    <message>
+        <source>check its place and its pixel</source>
+        <translation>prüfen Sie seinen Platz und sein Pixel</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_point_labels</name>
+    <message>
+        <source>check which label belongs to which point in %1 and in this camera</source>
+        <translation>prüfen Sie, welche Bezeichnung in %1 und in dieser Kamera zu welchem Punkt gehört</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_signs</name>
+    <message>
+        <source>check the signs of the layout</source>
+        <translation>prüfen Sie die Vorzeichen des Plans</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_unit</name>
+    <message>
+        <source>check the unit of the layout</source>
+        <translation>prüfen Sie die Einheit des Plans</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.checking_halves</name>
+    <message>
+        <source>checking halves against one another</source>
+        <translation>die Hälften werden gegeneinander geprüft</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.choose_floor_points</name>
+    <message>
+        <source>choose points of the floor</source>
+        <translation>wählen Sie Punkte des Bodens</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.choose_others</name>
+    <message>
+        <source>choose others</source>
+        <translation>wählen Sie andere</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.clear_view</name>
+    <message>
+        <source>clear the view of the markers</source>
+        <translation>machen Sie die Sicht auf die Marker frei</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.common_and_unknown_markers</name>
+    <message>
+        <source>there are %1 (%2), and the layout does not know %3</source>
+        <translation>es gibt %1 (%2), und der Plan kennt %3 nicht</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.common_markers</name>
+    <message>
+        <source>there are %1 (%2)</source>
+        <translation>es gibt %1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.convert_unit</name>
+    <message>
+        <source>convert its unit.</source>
+        <translation>rechnen Sie seine Einheit um.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.corner_left_out</name>
+    <message>
+        <source>1 corner that stands out was left out, in %1.</source>
+        <translation>1 herausfallende Ecke wurde weggelassen, in %1.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.corner_no_number</name>
+    <message>
+        <source>a corner of it is not a number</source>
+        <translation>eine Ecke darin ist keine Zahl</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.corner_unclear</name>
+    <message>
+        <source>a corner of the board cannot be made out</source>
+        <translation>eine Ecke der Tafel ist nicht zu erkennen</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.corners_disagree</name>
+    <message>
+        <source>%1 of the corners do not agree with the others</source>
+        <translation>%1 der Ecken passen nicht zu den anderen</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.corners_kept_in</name>
+    <message>
+        <source>%1 corners that stand out side by side were kept, in %2</source>
+        <translation>%1 nebeneinander herausfallende Ecken wurden behalten, in %2</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.corners_kept_most_in</name>
+    <message>
+        <source>%1 corners that stand out side by side were kept, most in %2</source>
+        <translation>%1 nebeneinander herausfallende Ecken wurden behalten, die meisten in %2</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.corners_left_out_in</name>
+    <message>
+        <source>%1 corners that stand out were left out, in %2.</source>
+        <translation>%1 herausfallende Ecken wurden weggelassen, in %2.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.corners_left_out_most_in</name>
+    <message>
+        <source>%1 corners that stand out were left out, most in %2.</source>
+        <translation>%1 herausfallende Ecken wurden weggelassen, die meisten in %2.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.corners_not_flat</name>
+    <message>
+        <source>its corners do not lie as on a flat board</source>
+        <translation>die Ecken liegen nicht wie auf einer flachen Tafel</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.correct_layout</name>
+    <message>
+        <source>correct the layout</source>
+        <translation>berichtigen Sie den Plan</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.correct_pixels</name>
+    <message>
+        <source>correct the pixels</source>
+        <translation>berichtigen Sie die Pixel</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.count_corners</name>
+    <message>
+        <source>count the inner corners, or leave the size out</source>
+        <translation>zählen Sie die inneren Ecken, oder lassen Sie die Größe weg</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.disagree_in</name>
+    <message>
+        <source>%1 of the corners disagree, in %2</source>
+        <translation>%1 der Ecken widersprechen sich, in %2</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.disagree_most_in</name>
+    <message>
+        <source>%1 of the corners disagree, most in %2</source>
+        <translation>%1 der Ecken widersprechen sich, die meisten in %2</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.done</name>
+    <message>
+        <source>done</source>
+        <translation>fertig</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.edges_wide</name>
+    <message>
+        <source>its edges are %1 pixels wide</source>
+        <translation>ihre Kanten sind %1 Pixel breit</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.ends_on_one_pixel</name>
+    <message>
+        <source>both ends lie on one pixel of camera &apos;%1&apos;</source>
+        <translation>beide Enden liegen auf einem Pixel der Kamera &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.far_edge</name>
+    <message>
+        <source>at the far edge</source>
+        <translation>am hinteren Rand</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.far_left_corner</name>
+    <message>
+        <source>in the far left corner</source>
+        <translation>in der hinteren linken Ecke</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.far_right_corner</name>
+    <message>
+        <source>in the far right corner</source>
+        <translation>in der hinteren rechten Ecke</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.few_corners_seen</name>
+    <message>
+        <source>only %1 corners of the board are seen</source>
+        <translation>nur %1 Ecken der Tafel sind zu sehen</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.fifth_would</name>
+    <message>
+        <source>a fifth would.</source>
+        <translation>ein fünfter täte es.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.find_board_again</name>
+    <message>
+        <source>let the board be found in it again</source>
+        <translation>lassen Sie die Tafel darin neu suchen</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.first_end_beyond</name>
+    <message>
+        <source>the first end lies at or beyond the horizon of camera &apos;%1&apos;</source>
+        <translation>das erste Ende liegt am oder hinter dem Horizont der Kamera &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.fisheye</name>
+    <message>
+        <source>fisheye</source>
+        <translation>Fischauge</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.fisheye_lens</name>
+    <message>
+        <source>Fisheye lens</source>
+        <translation>Fischauge</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.fitting_lens</name>
+    <message>
+        <source>fitting the lens to %1 pictures</source>
+        <translation>das Objektiv wird an %1 Bilder angepasst</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.floor_not_registered</name>
+    <message>
+        <source>the floor cannot be registered</source>
+        <translation>der Boden kann nicht eingemessen werden</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.floor_part_unseen</name>
+    <message>
+        <source>%1 of the floor among the markers is not seen.</source>
+        <translation>%1 des Bodens zwischen den Markern sind nicht zu sehen.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.floor_unseen</name>
+    <message>
+        <source>None of the floor among the markers is seen.</source>
+        <translation>Vom Boden zwischen den Markern ist nichts zu sehen.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.floor_unsure</name>
+    <message>
+        <source>the floor among the points is known only to ±%1</source>
+        <translation>der Boden zwischen den Punkten ist nur auf ±%1 bekannt</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.focal_length_estimated</name>
+    <message>
+        <source>The camera was taken as free of distortion, its focal length estimated from the markers (%1 ± %2).</source>
+        <translation>Die Kamera wurde als verzeichnungsfrei angenommen, ihre Brennweite aus den Markern geschätzt (%1 ± %2).</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.focal_length_groups</name>
+    <message>
+        <source>%1 for about %2, %3 (such as %4) for about %5</source>
+        <translation>%1 etwa %2, %3 (etwa %4) etwa %5</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.focal_length_guessed</name>
+    <message>
+        <source>The camera was taken as free of distortion, its focal length guessed (%1), since this view does not determine it.</source>
+        <translation>Die Kamera wurde als verzeichnungsfrei angenommen, ihre Brennweite geraten (%1), weil diese Sicht sie nicht bestimmt.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.focal_length_taken</name>
+    <message>
+        <source>The camera was taken as free of distortion, its focal length as %1.</source>
+        <translation>Die Kamera wurde als verzeichnungsfrei angenommen, ihre Brennweite als %1.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.focal_length_unsure</name>
+    <message>
+        <source>the pictures determine the focal length only to %1</source>
+        <translation>die Bilder bestimmen die Brennweite nur auf %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.focus_or_light</name>
+    <message>
+        <source>focus the camera, or give more light</source>
+        <translation>stellen Sie die Kamera scharf, oder sorgen Sie für mehr Licht</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.foretells_as_well</name>
+    <message>
+        <source>it foretells pictures held out to %1, the %2 one no better (%3)</source>
+        <translation>es sagt zurückgehaltene Bilder auf %1 voraus, das Modell „%2“ nicht besser (%3)</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.foretells_better</name>
+    <message>
+        <source>it foretells pictures held out to %1, the %2 one only to %3</source>
+        <translation>es sagt zurückgehaltene Bilder auf %1 voraus, das Modell „%2“ nur auf %3</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.foretells_by_chance</name>
+    <message>
+        <source>it foretells pictures held out to %1, the %2 one to %3, which may be chance</source>
+        <translation>es sagt zurückgehaltene Bilder auf %1 voraus, das Modell „%2“ auf %3, was Zufall sein kann</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.four_common_markers</name>
+    <message>
+        <source>four markers are needed that the layout and the picture have in common</source>
+        <translation>vier Marker sind nötig, die Plan und Bild gemeinsam haben</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.four_markers_unchecked</name>
+    <message>
+        <source>Four markers hardly check one another</source>
+        <translation>Vier Marker prüfen einander kaum</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.four_points_unchecked</name>
+    <message>
+        <source>Four points hardly check one another</source>
+        <translation>Vier Punkte prüfen einander kaum</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.four_shared_points</name>
+    <message>
+        <source>four points are needed that both cameras see</source>
+        <translation>vier Punkte sind nötig, die beide Kameras sehen</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.give_board_size</name>
+    <message>
+        <source>give 3x3 at least, like 9x6, or leave the size out</source>
+        <translation>geben Sie mindestens 3x3 an, etwa 9x6, oder lassen Sie die Größe weg</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.give_distance</name>
+    <message>
+        <source>give a distance of 0 m to 1000 m</source>
+        <translation>geben Sie einen Abstand von 0 m bis 1000 m an</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.give_field_of_view</name>
+    <message>
+        <source>give 2° to 150°, and the size of its pictures</source>
+        <translation>geben Sie 2° bis 150° an, und die Größe der Bilder</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.give_height</name>
+    <message>
+        <source>give a height of 0.05 m to 100 m</source>
+        <translation>geben Sie eine Höhe von 0,05 m bis 100 m an</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.give_one_of_them</name>
+    <message>
+        <source>give one of them</source>
+        <translation>geben Sie eins davon an</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.give_plain_numbers</name>
+    <message>
+        <source>give plain numbers</source>
+        <translation>geben Sie gewöhnliche Zahlen an</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.give_positive_number</name>
+    <message>
+        <source>give a number above 0</source>
+        <translation>geben Sie eine Zahl über 0 an</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.give_square_size</name>
+    <message>
+        <source>give it like 25mm</source>
+        <translation>geben Sie sie etwa als 25mm an</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.give_tape_sigma</name>
+    <message>
+        <source>give some 2 mm</source>
+        <translation>geben Sie etwa 2 mm an</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.give_taped_length</name>
+    <message>
+        <source>give the length as it was measured with a tape</source>
+        <translation>geben Sie die mit dem Maßband gemessene Länge an</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.glue_board</name>
+    <message>
+        <source>glue the board onto something stiff</source>
+        <translation>kleben Sie die Tafel auf etwas Steifes</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.glue_board_flat</name>
+    <message>
+        <source>glue the board onto something stiff and flat</source>
+        <translation>kleben Sie die Tafel auf etwas Steifes und Flaches</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.good</name>
+    <message>
+        <source>Good: %1.</source>
+        <translation>Gut: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.halves_contradict</name>
+    <message>
+        <source>two halves of the pictures give focal lengths that differ by %1</source>
+        <translation>zwei Hälften der Bilder ergeben um %1 verschiedene Brennweiten</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.halves_foretell</name>
+    <message>
+        <source>each half of them foretells the other to %1</source>
+        <translation>jede Hälfte sagt die andere auf %1 voraus</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.halves_foretell_apart</name>
+    <message>
+        <source>each half of them foretells the other to %1, %2 apart at worst on that floor</source>
+        <translation>jede Hälfte sagt die andere auf %1 voraus, auf diesem Boden höchstens %2 auseinander</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.hold_board_closer</name>
+    <message>
+        <source>hold it closer to the camera</source>
+        <translation>halten Sie sie näher an die Kamera</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.hold_board_still</name>
+    <message>
+        <source>hold it still, and focus the camera</source>
+        <translation>halten Sie sie still, und stellen Sie die Kamera scharf</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.inches</name>
+    <message>
+        <source>inches</source>
+        <translation>Zoll</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.inside</name>
+    <message>
+        <source>inside</source>
+        <translation>innen</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.inside_expected_error</name>
+    <message>
+        <source>inside the expected error of %1.</source>
+        <translation>innerhalb des erwarteten Fehlers von %1.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.keep_board_clear</name>
+    <message>
+        <source>keep the board clear and well lit</source>
+        <translation>halten Sie die Tafel frei und gut beleuchtet</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.keep_whole_board</name>
+    <message>
+        <source>keep the whole board in the picture</source>
+        <translation>halten Sie die ganze Tafel im Bild</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.label_each_point</name>
+    <message>
+        <source>give each point a label of its own</source>
+        <translation>geben Sie jedem Punkt eine eigene Bezeichnung</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.labels_called</name>
+    <message>
+        <source>with %1 called %2 they fit to %3</source>
+        <translation>mit %1 als %2 bezeichnet passen sie auf %3</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.labels_exchanged</name>
+    <message>
+        <source>with %1 and %2 exchanged they fit to %3</source>
+        <translation>mit %1 und %2 vertauscht passen sie auf %3</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.lay_stick_nearer</name>
+    <message>
+        <source>lay the stick on the floor, nearer to the camera</source>
+        <translation>legen Sie den Stab auf den Boden, näher an die Kamera</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.layout_in_mm</name>
+    <message>
+        <source>it is given in mm</source>
+        <translation>erwartet werden mm</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.layout_not_in_mm</name>
+    <message>
+        <source>if that is wrong, the layout&apos;s numbers are no mm</source>
+        <translation>wenn das falsch ist, sind die Zahlen des Plans keine mm</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.layout_too_small</name>
+    <message>
+        <source>the layout has %1 markers, four are needed</source>
+        <translation>der Plan hat %1 Marker, vier werden gebraucht</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.layout_written_mirrored</name>
+    <message>
+        <source>if the layout was written down mirrored, correct its signs and add it anew</source>
+        <translation>wenn der Plan gespiegelt notiert wurde, berichtigen Sie seine Vorzeichen und fügen Sie ihn neu hinzu</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.leave_one_tag</name>
+    <message>
+        <source>leave one of them on the floor</source>
+        <translation>lassen Sie eines davon auf dem Boden</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.leave_out_pictures</name>
+    <message>
+        <source>leave out these pictures if the board is bent, cut or covered there.</source>
+        <translation>lassen Sie diese Bilder weg, wenn die Tafel dort verbogen, abgeschnitten oder verdeckt ist.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.left_edge</name>
+    <message>
+        <source>at the left edge</source>
+        <translation>am linken Rand</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.length_factor</name>
+    <message>
+        <source>a length factor of %1 makes no floor</source>
+        <translation>ein Längenfaktor von %1 ergibt keinen Boden</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.length_is</name>
+    <message>
+        <source>The length is %1 ± %2.</source>
+        <translation>Die Länge beträgt %1 ± %2.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.length_longer</name>
+    <message>
+        <source>It is %1 longer than the %2 told</source>
+        <translation>Sie ist %1 länger als die angegebenen %2</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.length_shorter</name>
+    <message>
+        <source>It is %1 shorter than the %2 told</source>
+        <translation>Sie ist %1 kürzer als die angegebenen %2</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.length_unmeasured</name>
+    <message>
+        <source>the length cannot be measured</source>
+        <translation>die Länge kann nicht gemessen werden</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.length_unseen</name>
+    <message>
+        <source>no camera was given that sees it</source>
+        <translation>keine Kamera wurde angegeben, die sie sieht</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.lens_on_floor</name>
+    <message>
+        <source>±%1 in the middle and ±%2 at worst (%3) on %4, as far as the lens is concerned</source>
+        <translation>±%1 in der Mitte und schlimmstenfalls ±%2 (%3) auf %4, soweit es am Objektiv liegt</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.lens_told</name>
+    <message>
+        <source>told</source>
+        <translation>vorgegeben</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.lens_unknown_elsewhere</name>
+    <message>
+        <source>how the lens bends elsewhere stays unknown</source>
+        <translation>wie das Objektiv anderswo verzeichnet, bleibt unbekannt</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.likely_unit</name>
+    <message>
+        <source>its numbers look like %1, then it would stand %2 above the floor</source>
+        <translation>die Zahlen sehen nach %1 aus, dann stünde sie %2 über dem Boden</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.look_at</name>
+    <message>
+        <source>Look at %1</source>
+        <translation>Sehen Sie %1 an</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.look_at_ends</name>
+    <message>
+        <source>look whether the same ends are marked in each picture, and register it again if they are.</source>
+        <translation>sehen Sie nach, ob in jedem Bild dieselben Enden markiert sind, und messen Sie sie neu ein, wenn ja.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.look_at_pictures</name>
+    <message>
+        <source>look at these pictures and leave out those that are blurred, bent or of another board.</source>
+        <translation>sehen Sie diese Bilder an und lassen Sie unscharfe, verbogene oder solche einer anderen Tafel weg.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.looking_about</name>
+    <message>
+        <source>looking about the best place</source>
+        <translation>die Umgebung des besten Orts wird abgesucht</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.make_larger_layout</name>
+    <message>
+        <source>make a layout of four markers or more</source>
+        <translation>legen Sie einen Plan mit vier oder mehr Markern an</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.mark_ends_in_one</name>
+    <message>
+        <source>mark its ends in one picture at least</source>
+        <translation>markieren Sie ihre Enden in mindestens einem Bild</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.mark_more</name>
+    <message>
+        <source>mark more of the layout&apos;s markers, under the layout&apos;s names</source>
+        <translation>markieren Sie mehr Marker des Plans, unter den Namen des Plans</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.mark_there_again</name>
+    <message>
+        <source>mark it there again.</source>
+        <translation>markieren Sie ihn dort neu.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.mark_two_ends</name>
+    <message>
+        <source>mark the two ends where they are seen</source>
+        <translation>markieren Sie beide Enden dort, wo sie zu sehen sind</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.mark_where_seen</name>
+    <message>
+        <source>mark each of them where it is seen</source>
+        <translation>markieren Sie jeden dort, wo er zu sehen ist</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.marker_against_lens</name>
+    <message>
+        <source>%1 lies where this camera&apos;s lens cannot have put it</source>
+        <translation>%1 liegt, wohin das Objektiv dieser Kamera nichts abbilden kann</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.marker_beyond_horizon</name>
+    <message>
+        <source>marker %1 would lie at or beyond the horizon</source>
+        <translation>Marker %1 läge am oder hinter dem Horizont</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.marker_moved</name>
+    <message>
+        <source>Marker %1 has moved %2 = %3, %4 has not</source>
+        <translation>Marker %1 hat sich um %2 = %3 bewegt, %4 nicht</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.marker_off_by_all</name>
+    <message>
+        <source>%1 is %2 off by all cameras</source>
+        <translation>%1 liegt nach allen Kameras %2 daneben</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.marker_off_by_one</name>
+    <message>
+        <source>%1 is %2 off by the one camera that sees it</source>
+        <translation>%1 liegt nach der einen Kamera, die ihn sieht, %2 daneben</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.marker_pixel_no_number</name>
+    <message>
+        <source>the pixel of marker %1 is not a finite number</source>
+        <translation>das Pixel von Marker %1 ist keine endliche Zahl</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.marker_place_no_number</name>
+    <message>
+        <source>the place of marker %1 is not a finite number</source>
+        <translation>der Ort von Marker %1 ist keine endliche Zahl</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.marker_twice_in_layout</name>
+    <message>
+        <source>marker %1 stands twice in the layout</source>
+        <translation>Marker %1 steht zweimal im Plan</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.marker_twice_in_picture</name>
+    <message>
+        <source>marker %1 stands twice in the picture</source>
+        <translation>Marker %1 steht zweimal im Bild</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_at_one_place</name>
+    <message>
+        <source>markers %1 and %2 lie at one place of the floor</source>
+        <translation>die Marker %1 und %2 liegen an einer Stelle des Bodens</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_fit</name>
+    <message>
+        <source>%1 markers fit to %2 RMS (worst %3, %4), and the floor among them is known to ±%5</source>
+        <translation>%1 Marker passen auf %2 RMS (am schlechtesten %3, %4), und der Boden zwischen ihnen ist auf ±%5 bekannt</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_fit_many_ways</name>
+    <message>
+        <source>in %1 ways they fit the layout equally well, which looks the same from several sides</source>
+        <translation>auf %1 Arten passen sie gleich gut zum Plan, der von mehreren Seiten gleich aussieht</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_fit_together</name>
+    <message>
+        <source>with %1 together %2 markers fit to %3 RMS, and the floor among them is known to ±%4</source>
+        <translation>zusammen mit %1 passen %2 Marker auf %3 RMS, und der Boden zwischen ihnen ist auf ±%4 bekannt</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_found</name>
+    <message>
+        <source>%1 of %2 were found, four are needed</source>
+        <translation>%1 von %2 wurden gefunden, vier sind nötig</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_in_place</name>
+    <message>
+        <source>%1 markers lie within %2 = %3 of their places.</source>
+        <translation>%1 Marker liegen innerhalb von %2 = %3 an ihren Plätzen.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_mirrored</name>
+    <message>
+        <source>the markers are mirrored</source>
+        <translation>die Marker sind gespiegelt</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_missing</name>
+    <message>
+        <source>missing: %1</source>
+        <translation>es fehlen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_moved</name>
+    <message>
+        <source>Markers %1 have moved %2 = %3, %4 has not</source>
+        <translation>Die Marker %1 haben sich um %2 = %3 bewegt, %4 nicht</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_nearly_on_line</name>
+    <message>
+        <source>the markers lie so nearly on one line (%1 the most) that the floor is known only to ±%2</source>
+        <translation>die Marker liegen so nahezu auf einer Linie (%1 am meisten), dass der Boden nur auf ±%2 bekannt ist</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_not_found</name>
+    <message>
+        <source>the floor markers cannot be found</source>
+        <translation>die Marker auf dem Boden sind nicht zu finden</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_not_told_apart</name>
+    <message>
+        <source>the markers cannot be told apart</source>
+        <translation>die Marker sind nicht zu unterscheiden</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_on_one_pixel</name>
+    <message>
+        <source>markers %1 and %2 lie on one pixel</source>
+        <translation>die Marker %1 und %2 liegen auf einem Pixel</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_read</name>
+    <message>
+        <source>%1 of its markers could be read</source>
+        <translation>%1 ihrer Marker waren lesbar</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_too_close</name>
+    <message>
+        <source>markers %1 and %2 lie only %3 apart, too close for two of four</source>
+        <translation>die Marker %1 und %2 liegen nur %3 auseinander, zu nah für zwei von vieren</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.measure_again</name>
+    <message>
+        <source>mark and measure them again, or add another</source>
+        <translation>markieren und messen Sie sie neu, oder fügen Sie einen hinzu</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.measure_it_again</name>
+    <message>
+        <source>measure it again.</source>
+        <translation>messen Sie ihn neu.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.measure_or_mark_again</name>
+    <message>
+        <source>measure it, or mark it in the picture, again.</source>
+        <translation>messen Sie ihn neu oder markieren Sie ihn im Bild neu.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.metres</name>
+    <message>
+        <source>metres</source>
+        <translation>Metern</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.middle_and_corner</name>
+    <message>
+        <source>±%1 in the middle, ±%2 in the corner near %3.</source>
+        <translation>±%1 in der Mitte, ±%2 in der Ecke bei %3.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.middle_and_edge</name>
+    <message>
+        <source>±%1 in the middle, ±%2 at the edge near %3.</source>
+        <translation>±%1 in der Mitte, ±%2 am Rand bei %3.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.middle_and_near</name>
+    <message>
+        <source>±%1 in the middle, ±%2 near %3.</source>
+        <translation>±%1 in der Mitte, ±%2 bei %3.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.misfit_most_at</name>
+    <message>
+        <source>%1 RMS, most at %2 (%3)</source>
+        <translation>%1 RMS, am meisten bei %2 (%3)</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.misfit_unexplained</name>
+    <message>
+        <source>the %1 markers misfit by %2 (%3) and check one another too little to tell which of them</source>
+        <translation>die %1 Marker passen um %2 (%3) nicht und prüfen einander zu wenig, um zu sagen, welcher es ist</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.more_pictures</name>
+    <message>
+        <source>More pictures (%1 or more) would make it surer.</source>
+        <translation>Mehr Bilder (%1 oder mehr) würden es sicherer machen.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.move_board</name>
+    <message>
+        <source>move it elsewhere, turn it or tilt it</source>
+        <translation>halten Sie sie woanders hin, drehen oder neigen Sie sie</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.move_planned_back</name>
+    <message>
+        <source>move it back or up, or choose a wider lens</source>
+        <translation>rücken Sie die Kamera zurück oder höher, oder wählen Sie ein weiteres Objektiv</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.name_dictionary</name>
+    <message>
+        <source>name one like DICT_6X6_250, or leave it out</source>
+        <translation>nennen Sie eines wie DICT_6X6_250, oder lassen Sie es weg</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.name_each_camera</name>
+    <message>
+        <source>name each camera once</source>
+        <translation>nennen Sie jede Kamera einmal</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.name_each_marker</name>
+    <message>
+        <source>give each marker a name of its own</source>
+        <translation>geben Sie jedem Marker einen eigenen Namen</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.name_one_marker</name>
+    <message>
+        <source>name one of %1</source>
+        <translation>nennen Sie einen von %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.name_two_apart</name>
+    <message>
+        <source>name two that lie apart</source>
+        <translation>nennen Sie zwei, die auseinander liegen</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.near_edge</name>
+    <message>
+        <source>at the near edge</source>
+        <translation>am vorderen Rand</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.near_left_corner</name>
+    <message>
+        <source>in the near left corner</source>
+        <translation>in der vorderen linken Ecke</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.near_right_corner</name>
+    <message>
+        <source>in the near right corner</source>
+        <translation>in der vorderen rechten Ecke</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_board_found</name>
+    <message>
+        <source>no board found</source>
+        <translation>keine Tafel gefunden</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_charuco</name>
+    <message>
+        <source>the markers that were read do not lie as on a ChArUco board</source>
+        <translation>die gelesenen Marker liegen nicht wie auf einer ChArUco-Tafel</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_charuco_of_size</name>
+    <message>
+        <source>the markers that were read do not lie as on a ChArUco board of %1 inner corners</source>
+        <translation>die gelesenen Marker liegen nicht wie auf einer ChArUco-Tafel mit %1 inneren Ecken</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_common_marker</name>
+    <message>
+        <source>no two of the cameras see the same marker</source>
+        <translation>keine zwei der Kameras sehen denselben Marker</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_dictionary</name>
+    <message>
+        <source>there is no marker dictionary %1</source>
+        <translation>es gibt kein Marker-Wörterbuch %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_flat_floor</name>
+    <message>
+        <source>the markers do not fit a flat floor</source>
+        <translation>die Marker passen nicht zu einem ebenen Boden</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_lens_fits</name>
+    <message>
+        <source>no lens fits these pictures</source>
+        <translation>kein Objektiv passt zu diesen Bildern</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_millimetres</name>
+    <message>
+        <source>no figure in millimetres, since this lens holds only for a part of the picture</source>
+        <translation>keine Angabe in Millimetern, weil diese Objektivdaten nur für einen Teil des Bildes gelten</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_other_lens</name>
+    <message>
+        <source>no other model fits</source>
+        <translation>kein anderes Modell passt</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_pose</name>
+    <message>
+        <source>no pose</source>
+        <translation>keine Lage</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_such_marker</name>
+    <message>
+        <source>it has no marker %1</source>
+        <translation>er hat keinen Marker %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.not_all_foretold</name>
+    <message>
+        <source>not all</source>
+        <translation>nicht alle</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.not_found_again</name>
+    <message>
+        <source>Not found again: %1.</source>
+        <translation>Nicht wiedergefunden: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.not_registered_through</name>
+    <message>
+        <source>the camera cannot be registered through another</source>
+        <translation>die Kamera kann nicht über eine andere eingemessen werden</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.not_registered_together</name>
+    <message>
+        <source>the cameras cannot be registered together</source>
+        <translation>die Kameras können nicht gemeinsam eingemessen werden</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.other_order_fits</name>
+    <message>
+        <source>the markers fit only to %1, but %2</source>
+        <translation>die Marker passen nur auf %1, aber %2</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.other_picture_size</name>
+    <message>
+        <source>it is %1×%2, the first picture %3×%4</source>
+        <translation>dieses Bild hat %1×%2, das erste %3×%4</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.outside_expected_error</name>
+    <message>
+        <source>outside the expected error of %1.</source>
+        <translation>außerhalb des erwarteten Fehlers von %1.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.picture_covered</name>
+    <message>
+        <source>Only %1 of the picture was covered</source>
+        <translation>Nur %1 des Bildes wurden abgedeckt</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.picture_stands_out</name>
+    <message>
+        <source>its %1 stand out.</source>
+        <translation>seine %1 fallen heraus.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.picture_too_small</name>
+    <message>
+        <source>the picture is too small</source>
+        <translation>das Bild ist zu klein</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.picture_with_corners</name>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.picture_without_size</name>
+    <message>
+        <source>the picture has no size</source>
+        <translation>das Bild hat keine Größe</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pictures_fit</name>
+    <message>
+        <source>%1 pictures fit to %2, focal length %3 ± %4</source>
+        <translation>%1 Bilder passen auf %2, Brennweite %3 ± %4</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pictures_fit_halves_apart</name>
+    <message>
+        <source>%1 pictures fit to %2, focal length %3 ± %4, %5 apart at worst on that floor</source>
+        <translation>%1 Bilder passen auf %2, Brennweite %3 ± %4, auf diesem Boden höchstens %5 auseinander</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.place_left</name>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.place_lower</name>
+    <message>
+        <source>lower</source>
+        <translation>unten</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.place_lower_left</name>
+    <message>
+        <source>lower left</source>
+        <translation>unten links</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.place_lower_right</name>
+    <message>
+        <source>lower right</source>
+        <translation>unten rechts</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.place_middle</name>
+    <message>
+        <source>middle</source>
+        <translation>Mitte</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.place_right</name>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.place_upper</name>
+    <message>
+        <source>upper</source>
+        <translation>oben</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.place_upper_left</name>
+    <message>
+        <source>upper left</source>
+        <translation>oben links</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.place_upper_right</name>
+    <message>
+        <source>upper right</source>
+        <translation>oben rechts</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.planned_camera</name>
+    <message>
+        <source>the planned camera</source>
+        <translation>die geplante Kamera</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.planned_distance</name>
+    <message>
+        <source>it cannot stand %1 away</source>
+        <translation>%1 entfernt kann keine Kamera stehen</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.planned_field_of_view</name>
+    <message>
+        <source>its field of view is %1</source>
+        <translation>das Blickfeld ist %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.planned_height</name>
+    <message>
+        <source>it cannot stand %1 above the floor</source>
+        <translation>%1 über dem Boden kann keine Kamera stehen</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.planned_not_held</name>
+    <message>
+        <source>the markers that it would see do not hold it</source>
+        <translation>die Marker, die sie sähe, legen ihre Lage nicht fest</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.planned_sees_too_few</name>
+    <message>
+        <source>from there it would see %1 of the layout&apos;s markers (%2), four are needed</source>
+        <translation>von dort sähe sie %1 der Marker des Plans (%2), vier werden gebraucht</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.point_against_lens</name>
+    <message>
+        <source>point %1 lies where a lens cannot have put it</source>
+        <translation>Punkt %1 liegt, wohin ihn kein Objektiv abbilden kann</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.point_beyond_horizon</name>
+    <message>
+        <source>point %1 would lie at or beyond the horizon</source>
+        <translation>Punkt %1 läge am oder hinter dem Horizont</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.point_beyond_through</name>
+    <message>
+        <source>point %1 lies at or beyond the horizon of %2</source>
+        <translation>Punkt %1 liegt am oder hinter dem Horizont von %2</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.point_outside_own</name>
+    <message>
+        <source>point %1 lies outside the picture of the camera to register (%2)</source>
+        <translation>Punkt %1 liegt außerhalb des Bilds der Kamera, die eingemessen wird (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.point_outside_through</name>
+    <message>
+        <source>point %1 lies outside the picture of %2 (%3)</source>
+        <translation>Punkt %1 liegt außerhalb des Bilds von %2 (%3)</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.point_pixel_no_number</name>
+    <message>
+        <source>the pixel of point %1 is not a finite number</source>
+        <translation>das Pixel von Punkt %1 ist keine endliche Zahl</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.point_twice</name>
+    <message>
+        <source>point %1 is there twice</source>
+        <translation>Punkt %1 gibt es zweimal</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.points_fit</name>
+    <message>
+        <source>through %1 %2 points of the floor fit to %3 RMS (worst %4, %5), and the floor among them is known to ±%6, of which ±%7 come from %8</source>
+        <translation>über %1 passen %2 Punkte des Bodens auf %3 RMS (am schlechtesten %4, %5), und der Boden zwischen ihnen ist auf ±%6 bekannt, davon kommen ±%7 von %8</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.points_mirrored</name>
+    <message>
+        <source>the points are mirrored between the pictures of the two cameras</source>
+        <translation>die Punkte sind zwischen den Bildern der beiden Kameras gespiegelt</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.points_on_one_pixel</name>
+    <message>
+        <source>points %1 and %2 lie on one pixel</source>
+        <translation>die Punkte %1 und %2 liegen auf einem Pixel</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.points_undetermined</name>
+    <message>
+        <source>the points do not determine where the camera stands</source>
+        <translation>die Punkte bestimmen nicht, wo die Kamera steht</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.poor</name>
+    <message>
+        <source>Poor: %1.</source>
+        <translation>Schlecht: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.poor_measure_again</name>
+    <message>
+        <source>Poor, measure the markers again: %1.</source>
+        <translation>Schlecht, messen Sie die Marker neu: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.put_marker_back</name>
+    <message>
+        <source>put it back, or measure again and register all cameras.</source>
+        <translation>legen Sie ihn zurück, oder messen Sie neu und messen Sie alle Kameras neu ein.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.put_markers_back</name>
+    <message>
+        <source>put them back, or measure again and register all cameras.</source>
+        <translation>legen Sie sie zurück, oder messen Sie neu und messen Sie alle Kameras neu ein.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.rational</name>
+    <message>
+        <source>rational</source>
+        <translation>rationale</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.rational_lens</name>
+    <message>
+        <source>Rational lens</source>
+        <translation>Rationales Objektivmodell</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.register_before_recording</name>
+    <message>
+        <source>register it again before you record.</source>
+        <translation>messen Sie sie vor der Aufnahme neu ein.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.register_by_more</name>
+    <message>
+        <source>register it by more of them first</source>
+        <translation>messen Sie sie zuerst über mehr davon ein</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.register_if_gone</name>
+    <message>
+        <source>if they are gone or the camera looks elsewhere, register it again</source>
+        <translation>wenn sie fort sind oder die Kamera woandershin blickt, messen Sie sie neu ein</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.register_one_by_one</name>
+    <message>
+        <source>register the cameras one by one by this layout first</source>
+        <translation>messen Sie die Kameras zuerst einzeln über diesen Plan ein</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.reverse_both</name>
+    <message>
+        <source>reverse both (a half turn), or turn the axes</source>
+        <translation>kehren Sie beide um (halbe Drehung), oder drehen Sie die Achsen</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.reversed_x_alone</name>
+    <message>
+        <source>reversing X alone would mirror the floor, and no camera above it sees it so</source>
+        <translation>X allein umzukehren würde den Boden spiegeln, und keine Kamera darüber sieht ihn so</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.reversed_y_alone</name>
+    <message>
+        <source>reversing Y alone would mirror the floor, and no camera above it sees it so</source>
+        <translation>Y allein umzukehren würde den Boden spiegeln, und keine Kamera darüber sieht ihn so</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.right_edge</name>
+    <message>
+        <source>at the right edge</source>
+        <translation>am rechten Rand</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.same_attitude</name>
+    <message>
+        <source>all %1 pictures show the board in nearly the same attitude, which does not determine the focal length</source>
+        <translation>alle %1 Bilder zeigen die Tafel in fast derselben Lage, was die Brennweite nicht bestimmt</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.second_end_beyond</name>
+    <message>
+        <source>the second end lies at or beyond the horizon of camera &apos;%1&apos;</source>
+        <translation>das zweite Ende liegt am oder hinter dem Horizont der Kamera &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.see_same_floor</name>
+    <message>
+        <source>let them see some of the same floor</source>
+        <translation>lassen Sie sie ein Stück gemeinsamen Bodens sehen</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.sees_too_few_anywhere</name>
+    <message>
+        <source>from nowhere within %1 beyond the markers would it see four of them at the height and with the lens given</source>
+        <translation>bis %1 um die Marker herum sähe sie mit dieser Höhe und diesem Objektiv nirgends vier davon</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.sentence</name>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.shapes_fit_nowhere</name>
+    <message>
+        <source>none of the ways to name the %1 rings and dots fits the layout</source>
+        <translation>keine Benennung der %1 Ringe und Punkte passt zum Plan</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.shared_points</name>
+    <message>
+        <source>there are %1</source>
+        <translation>es gibt %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.show_board_larger</name>
+    <message>
+        <source>show the board larger, sharp and well lit</source>
+        <translation>zeigen Sie die Tafel größer, scharf und gut beleuchtet</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.show_everywhere</name>
+    <message>
+        <source>show the board in the middle and near each corner of the picture, and closer</source>
+        <translation>zeigen Sie die Tafel in der Mitte und nahe jeder Ecke des Bildes, und näher</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.show_missing_tags</name>
+    <message>
+        <source>show the missing tags (AprilTag 36h11, numbered from 0 in the layout&apos;s order) or rings, or mark the markers by hand</source>
+        <translation>zeigen Sie die fehlenden Tags (AprilTag 36h11, ab 0 in der Reihenfolge des Plans) oder Ringe, oder markieren Sie die Marker von Hand</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.show_more_of_board</name>
+    <message>
+        <source>show more of the board</source>
+        <translation>zeigen Sie mehr von der Tafel</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.show_more_of_it</name>
+    <message>
+        <source>show more of it</source>
+        <translation>zeigen Sie mehr davon</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.show_more_shapes</name>
+    <message>
+        <source>show more of them, larger or in better light, or mark the markers by hand</source>
+        <translation>zeigen Sie mehr davon, größer oder bei besserem Licht, oder markieren Sie die Marker von Hand</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.show_near_edges</name>
+    <message>
+        <source>show the board near its edges too.</source>
+        <translation>zeigen Sie die Tafel auch nahe den Rändern.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.show_one_charuco</name>
+    <message>
+        <source>show one ChArUco board</source>
+        <translation>zeigen Sie eine ChArUco-Tafel</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.show_whole_board</name>
+    <message>
+        <source>show the whole board, flat, sharp and well lit</source>
+        <translation>zeigen Sie die ganze Tafel, flach, scharf und gut beleuchtet</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.spread_markers</name>
+    <message>
+        <source>spread the markers over the floor</source>
+        <translation>verteilen Sie die Marker über den Boden</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.spread_or_register_better</name>
+    <message>
+        <source>spread the points over the floor, or register %1 better first</source>
+        <translation>verteilen Sie die Punkte über den Boden, oder messen Sie zuerst %1 besser ein</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.spread_points</name>
+    <message>
+        <source>spread the points over the floor, not along a line</source>
+        <translation>verteilen Sie die Punkte über den Boden, nicht entlang einer Linie</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.spread_them</name>
+    <message>
+        <source>spread them over the floor</source>
+        <translation>verteilen Sie sie über den Boden</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.squares_without_size</name>
+    <message>
+        <source>the squares have no size</source>
+        <translation>die Felder haben keine Größe</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.stand_higher</name>
+    <message>
+        <source>let it stand higher or farther away, or choose a wider lens</source>
+        <translation>stellen Sie die Kamera höher oder weiter weg, oder wählen Sie ein weiteres Objektiv</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.standard</name>
+    <message>
+        <source>standard</source>
+        <translation>Standard</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.standard_lens</name>
+    <message>
+        <source>Standard lens</source>
+        <translation>Standardobjektiv</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.tag_seen_often</name>
+    <message>
+        <source>tag %1 (marker %2) is seen %3 times</source>
+        <translation>Tag %1 (Marker %2) ist %3-mal zu sehen</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.take_ten</name>
+    <message>
+        <source>take ten or more, the board tilted differently in each</source>
+        <translation>machen Sie zehn oder mehr, die Tafel jedes Mal anders geneigt</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.tape_sigma_not_positive</name>
+    <message>
+        <source>the σ of the tape measure is not above 0</source>
+        <translation>das σ des Maßbands ist nicht größer als 0</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.tell_by_hand</name>
+    <message>
+        <source>tell by hand which of them is %1</source>
+        <translation>geben Sie von Hand an, welcher davon %1 ist</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.tenths_of_mm</name>
+    <message>
+        <source>tenths of a mm</source>
+        <translation>zehntel mm</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.thousandths_of_mm</name>
+    <message>
+        <source>thousandths of a mm</source>
+        <translation>tausendstel mm</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.tilt_board</name>
+    <message>
+        <source>take pictures with the board tilted by 30 to 45 degrees, to each side</source>
+        <translation>machen Sie Bilder mit der um 30 bis 45 Grad geneigten Tafel, nach jeder Seite</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.tilt_less</name>
+    <message>
+        <source>tilt it by 30 to 45 degrees</source>
+        <translation>neigen Sie sie um 30 bis 45 Grad</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.told_board_too_small</name>
+    <message>
+        <source>a board of %1 inner corners is too small</source>
+        <translation>eine Tafel mit %1 inneren Ecken ist zu klein</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.told_length_not_positive</name>
+    <message>
+        <source>the told length is not above 0</source>
+        <translation>die angegebene Länge ist nicht größer als 0</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.too_few_corners</name>
+    <message>
+        <source>it has %1 corners of the board, six are needed</source>
+        <translation>es zeigt %1 Ecken der Tafel, sechs werden gebraucht</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.too_few_found_again</name>
+    <message>
+        <source>%1 of its %2 markers were found again, two are needed</source>
+        <translation>%1 ihrer %2 Marker wurden wiedergefunden, zwei sind nötig</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.too_few_pictures</name>
+    <message>
+        <source>three pictures of the board are needed, %1 can be used</source>
+        <translation>drei Bilder der Tafel sind nötig, %1 sind brauchbar</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.too_few_shapes</name>
+    <message>
+        <source>%1 rings or dots were found, four are needed</source>
+        <translation>%1 Ringe oder Punkte wurden gefunden, vier sind nötig</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.too_few_to_compare</name>
+    <message>
+        <source>too few pictures to compare it with others</source>
+        <translation>zu wenige Bilder, um es mit anderen zu vergleichen</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.too_frontal</name>
+    <message>
+        <source>the board is seen too nearly frontal</source>
+        <translation>die Tafel ist zu sehr von vorn zu sehen</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.too_small_for_board</name>
+    <message>
+        <source>the picture is too small to hold a board</source>
+        <translation>das Bild ist zu klein für eine Tafel</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.two_cameras_needed</name>
+    <message>
+        <source>there is %1 camera on layout &apos;%2&apos;, two are needed</source>
+        <translation>auf dem Plan &apos;%2&apos; gibt es %1 Kamera, zwei sind nötig</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.two_directions</name>
+    <message>
+        <source>both an angle and a pair of markers were given for X</source>
+        <translation>für X wurden ein Winkel und ein Paar Marker angegeben</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.two_focal_lengths</name>
+    <message>
+        <source>the pictures ask for two focal lengths</source>
+        <translation>die Bilder verlangen zwei Brennweiten</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.two_origins</name>
+    <message>
+        <source>both a marker and a point were given for the origin</source>
+        <translation>für den Ursprung wurden ein Marker und ein Punkt angegeben</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.typical_testbed</name>
+    <message>
+        <source>a %1 × %2 floor seen from %3 above</source>
+        <translation>einem Boden von %1 × %2, gesehen aus %3 Höhe</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.unit</name>
+    <message>
+        <source>unit &apos;%1&apos;</source>
+        <translation>Einheit &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.unit_unknown</name>
+    <message>
+        <source>it is not known</source>
+        <translation>das ist nicht bekannt</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.unseen_middle_corner</name>
+    <message>
+        <source>The middle is not seen, ±%1 in the corner near %2.</source>
+        <translation>Die Mitte ist nicht zu sehen, ±%1 in der Ecke bei %2.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.unseen_middle_edge</name>
+    <message>
+        <source>The middle is not seen, ±%1 at the edge near %2.</source>
+        <translation>Die Mitte ist nicht zu sehen, ±%1 am Rand bei %2.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.unseen_middle_near</name>
+    <message>
+        <source>The middle is not seen, ±%1 near %2.</source>
+        <translation>Die Mitte ist nicht zu sehen, ±%1 bei %2.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.usable</name>
+    <message>
+        <source>Usable: %1.</source>
+        <translation>Brauchbar: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.use_another_picture</name>
+    <message>
+        <source>use another picture</source>
+        <translation>verwenden Sie ein anderes Bild</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.use_camera_picture</name>
+    <message>
+        <source>use a picture of the camera</source>
+        <translation>verwenden Sie ein Bild der Kamera</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.use_camera_pictures</name>
+    <message>
+        <source>use pictures of the camera</source>
+        <translation>verwenden Sie Bilder der Kamera</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.use_known_unit</name>
+    <message>
+        <source>use mm, cm, m or inch</source>
+        <translation>verwenden Sie mm, cm, m oder inch</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.use_one_camera</name>
+    <message>
+        <source>use pictures of one camera at one zoom and focus</source>
+        <translation>verwenden Sie Bilder einer Kamera mit einem Zoom und Fokus</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.use_one_resolution</name>
+    <message>
+        <source>use pictures of one camera at one resolution</source>
+        <translation>verwenden Sie Bilder einer Kamera mit einer Auflösung</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.were_kept</name>
+    <message>
+        <source>they were kept</source>
+        <translation>sie wurden behalten</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.whether_moved</name>
+    <message>
+        <source>whether %1 has moved cannot be told</source>
+        <translation>ob sich %1 bewegt hat, ist nicht zu sagen</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.wrong_by_more</name>
+    <message>
+        <source>it may be wrong by much more</source>
+        <translation>der Fehler kann viel größer sein</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.x_without_length</name>
+    <message>
+        <source>the markers that X is to run along lie at one place</source>
+        <translation>die Marker, entlang derer X verlaufen soll, liegen an einer Stelle</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.y_left_of_x</name>
+    <message>
+        <source>seen from above, Y must point to the left of X</source>
+        <translation>von oben gesehen muss Y nach links von X zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>capture.access_to_cameras</name>
+    <message>
+        <source>Access to cameras</source>
+        <translation>Zugriff auf Kameras</translation>
+    </message>
+</context>
+<context>
+    <name>capture.all_pictures_damaged</name>
+    <message>
+        <source>all its pictures come damaged</source>
+        <translation>alle Bilder kommen beschädigt an</translation>
+    </message>
+</context>
+<context>
+    <name>capture.answers_but_silent</name>
+    <message>
+        <source>it answers, but sends no pictures</source>
+        <translation>sie antwortet, sendet aber keine Bilder</translation>
+    </message>
+</context>
+<context>
+    <name>capture.answers_but_silent_advice</name>
+    <message>
+        <source>check its trigger and this computer&apos;s firewall</source>
+        <translation>prüfen Sie den Auslöser und die Firewall dieses Computers</translation>
+    </message>
+</context>
+<context>
+    <name>capture.aravis_place_missing</name>
+    <message>
+        <source>it says neither an address nor a serial number</source>
+        <translation>darin steht weder eine Adresse noch eine Seriennummer</translation>
+    </message>
+</context>
+<context>
+    <name>capture.aravis_wishes</name>
+    <message>
+        <source>take rate, exposure_ms, gain, format, size, trigger=software, packet_size or packet_delay_us, as in ?rate=30&amp;size=640x480</source>
+        <translation>verwenden Sie rate, exposure_ms, gain, format, size, trigger=software, packet_size oder packet_delay_us, etwa ?rate=30&amp;size=640x480</translation>
+    </message>
+</context>
+<context>
+    <name>capture.ask_for_less</name>
+    <message>
+        <source>ask for a smaller size or rate</source>
+        <translation>verlangen Sie eine kleinere Größe oder Rate</translation>
+    </message>
+</context>
+<context>
+    <name>capture.ask_for_other_mode</name>
+    <message>
+        <source>ask for another size or format</source>
+        <translation>verlangen Sie eine andere Größe oder ein anderes Format</translation>
+    </message>
+</context>
+<context>
+    <name>capture.ask_for_something_else</name>
+    <message>
+        <source>ask it for something else, or leave that to the camera</source>
+        <translation>verlangen Sie etwas anderes, oder überlassen Sie es der Kamera</translation>
+    </message>
+</context>
+<context>
+    <name>capture.ask_for_usable_format</name>
+    <message>
+        <source>ask it for one of %1</source>
+        <translation>verlangen Sie eines von %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.ask_within_sensor</name>
+    <message>
+        <source>ask it for a size within that</source>
+        <translation>verlangen Sie eine Größe innerhalb davon</translation>
+    </message>
+</context>
+<context>
+    <name>capture.automatics_held</name>
+    <message>
+        <source>exposure, gain, white balance and focus are held</source>
+        <translation>Belichtung, Verstärkung, Weißabgleich und Fokus sind festgehalten</translation>
+    </message>
+</context>
+<context>
+    <name>capture.automatics_of_camera</name>
+    <message>
+        <source>Automatics, camera %1</source>
+        <translation>Automatik, Kamera %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.buffer_enough</name>
+    <message>
+        <source>up to %1, enough for network cameras</source>
+        <translation>bis %1, genug für Netzwerkkameras</translation>
+    </message>
+</context>
+<context>
+    <name>capture.buffer_not_known</name>
+    <message>
+        <source>the system does not say how large it may be (net.core.rmem_max)</source>
+        <translation>das System sagt nicht, wie groß er sein darf (net.core.rmem_max)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.buffer_small</name>
+    <message>
+        <source>only %1</source>
+        <translation>nur %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.buffer_without_use</name>
+    <message>
+        <source>%1, which only network cameras would find too small</source>
+        <translation>%1, nur für Netzwerkkameras zu wenig</translation>
+    </message>
+</context>
+<context>
+    <name>capture.bus_of_speed_shared</name>
+    <message>
+        <source>cameras %1 share the bus %2, of %3</source>
+        <translation>die Kameras %1 teilen den Bus %2 mit %3</translation>
+    </message>
+</context>
+<context>
+    <name>capture.bus_shared</name>
+    <message>
+        <source>cameras %1 share the bus %2</source>
+        <translation>die Kameras %1 teilen den Bus %2</translation>
+    </message>
+</context>
+<context>
+    <name>capture.came_back_changed</name>
+    <message>
+        <source>it came back with pictures of another size or format</source>
+        <translation>sie kam mit Bildern anderer Größe oder anderen Formats wieder</translation>
+    </message>
+</context>
+<context>
+    <name>capture.camera_at_address</name>
+    <message>
+        <source>camera %1</source>
+        <translation>Kamera %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.camera_does_not_deliver</name>
+    <message>
+        <source>a camera does not deliver</source>
+        <translation>eine Kamera liefert nicht</translation>
+    </message>
+</context>
+<context>
+    <name>capture.cameras_are_listed</name>
+    <message>
+        <source>odograph cameras lists them</source>
+        <translation>odograph cameras führt sie auf</translation>
+    </message>
+</context>
+<context>
+    <name>capture.cameras_will_lose</name>
+    <message>
+        <source>%1 will lose pictures</source>
+        <translation>%1 werden Bilder verlieren</translation>
+    </message>
+</context>
+<context>
+    <name>capture.cannot_be_opened</name>
+    <message>
+        <source>it cannot be opened (%1)</source>
+        <translation>sie kann nicht geöffnet werden (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.check_cable</name>
+    <message>
+        <source>check its cable</source>
+        <translation>prüfen Sie das Kabel</translation>
+    </message>
+</context>
+<context>
+    <name>capture.check_cable_and_address</name>
+    <message>
+        <source>check its cable and address</source>
+        <translation>prüfen Sie Kabel und Adresse</translation>
+    </message>
+</context>
+<context>
+    <name>capture.check_cable_and_network</name>
+    <message>
+        <source>check its cable and the network</source>
+        <translation>prüfen Sie das Kabel und das Netz</translation>
+    </message>
+</context>
+<context>
+    <name>capture.check_power_and_cable</name>
+    <message>
+        <source>check its power and cable</source>
+        <translation>prüfen Sie Strom und Kabel</translation>
+    </message>
+</context>
+<context>
+    <name>capture.check_power_and_network</name>
+    <message>
+        <source>check its power and cable, and that this computer has an address in the camera&apos;s network</source>
+        <translation>prüfen Sie Strom und Kabel, und dass dieser Rechner eine Adresse im Netz der Kamera hat</translation>
+    </message>
+</context>
+<context>
+    <name>capture.check_usb_rights</name>
+    <message>
+        <source>check that you may use it (a udev rule), and that no other program does</source>
+        <translation>prüfen Sie, ob Sie sie benutzen dürfen (eine udev-Regel) und kein anderes Programm es tut</translation>
+    </message>
+</context>
+<context>
+    <name>capture.choose_another_value</name>
+    <message>
+        <source>choose another one</source>
+        <translation>wählen Sie einen anderen</translation>
+    </message>
+</context>
+<context>
+    <name>capture.choose_listed</name>
+    <message>
+        <source>choose one of those that odograph cameras lists</source>
+        <translation>wählen Sie eine von denen, die odograph cameras nennt</translation>
+    </message>
+</context>
+<context>
+    <name>capture.choose_of_offer</name>
+    <message>
+        <source>choose of what it offers</source>
+        <translation>wählen Sie aus ihrem Angebot</translation>
+    </message>
+</context>
+<context>
+    <name>capture.choose_value_between</name>
+    <message>
+        <source>choose a value between</source>
+        <translation>wählen Sie einen Wert dazwischen</translation>
+    </message>
+</context>
+<context>
+    <name>capture.close_that_program</name>
+    <message>
+        <source>close that program</source>
+        <translation>schließen Sie jenes Programm</translation>
+    </message>
+</context>
+<context>
+    <name>capture.connect_right_camera</name>
+    <message>
+        <source>connect the one that belongs there, or begin anew with this one</source>
+        <translation>schließen Sie die richtige an, oder beginnen Sie mit dieser neu</translation>
+    </message>
+</context>
+<context>
+    <name>capture.control_automatic</name>
+    <message>
+        <source>%1 cannot be set while it is automatic</source>
+        <translation>%1 kann nicht eingestellt werden, solange es automatisch ist</translation>
+    </message>
+</context>
+<context>
+    <name>capture.control_goes</name>
+    <message>
+        <source>%1 goes from %2 to %3</source>
+        <translation>%1 geht von %2 bis %3</translation>
+    </message>
+</context>
+<context>
+    <name>capture.control_inactive</name>
+    <message>
+        <source>%1 cannot be set as the camera stands now</source>
+        <translation>%1 kann jetzt nicht eingestellt werden</translation>
+    </message>
+</context>
+<context>
+    <name>capture.control_not_taken</name>
+    <message>
+        <source>it does not take this for %1 (%2)</source>
+        <translation>dieser Wert von %1 wird nicht angenommen (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.control_value_refused</name>
+    <message>
+        <source>it refuses this value of %1</source>
+        <translation>sie lehnt diesen Wert von %1 ab</translation>
+    </message>
+</context>
+<context>
+    <name>capture.damaged_advice</name>
+    <message>
+        <source>try another cable or port, or ask for fewer or smaller pictures</source>
+        <translation>versuchen Sie ein anderes Kabel oder einen anderen Anschluss, oder verlangen Sie weniger oder kleinere Bilder</translation>
+    </message>
+</context>
+<context>
+    <name>capture.dim_light_halves_rate</name>
+    <message>
+        <source>in dim light a camera halves its rate by itself, unless its automatic exposure is off</source>
+        <translation>bei wenig Licht halbiert eine Kamera ihre Rate von selbst, wenn die Belichtungsautomatik nicht aus ist</translation>
+    </message>
+</context>
+<context>
+    <name>capture.disk_full</name>
+    <message>
+        <source>its disk has only %1 left, of which %2 are kept free</source>
+        <translation>auf der Platte sind nur noch %1 frei, von denen %2 frei bleiben sollen</translation>
+    </message>
+</context>
+<context>
+    <name>capture.disk_of</name>
+    <message>
+        <source>the disk of %1</source>
+        <translation>die Platte von %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.disk_too_slow</name>
+    <message>
+        <source>it is too slow</source>
+        <translation>sie ist zu langsam</translation>
+    </message>
+</context>
+<context>
+    <name>capture.does_not_answer</name>
+    <message>
+        <source>it does not answer</source>
+        <translation>sie antwortet nicht</translation>
+    </message>
+</context>
+<context>
+    <name>capture.does_not_start</name>
+    <message>
+        <source>it does not start (%1)</source>
+        <translation>sie startet nicht (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.does_not_start_advice</name>
+    <message>
+        <source>check its cable, and that no other program uses it</source>
+        <translation>prüfen Sie ihr Kabel, und dass kein anderes Programm sie benutzt</translation>
+    </message>
+</context>
+<context>
+    <name>capture.end_other_writers</name>
+    <message>
+        <source>end what else writes to it</source>
+        <translation>beenden Sie, was sonst darauf schreibt</translation>
+    </message>
+</context>
+<context>
+    <name>capture.enlarge_buffer</name>
+    <message>
+        <source>sudo sysctl -w net.core.rmem_max=%1, and put the same into /etc/sysctl.d/ to keep it</source>
+        <translation>sudo sysctl -w net.core.rmem_max=%1, und dasselbe nach /etc/sysctl.d/, damit es bleibt</translation>
+    </message>
+</context>
+<context>
+    <name>capture.expose_for_mains</name>
+    <message>
+        <source>expose for 10 or 20 ms with mains of 50 Hz, 8.3 or 16.7 ms with 60 Hz</source>
+        <translation>belichten Sie 10 oder 20 ms bei 50 Hz Netzfrequenz, 8,3 oder 16,7 ms bei 60 Hz</translation>
+    </message>
+</context>
+<context>
+    <name>capture.exposed_for</name>
+    <message>
+        <source>exposed for %1</source>
+        <translation>%1 belichtet</translation>
+    </message>
+</context>
+<context>
+    <name>capture.exposure_and_gain</name>
+    <message>
+        <source>Exposure and gain</source>
+        <translation>Belichtung und Verstärkung</translation>
+    </message>
+</context>
+<context>
+    <name>capture.exposure_not_taken</name>
+    <message>
+        <source>it does not take this exposure (%1)</source>
+        <translation>sie nimmt diese Belichtung nicht an (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.exposure_not_told</name>
+    <message>
+        <source>it does not tell its exposure</source>
+        <translation>sie nennt ihre Belichtung nicht</translation>
+    </message>
+</context>
+<context>
+    <name>capture.exposure_suits_lamps</name>
+    <message>
+        <source>exposed for %1, which suits lamps</source>
+        <translation>%1 belichtet, das passt zu Lampen</translation>
+    </message>
+</context>
+<context>
+    <name>capture.failed</name>
+    <message>
+        <source>it failed (%1)</source>
+        <translation>sie ist ausgefallen (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.failed_advice</name>
+    <message>
+        <source>unplug it and plug it in again if that lasts</source>
+        <translation>ziehen Sie sie ab und stecken Sie sie neu ein, wenn das anhält</translation>
+    </message>
+</context>
+<context>
+    <name>capture.flicker_filter_off</name>
+    <message>
+        <source>its filter is off</source>
+        <translation>ihr Filter ist aus</translation>
+    </message>
+</context>
+<context>
+    <name>capture.flicker_filtered</name>
+    <message>
+        <source>filtered by the camera (%1)</source>
+        <translation>von der Kamera gefiltert (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.flicker_of_camera</name>
+    <message>
+        <source>Lamps&apos; flicker, camera %1</source>
+        <translation>Lampenflimmern, Kamera %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.forbidden</name>
+    <message>
+        <source>you may not use it</source>
+        <translation>Sie dürfen sie nicht benutzen</translation>
+    </message>
+</context>
+<context>
+    <name>capture.forbidden_advice</name>
+    <message>
+        <source>join the group video (sudo usermod -aG video YOUR-NAME) and log in again</source>
+        <translation>treten Sie der Gruppe video bei (sudo usermod -aG video YOUR-NAME) und melden Sie sich neu an</translation>
+    </message>
+</context>
+<context>
+    <name>capture.format</name>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 bei %2</translation>
+    </message>
+</context>
+<context>
+    <name>capture.format_not_told</name>
+    <message>
+        <source>it does not tell its pixel format (%1)</source>
+        <translation>sie sagt ihr Pixelformat nicht (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.format_not_understood</name>
+    <message>
+        <source>its pixel format is not understood</source>
+        <translation>das Pixelformat wird nicht verstanden</translation>
+    </message>
+</context>
+<context>
+    <name>capture.free_after_crash</name>
+    <message>
+        <source>a camera whose program has crashed is free again after some seconds</source>
+        <translation>eine Kamera, deren Programm abgestürzt ist, ist nach einigen Sekunden wieder frei</translation>
+    </message>
+</context>
+<context>
+    <name>capture.gain_not_taken</name>
+    <message>
+        <source>it does not take this gain (%1)</source>
+        <translation>sie nimmt diese Verstärkung nicht an (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.give_address</name>
+    <message>
+        <source>give one as v4l2:/dev/video0, aravis:192.168.1.20, sim:A or file:PATH</source>
+        <translation>geben Sie eine an wie v4l2:/dev/video0, aravis:192.168.1.20, sim:A oder file:PATH</translation>
+    </message>
+</context>
+<context>
+    <name>capture.give_aravis_place</name>
+    <message>
+        <source>give one as aravis:192.168.1.20 or aravis:SERIAL</source>
+        <translation>geben Sie eine an, etwa aravis:192.168.1.20 oder aravis:SERIAL</translation>
+    </message>
+</context>
+<context>
+    <name>capture.gives_no_pictures</name>
+    <message>
+        <source>%1 gives no pictures</source>
+        <translation>%1 liefert keine Bilder</translation>
+    </message>
+</context>
+<context>
+    <name>capture.has_been_away</name>
+    <message>
+        <source>it has been away</source>
+        <translation>sie war fort</translation>
+    </message>
+</context>
+<context>
+    <name>capture.held_while_recording</name>
+    <message>
+        <source>they are held while recording</source>
+        <translation>sie werden bei der Aufnahme festgehalten</translation>
+    </message>
+</context>
+<context>
+    <name>capture.in_step</name>
+    <message>
+        <source>in step to %1</source>
+        <translation>synchron auf %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.in_step_as_way</name>
+    <message>
+        <source>at %1 that is %2</source>
+        <translation>bei %1 sind das %2</translation>
+    </message>
+</context>
+<context>
+    <name>capture.join_video_group</name>
+    <message>
+        <source>add yourself to the group video (sudo usermod -aG video $USER), then log out and in again</source>
+        <translation>nehmen Sie sich in die Gruppe video auf (sudo usermod -aG video $USER), dann melden Sie sich ab und wieder an</translation>
+    </message>
+</context>
+<context>
+    <name>capture.keep_awake</name>
+    <message>
+        <source>keep it awake while it records</source>
+        <translation>lassen Sie ihn während der Aufnahme nicht schlafen</translation>
+    </message>
+</context>
+<context>
+    <name>capture.kept_before_sleep</name>
+    <message>
+        <source>what came before is kept</source>
+        <translation>was vorher kam, ist erhalten</translation>
+    </message>
+</context>
+<context>
+    <name>capture.large_packets</name>
+    <message>
+        <source>large packets are allowed</source>
+        <translation>große Pakete sind erlaubt</translation>
+    </message>
+</context>
+<context>
+    <name>capture.largest_picture</name>
+    <message>
+        <source>its pictures have %1 pixels at most</source>
+        <translation>die Bilder haben höchstens %1 Pixel</translation>
+    </message>
+</context>
+<context>
+    <name>capture.leave_control_out</name>
+    <message>
+        <source>leave it out</source>
+        <translation>lassen Sie es weg</translation>
+    </message>
+</context>
+<context>
+    <name>capture.look_again</name>
+    <message>
+        <source>wait a few seconds, and look again</source>
+        <translation>warten Sie einige Sekunden und sehen Sie wieder nach</translation>
+    </message>
+</context>
+<context>
+    <name>capture.look_at_cable</name>
+    <message>
+        <source>look at its cable</source>
+        <translation>sehen Sie nach dem Kabel</translation>
+    </message>
+</context>
+<context>
+    <name>capture.lost_by_slow_machine</name>
+    <message>
+        <source>%1, %2 lost because this machine is too slow</source>
+        <translation>%1, %2 verloren, weil dieser Rechner zu langsam ist</translation>
+    </message>
+</context>
+<context>
+    <name>capture.lost_here</name>
+    <message>
+        <source>%1, %2 lost here</source>
+        <translation>%1, %2 hier verloren</translation>
+    </message>
+</context>
+<context>
+    <name>capture.lost_on_wire</name>
+    <message>
+        <source>%1, %2 lost on the wire</source>
+        <translation>%1, %2 auf der Leitung verloren</translation>
+    </message>
+</context>
+<context>
+    <name>capture.lost_on_wire_and_here</name>
+    <message>
+        <source>%1, %2 lost (%3 on the wire, %4 here)</source>
+        <translation>%1, %2 verloren (%3 auf der Leitung, %4 hier)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.machine_slept</name>
+    <message>
+        <source>it slept for %1, and nothing was recorded meanwhile</source>
+        <translation>er schlief %1, und inzwischen wurde nichts aufgenommen</translation>
+    </message>
+</context>
+<context>
+    <name>capture.make_room</name>
+    <message>
+        <source>make room, or move the project to another disk</source>
+        <translation>schaffen Sie Platz, oder legen Sie das Projekt auf eine andere Platte</translation>
+    </message>
+</context>
+<context>
+    <name>capture.mode_not_taken</name>
+    <message>
+        <source>it does not take %1</source>
+        <translation>sie nimmt %1 nicht an</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_automatics</name>
+    <message>
+        <source>it has none</source>
+        <translation>sie hat keine</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_network_camera</name>
+    <message>
+        <source>no network camera is used</source>
+        <translation>keine Netzwerkkamera wird benutzt</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_node</name>
+    <message>
+        <source>this machine shows no USB or built-in camera (/dev/video*)</source>
+        <translation>dieser Rechner zeigt keine USB- oder eingebaute Kamera (/dev/video*)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_node_advice</name>
+    <message>
+        <source>if one is connected, try another cable and port, without a hub</source>
+        <translation>wenn eine angeschlossen ist, versuchen Sie ein anderes Kabel und einen anderen Anschluss, ohne Hub</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_pair_yet</name>
+    <message>
+        <source>no two pictures have been taken together yet</source>
+        <translation>noch wurden keine zwei Bilder zusammen aufgenommen</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_picture_came</name>
+    <message>
+        <source>no picture came for half a second</source>
+        <translation>eine halbe Sekunde lang kam kein Bild</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_picture_for</name>
+    <message>
+        <source>no picture has come for %1</source>
+        <translation>seit %1 kam kein Bild</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_readable_format</name>
+    <message>
+        <source>it has no format that can be read</source>
+        <translation>sie hat kein lesbares Format</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_simulated_camera</name>
+    <message>
+        <source>there is no simulated camera %1</source>
+        <translation>es gibt keine simulierte Kamera %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_software_trigger</name>
+    <message>
+        <source>it has no software trigger (%1)</source>
+        <translation>sie hat keinen Software-Auslöser (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_such_address</name>
+    <message>
+        <source>no camera has such an address</source>
+        <translation>keine Kamera hat eine solche Adresse</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_such_control</name>
+    <message>
+        <source>it has nothing named &apos;%1&apos; that could be set</source>
+        <translation>sie hat nichts namens &apos;%1&apos;, das eingestellt werden könnte</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_such_format</name>
+    <message>
+        <source>it has no format %1 (%2)</source>
+        <translation>ein Format %1 hat sie nicht (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_usable_format</name>
+    <message>
+        <source>it has no pixel format that is understood</source>
+        <translation>sie hat kein Pixelformat, das verstanden wird</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_usb_camera</name>
+    <message>
+        <source>no USB camera is used</source>
+        <translation>keine USB-Kamera wird benutzt</translation>
+    </message>
+</context>
+<context>
+    <name>capture.nodes_forbidden</name>
+    <message>
+        <source>you may not use %1</source>
+        <translation>Sie dürfen %1 nicht benutzen</translation>
+    </message>
+</context>
+<context>
+    <name>capture.nodes_usable</name>
+    <message>
+        <source>you may use all %1 video devices</source>
+        <translation>Sie dürfen alle %1 Videogeräte benutzen</translation>
+    </message>
+</context>
+<context>
+    <name>capture.none_lost</name>
+    <message>
+        <source>%1, none lost</source>
+        <translation>%1, keine verloren</translation>
+    </message>
+</context>
+<context>
+    <name>capture.not_offered</name>
+    <message>
+        <source>it does not offer what was asked for</source>
+        <translation>sie bietet das Verlangte nicht an</translation>
+    </message>
+</context>
+<context>
+    <name>capture.not_registered</name>
+    <message>
+        <source>it is not registered to the floor</source>
+        <translation>sie ist nicht eingemessen</translation>
+    </message>
+</context>
+<context>
+    <name>capture.not_there</name>
+    <message>
+        <source>it is not there</source>
+        <translation>sie ist nicht da</translation>
+    </message>
+</context>
+<context>
+    <name>capture.nothing_lost_yet</name>
+    <message>
+        <source>nothing is lost yet</source>
+        <translation>noch ist nichts verloren</translation>
+    </message>
+</context>
+<context>
+    <name>capture.one_camera_in_step</name>
+    <message>
+        <source>one camera is always in step</source>
+        <translation>eine Kamera ist immer synchron</translation>
+    </message>
+</context>
+<context>
+    <name>capture.one_not_held</name>
+    <message>
+        <source>%1 goes on changing by itself</source>
+        <translation>%1 ändert sich weiter von selbst</translation>
+    </message>
+</context>
+<context>
+    <name>capture.open_video_again</name>
+    <message>
+        <source>open it again to see it from the start</source>
+        <translation>öffnen Sie es neu, um es von Anfang an zu sehen</translation>
+    </message>
+</context>
+<context>
+    <name>capture.other_camera_in_place</name>
+    <message>
+        <source>another camera (%1) is in its place</source>
+        <translation>an ihrem Platz ist eine andere Kamera (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.other_serial_in_place</name>
+    <message>
+        <source>another camera (%1) is in the place of camera %2</source>
+        <translation>an der Stelle der Kamera %2 ist eine andere (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.own_usb_buses</name>
+    <message>
+        <source>each USB camera has a bus of its own</source>
+        <translation>jede USB-Kamera hat einen eigenen Bus</translation>
+    </message>
+</context>
+<context>
+    <name>capture.packet_delay_not_taken</name>
+    <message>
+        <source>it does not take this packet delay (%1)</source>
+        <translation>sie nimmt diese Paketverzögerung nicht an (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.packet_size</name>
+    <message>
+        <source>Packet size</source>
+        <translation>Paketgröße</translation>
+    </message>
+</context>
+<context>
+    <name>capture.packet_size_not_taken</name>
+    <message>
+        <source>it does not take this packet size (%1)</source>
+        <translation>sie nimmt diese Paketgröße nicht an (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.part_not_understood</name>
+    <message>
+        <source>&apos;%1&apos; is not understood</source>
+        <translation>&apos;%1&apos; ist nicht verständlich</translation>
+    </message>
+</context>
+<context>
+    <name>capture.payload_not_told</name>
+    <message>
+        <source>it does not tell how large its pictures are (%1)</source>
+        <translation>sie sagt nicht, wie groß ihre Bilder sind (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.picture_of_camera</name>
+    <message>
+        <source>a picture of camera %1</source>
+        <translation>ein Bild der Kamera %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.picture_size_of_camera</name>
+    <message>
+        <source>Picture size, camera %1</source>
+        <translation>Bildgröße, Kamera %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.picture_waits_for_disk</name>
+    <message>
+        <source>a picture has waited %1 for it, and %2 of the room to wait in is taken</source>
+        <translation>ein Bild hat %1 gewartet, und %2 des Platzes zum Warten sind belegt</translation>
+    </message>
+</context>
+<context>
+    <name>capture.pictures_being_lost</name>
+    <message>
+        <source>pictures are being lost</source>
+        <translation>Bilder gehen verloren</translation>
+    </message>
+</context>
+<context>
+    <name>capture.pictures_incomplete</name>
+    <message>
+        <source>its pictures come incomplete</source>
+        <translation>die Bilder kommen unvollständig an</translation>
+    </message>
+</context>
+<context>
+    <name>capture.pictures_may_pulse</name>
+    <message>
+        <source>pictures may pulse under lamps</source>
+        <translation>Bilder können unter Lampen pulsieren</translation>
+    </message>
+</context>
+<context>
+    <name>capture.pictures_without_size</name>
+    <message>
+        <source>its pictures have no size</source>
+        <translation>die Bilder haben keine Größe</translation>
+    </message>
+</context>
+<context>
+    <name>capture.plug_camera_in_again</name>
+    <message>
+        <source>plug %1 in again</source>
+        <translation>schließen Sie %1 wieder an</translation>
+    </message>
+</context>
+<context>
+    <name>capture.plug_in_again</name>
+    <message>
+        <source>plug it in again</source>
+        <translation>schließen Sie sie wieder an</translation>
+    </message>
+</context>
+<context>
+    <name>capture.plug_in_or_choose</name>
+    <message>
+        <source>plug it in, or choose one of those that odograph cameras lists</source>
+        <translation>schließen Sie sie an, oder wählen Sie eine von denen, die odograph cameras nennt</translation>
+    </message>
+</context>
+<context>
+    <name>capture.put_disk_back</name>
+    <message>
+        <source>put its disk or folder back where it was</source>
+        <translation>bringen Sie den Datenträger oder Ordner wieder dorthin, wo er war</translation>
+    </message>
+</context>
+<context>
+    <name>capture.rate_not_taken</name>
+    <message>
+        <source>it does not take this rate (%1)</source>
+        <translation>sie nimmt diese Rate nicht an (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.rate_too_slow</name>
+    <message>
+        <source>%1 (too slow)</source>
+        <translation>%1 (zu langsam)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.rates_differ</name>
+    <message>
+        <source>the cameras run at %1 and %2</source>
+        <translation>die Kameras laufen mit %1 und %2</translation>
+    </message>
+</context>
+<context>
+    <name>capture.receive_buffer</name>
+    <message>
+        <source>Receive buffer</source>
+        <translation>Empfangspuffer</translation>
+    </message>
+</context>
+<context>
+    <name>capture.receive_buffer_granted</name>
+    <message>
+        <source>the system keeps only %1 of the network&apos;s packets</source>
+        <translation>das System puffert nur %1 der Netzwerkpakete</translation>
+    </message>
+</context>
+<context>
+    <name>capture.record_elsewhere</name>
+    <message>
+        <source>record to another disk, or fewer cameras</source>
+        <translation>nehmen Sie auf eine andere Platte auf, oder mit weniger Kameras</translation>
+    </message>
+</context>
+<context>
+    <name>capture.recorded_is_kept</name>
+    <message>
+        <source>what was recorded so far is kept</source>
+        <translation>was bisher aufgenommen wurde, ist erhalten</translation>
+    </message>
+</context>
+<context>
+    <name>capture.recorded_is_there</name>
+    <message>
+        <source>what was recorded so far is there</source>
+        <translation>was bisher aufgenommen wurde, ist dort</translation>
+    </message>
+</context>
+<context>
+    <name>capture.recording_file_gone</name>
+    <message>
+        <source>its file is no longer there</source>
+        <translation>ihre Datei ist nicht mehr da</translation>
+    </message>
+</context>
+<context>
+    <name>capture.register_in_testbed</name>
+    <message>
+        <source>register it in Testbed, or its pictures cannot tell where a robot is</source>
+        <translation>messen Sie sie im Messplatz ein, sonst können ihre Bilder nicht sagen, wo ein Roboter ist</translation>
+    </message>
+</context>
+<context>
+    <name>capture.room_for</name>
+    <message>
+        <source>room for %1</source>
+        <translation>Platz für %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.see_own_line</name>
+    <message>
+        <source>see its own line</source>
+        <translation>siehe ihre eigene Zeile</translation>
+    </message>
+</context>
+<context>
+    <name>capture.send_less</name>
+    <message>
+        <source>or let both send MJPEG, or smaller pictures</source>
+        <translation>oder lassen Sie beide MJPEG oder kleinere Bilder senden</translation>
+    </message>
+</context>
+<context>
+    <name>capture.send_registered_size</name>
+    <message>
+        <source>let it send the size it was registered at, or calibrate and register it anew</source>
+        <translation>lassen Sie sie die Größe der Einmessung senden, oder kalibrieren und messen Sie sie neu ein</translation>
+    </message>
+</context>
+<context>
+    <name>capture.sends_no_pictures</name>
+    <message>
+        <source>it sends no pictures</source>
+        <translation>sie sendet keine Bilder</translation>
+    </message>
+</context>
+<context>
+    <name>capture.serial_advice</name>
+    <message>
+        <source>check its power and cable; odograph cameras lists those that answer</source>
+        <translation>prüfen Sie Strom und Kabel; odograph cameras nennt die, die antworten</translation>
+    </message>
+</context>
+<context>
+    <name>capture.serial_does_not_answer</name>
+    <message>
+        <source>no camera of this serial number answers</source>
+        <translation>keine Kamera mit dieser Seriennummer antwortet</translation>
+    </message>
+</context>
+<context>
+    <name>capture.set_as_before</name>
+    <message>
+        <source>set it as before, or begin anew with size and format in its address</source>
+        <translation>stellen Sie sie wie vorher ein, oder beginnen Sie neu mit Größe und Format in ihrer Adresse</translation>
+    </message>
+</context>
+<context>
+    <name>capture.set_between</name>
+    <message>
+        <source>set it to something between</source>
+        <translation>stellen Sie etwas dazwischen ein</translation>
+    </message>
+</context>
+<context>
+    <name>capture.set_rate_or_trigger</name>
+    <message>
+        <source>set both to one rate, or trigger them together</source>
+        <translation>stellen Sie beide auf eine Rate, oder lösen Sie sie gemeinsam aus</translation>
+    </message>
+</context>
+<context>
+    <name>capture.set_receive_buffer</name>
+    <message>
+        <source>sysctl -w net.core.rmem_max=%1</source>
+        <translation>sysctl -w net.core.rmem_max=%1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.set_to_mains</name>
+    <message>
+        <source>set &apos;%1&apos; to your mains</source>
+        <translation>stellen Sie &apos;%1&apos; auf Ihr Stromnetz</translation>
+    </message>
+</context>
+<context>
+    <name>capture.set_to_one_rate</name>
+    <message>
+        <source>set both to one rate</source>
+        <translation>stellen Sie beide auf eine Rate</translation>
+    </message>
+</context>
+<context>
+    <name>capture.set_to_something_else</name>
+    <message>
+        <source>set it to something else</source>
+        <translation>stellen Sie etwas anderes ein</translation>
+    </message>
+</context>
+<context>
+    <name>capture.set_width_and_height</name>
+    <message>
+        <source>set its width and height</source>
+        <translation>stellen Sie Breite und Höhe ein</translation>
+    </message>
+</context>
+<context>
+    <name>capture.several_not_held</name>
+    <message>
+        <source>%1 go on changing by themselves</source>
+        <translation>%1 ändern sich weiter von selbst</translation>
+    </message>
+</context>
+<context>
+    <name>capture.simulated_camera</name>
+    <message>
+        <source>Simulated camera %1</source>
+        <translation>Simulierte Kamera %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.size_as_registered</name>
+    <message>
+        <source>%1, as it was registered</source>
+        <translation>%1, wie sie eingemessen wurde</translation>
+    </message>
+</context>
+<context>
+    <name>capture.size_not_as_registered</name>
+    <message>
+        <source>%1, but registered at %2</source>
+        <translation>%1, aber bei %2 eingemessen</translation>
+    </message>
+</context>
+<context>
+    <name>capture.size_not_taken</name>
+    <message>
+        <source>it does not take this size (%1)</source>
+        <translation>sie nimmt diese Größe nicht an (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.size_not_told</name>
+    <message>
+        <source>it does not tell its size (%1)</source>
+        <translation>sie sagt ihre Größe nicht (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.slow_camera</name>
+    <message>
+        <source>it takes only %1 pictures a second of the %2 it was asked for</source>
+        <translation>sie nimmt nur %1 Bilder je Sekunde von den verlangten %2</translation>
+    </message>
+</context>
+<context>
+    <name>capture.slow_camera_advice</name>
+    <message>
+        <source>give it more light or a shorter exposure, or ask for a lower rate</source>
+        <translation>geben Sie ihr mehr Licht oder eine kürzere Belichtung, oder verlangen Sie eine kleinere Rate</translation>
+    </message>
+</context>
+<context>
+    <name>capture.small_packets</name>
+    <message>
+        <source>small packets on %1</source>
+        <translation>kleine Pakete auf %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.small_packets_advice</name>
+    <message>
+        <source>give the port that the camera is on an MTU of 9000 (sudo ip link set dev NAME mtu 9000), if camera and switch can take it</source>
+        <translation>geben Sie dem Anschluss der Kamera eine MTU von 9000 (sudo ip link set dev NAME mtu 9000), wenn Kamera und Switch es zulassen</translation>
+    </message>
+</context>
+<context>
+    <name>capture.step</name>
+    <message>
+        <source>Step</source>
+        <translation>Synchronität</translation>
+    </message>
+</context>
+<context>
+    <name>capture.take_another_camera</name>
+    <message>
+        <source>take another camera</source>
+        <translation>nehmen Sie eine andere Kamera</translation>
+    </message>
+</context>
+<context>
+    <name>capture.take_camera_with_format</name>
+    <message>
+        <source>take a camera that has one of %1</source>
+        <translation>nehmen Sie eine Kamera mit einem von %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.take_off_and_on</name>
+    <message>
+        <source>take it off and put it on again if it stays so</source>
+        <translation>ziehen Sie sie ab und stecken Sie sie wieder an, wenn es so bleibt</translation>
+    </message>
+</context>
+<context>
+    <name>capture.take_simulated_camera</name>
+    <message>
+        <source>take sim:A or sim:B</source>
+        <translation>nehmen Sie sim:A oder sim:B</translation>
+    </message>
+</context>
+<context>
+    <name>capture.taken_up_by_itself</name>
+    <message>
+        <source>it is taken up again by itself</source>
+        <translation>danach geht es von selbst weiter</translation>
+    </message>
+</context>
+<context>
+    <name>capture.the_picture</name>
+    <message>
+        <source>the picture</source>
+        <translation>das Bild</translation>
+    </message>
+</context>
+<context>
+    <name>capture.the_recording</name>
+    <message>
+        <source>the recording %1</source>
+        <translation>die Aufnahme %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.there_but_silent</name>
+    <message>
+        <source>it is there but sends no pictures</source>
+        <translation>sie ist da, sendet aber keine Bilder</translation>
+    </message>
+</context>
+<context>
+    <name>capture.there_but_silent_advice</name>
+    <message>
+        <source>look at its cable, or plug it in again if that lasts</source>
+        <translation>sehen Sie nach dem Kabel, oder stecken Sie sie neu ein, wenn das anhält</translation>
+    </message>
+</context>
+<context>
+    <name>capture.these_and_others</name>
+    <message>
+        <source>%1 and others</source>
+        <translation>%1 und andere</translation>
+    </message>
+</context>
+<context>
+    <name>capture.this_computer</name>
+    <message>
+        <source>this computer</source>
+        <translation>dieser Rechner</translation>
+    </message>
+</context>
+<context>
+    <name>capture.turn_automatic_off</name>
+    <message>
+        <source>turn the automatic off</source>
+        <translation>schalten Sie die Automatik aus</translation>
+    </message>
+</context>
+<context>
+    <name>capture.turn_off_at_camera</name>
+    <message>
+        <source>turn it off in the camera&apos;s own program, or keep the light steady while robots run</source>
+        <translation>schalten Sie es im Programm der Kamera aus, oder halten Sie das Licht gleichmäßig, während Roboter fahren</translation>
+    </message>
+</context>
+<context>
+    <name>capture.turn_off_automatic_first</name>
+    <message>
+        <source>turn off the automatic that moves it first</source>
+        <translation>schalten Sie zuerst die Automatik aus, die es verstellt</translation>
+    </message>
+</context>
+<context>
+    <name>capture.unplugged</name>
+    <message>
+        <source>it was unplugged</source>
+        <translation>sie wurde abgezogen</translation>
+    </message>
+</context>
+<context>
+    <name>capture.usb_bus_full</name>
+    <message>
+        <source>its USB bus has no room left for its pictures (the bus is full, not the disk)</source>
+        <translation>ihr USB-Bus hat keinen Platz mehr für ihre Bilder (der Bus ist voll, nicht der Datenträger)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.usb_bus_full_advice</name>
+    <message>
+        <source>plug it in where it shares no bus with another camera, or choose MJPEG, a smaller picture or a lower rate (?format=MJPG&amp;size=640x480&amp;rate=30)</source>
+        <translation>schließen Sie sie an einem eigenen Bus an, oder wählen Sie MJPEG, ein kleineres Bild oder eine kleinere Rate (?format=MJPG&amp;size=640x480&amp;rate=30)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.usb_buses</name>
+    <message>
+        <source>USB buses</source>
+        <translation>USB-Busse</translation>
+    </message>
+</context>
+<context>
+    <name>capture.use_daylight</name>
+    <message>
+        <source>or use daylight</source>
+        <translation>oder nutzen Sie Tageslicht</translation>
+    </message>
+</context>
+<context>
+    <name>capture.use_other_port</name>
+    <message>
+        <source>plug one into a port on the other side of the computer, or a card of its own</source>
+        <translation>stecken Sie eine an einen Anschluss auf der anderen Seite des Rechners oder an eine eigene Karte</translation>
+    </message>
+</context>
+<context>
+    <name>capture.used_by_another_program</name>
+    <message>
+        <source>another program uses it</source>
+        <translation>ein anderes Programm benutzt sie</translation>
+    </message>
+</context>
+<context>
+    <name>capture.used_by_program</name>
+    <message>
+        <source>another program uses it (open in %1)</source>
+        <translation>ein anderes Programm benutzt sie (geöffnet in %1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.usual_mains</name>
+    <message>
+        <source>50 Hz in most countries, 60 Hz in the Americas</source>
+        <translation>50 Hz in den meisten Ländern, 60 Hz in Amerika</translation>
+    </message>
+</context>
+<context>
+    <name>capture.v4l2_address_example</name>
+    <message>
+        <source>write for instance v4l2:/dev/video0?size=1280x720&amp;rate=30&amp;format=MJPG</source>
+        <translation>schreiben Sie zum Beispiel v4l2:/dev/video0?size=1280x720&amp;rate=30&amp;format=MJPG</translation>
+    </message>
+</context>
+<context>
+    <name>capture.video_has_ended</name>
+    <message>
+        <source>the video has ended</source>
+        <translation>das Video ist zu Ende</translation>
+    </message>
+</context>
+<context>
+    <name>capture.wait_for_it</name>
+    <message>
+        <source>wait: it is taken up again</source>
+        <translation>warten Sie: es geht von selbst weiter</translation>
+    </message>
+</context>
+<context>
+    <name>capture.wait_or_check_cable</name>
+    <message>
+        <source>wait, or check its cable</source>
+        <translation>warten Sie, oder prüfen Sie ihr Kabel</translation>
+    </message>
+</context>
+<context>
+    <name>capture.waiting_for_first_picture</name>
+    <message>
+        <source>waiting for the first picture</source>
+        <translation>wartet auf das erste Bild</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.and_lines_more</name>
+    <message>
+        <source>and %1 lines more</source>
+        <translation>und %1 weitere Zeilen</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.archive_library_refused</name>
+    <message>
+        <source>the archive library refused</source>
+        <translation>die Archivbibliothek hat es abgelehnt</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.at_line</name>
+    <message>
+        <source>%1:%2</source>
+        <translation>%1:%2</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.begin_roster</name>
+    <message>
+        <source>begin the file with the line class,team or class,team,pseudonym</source>
+        <translation>beginnen Sie die Datei mit der Zeile class,team oder class,team,pseudonym</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.begin_with_header_or_tum</name>
+    <message>
+        <source>begin the file with the line %1, or write lines of %2</source>
+        <translation>beginnen Sie die Datei mit der Zeile %1, oder schreiben Sie Zeilen aus %2</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.begin_with_line</name>
+    <message>
+        <source>begin the file with the line %1</source>
+        <translation>beginnen Sie die Datei mit der Zeile %1</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.cannot_be_read</name>
+    <message>
+        <source>it cannot be read</source>
+        <translation>Lesen nicht möglich</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.cannot_write_archive</name>
+    <message>
+        <source>cannot write &apos;%1&apos;</source>
+        <translation>&apos;%1&apos; kann nicht geschrieben werden</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.cell_not_a_number</name>
+    <message>
+        <source>%1 &apos;%2&apos; is not a finite number</source>
+        <translation>%1 &apos;%2&apos; ist keine endliche Zahl</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.cell_of_columns</name>
+    <message>
+        <source>it has %1 cell where the header has %2</source>
+        <translation>%1 Zelle, die Kopfzeile hat %2</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.cells_of_columns</name>
+    <message>
+        <source>it has %1 cells where the header has %2</source>
+        <translation>%1 Zellen, die Kopfzeile hat %2</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.check_it_is_there</name>
+    <message>
+        <source>check that it is there and may be read</source>
+        <translation>prüfen Sie, ob sie da ist und gelesen werden darf</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.check_one_run</name>
+    <message>
+        <source>check that all lines are of one run</source>
+        <translation>prüfen Sie, ob alle Zeilen von einer Fahrt sind</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.check_right_file</name>
+    <message>
+        <source>check that it is the right file</source>
+        <translation>prüfen Sie, ob es die richtige Datei ist</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.check_room_and_rights</name>
+    <message>
+        <source>check the free space and the rights of its folder</source>
+        <translation>prüfen Sie den freien Platz und die Rechte seines Ordners</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.check_unit_of_places</name>
+    <message>
+        <source>check the unit of the places: m, cm or mm</source>
+        <translation>prüfen Sie die Einheit der Orte: m, cm oder mm</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.check_unit_of_times</name>
+    <message>
+        <source>check the unit of the times, and that all lines are of one run</source>
+        <translation>prüfen Sie die Einheit der Zeiten, und ob alle Zeilen von einer Fahrt sind</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.choose_longer_track</name>
+    <message>
+        <source>choose a file with three positions or more</source>
+        <translation>wählen Sie eine Datei mit drei oder mehr Orten</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.choose_new_folder</name>
+    <message>
+        <source>choose a folder that is not there yet</source>
+        <translation>wählen Sie einen Ordner, den es noch nicht gibt</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.choose_packed_file</name>
+    <message>
+        <source>choose a file that Odograph has packed, and copy it anew if it is damaged</source>
+        <translation>wählen Sie eine Datei, die Odograph gepackt hat, und kopieren Sie sie neu, wenn sie beschädigt ist</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.choose_style</name>
+    <message>
+        <source>choose analysis, international or continental</source>
+        <translation>wählen Sie analysis, international oder continental</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.close_quotes</name>
+    <message>
+        <source>close the quotes</source>
+        <translation>schließen Sie die Anführungszeichen</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.closed_neither</name>
+    <message>
+        <source>&apos;closed&apos; is neither true nor false</source>
+        <translation>&apos;closed&apos; ist weder true noch false</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.coefficients_no_row</name>
+    <message>
+        <source>&apos;distortion_coefficients&apos; is neither a row nor a column</source>
+        <translation>&apos;distortion_coefficients&apos; ist weder Zeile noch Spalte</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.csv_style</name>
+    <message>
+        <source>style &apos;%1&apos; of CSV</source>
+        <translation>CSV-Stil &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.does_not_belong</name>
+    <message>
+        <source>&apos;%1&apos; does not belong into a packed project</source>
+        <translation>&apos;%1&apos; gehört nicht in ein gepacktes Projekt</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.entry_is_missing</name>
+    <message>
+        <source>the entry &apos;%1&apos; is missing</source>
+        <translation>der Eintrag &apos;%1&apos; fehlt</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.file_is_empty</name>
+    <message>
+        <source>the file is empty</source>
+        <translation>die Datei ist leer</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.file_too_large</name>
+    <message>
+        <source>it is larger than %1</source>
+        <translation>größer als %1</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.fill_in_all_cells</name>
+    <message>
+        <source>give each line as many cells as the header</source>
+        <translation>geben Sie jeder Zeile so viele Zellen wie der Kopfzeile</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.fill_in_both</name>
+    <message>
+        <source>fill in both or none</source>
+        <translation>füllen Sie beide oder keines aus</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.give_known_units</name>
+    <message>
+        <source>give times in s or ms and places in m, cm or mm</source>
+        <translation>geben Sie Zeiten in s oder ms und Orte in m, cm oder mm an</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.give_marker_label</name>
+    <message>
+        <source>give each marker a label</source>
+        <translation>geben Sie jedem Marker eine Bezeichnung</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.give_marker_own_label</name>
+    <message>
+        <source>give each marker a label of its own</source>
+        <translation>geben Sie jedem Marker eine eigene Bezeichnung</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.give_one_path</name>
+    <message>
+        <source>give one of points_mm, circle, figure_eight or slalom</source>
+        <translation>geben Sie points_mm, circle, figure_eight oder slalom an</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.give_one_zone</name>
+    <message>
+        <source>give corners_mm, all the way round, or two opposite corners as rectangle_mm</source>
+        <translation>geben Sie corners_mm ringsherum an, oder zwei gegenüberliegende Ecken als rectangle_mm</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.give_point_label</name>
+    <message>
+        <source>give each point a label</source>
+        <translation>geben Sie jedem Punkt eine Bezeichnung</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.give_point_own_label</name>
+    <message>
+        <source>give each point a label of its own</source>
+        <translation>geben Sie jedem Punkt eine eigene Bezeichnung</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.give_two_corners</name>
+    <message>
+        <source>give two opposite corners: [[x, y], [x, y]]</source>
+        <translation>geben Sie zwei gegenüberliegende Ecken an: [[x, y], [x, y]]</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.has_become_shorter</name>
+    <message>
+        <source>it has become shorter meanwhile</source>
+        <translation>inzwischen kürzer geworden</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.is_in_it_twice</name>
+    <message>
+        <source>&apos;%1&apos; is in it twice</source>
+        <translation>&apos;%1&apos; ist zweimal darin</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.is_no_utf8</name>
+    <message>
+        <source>it is not a UTF-8 text file</source>
+        <translation>es ist keine UTF-8-Textdatei</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.is_utf16</name>
+    <message>
+        <source>it is written in UTF-16</source>
+        <translation>in UTF-16 geschrieben</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.key_is_no_text</name>
+    <message>
+        <source>a key is no text, or a bracket is not closed</source>
+        <translation>ein Schlüssel ist kein Text, oder eine Klammer ist nicht geschlossen</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.key_is_there_twice</name>
+    <message>
+        <source>the key &apos;%1&apos; is there twice</source>
+        <translation>den Schlüssel &apos;%1&apos; gibt es zweimal</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.key_not_known</name>
+    <message>
+        <source>the key &apos;%1&apos; is not known</source>
+        <translation>der Schlüssel &apos;%1&apos; ist nicht bekannt</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.label_is_empty</name>
+    <message>
+        <source>the label is empty</source>
+        <translation>die Bezeichnung ist leer</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.label_is_there</name>
+    <message>
+        <source>the label &apos;%1&apos; is in line %2 already</source>
+        <translation>die Bezeichnung &apos;%1&apos; steht schon in Zeile %2</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.lacks_column</name>
+    <message>
+        <source>it lacks the column %1</source>
+        <translation>die Spalte %1 fehlt</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.lacks_header</name>
+    <message>
+        <source>it lacks the expected header line</source>
+        <translation>die erwartete Kopfzeile fehlt</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.lens_model_not_known</name>
+    <message>
+        <source>the lens model &apos;%1&apos; is not known (plumb_bob, rational_polynomial, equidistant are)</source>
+        <translation>das Objektivmodell &apos;%1&apos; ist nicht bekannt (plumb_bob, rational_polynomial, equidistant sind es)</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.line_too_long</name>
+    <message>
+        <source>it is longer than 8 MiB</source>
+        <translation>sie ist länger als 8 MiB</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.line_without_class</name>
+    <message>
+        <source>line %1 has no class for team &apos;%2&apos;</source>
+        <translation>Zeile %1 hat keine Klasse zum Team &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.line_without_team</name>
+    <message>
+        <source>line %1 has no team</source>
+        <translation>Zeile %1 hat kein Team</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.longer_than_a_week</name>
+    <message>
+        <source>it is more than a week after the first line</source>
+        <translation>das ist mehr als eine Woche nach der ersten Zeile</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.matrix_not_3_by_3</name>
+    <message>
+        <source>&apos;camera_matrix&apos; is not a 3 × 3 matrix</source>
+        <translation>&apos;camera_matrix&apos; ist keine 3 × 3-Matrix</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.matrix_of_other_form</name>
+    <message>
+        <source>&apos;camera_matrix&apos; is not of the form fx 0 cx, 0 fy cy, 0 0 1</source>
+        <translation>&apos;camera_matrix&apos; hat nicht die Form fx 0 cx, 0 fy cy, 0 0 1</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.mend_lines</name>
+    <message>
+        <source>mend these lines</source>
+        <translation>bessern Sie diese Zeilen aus</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.named_track_has_position</name>
+    <message>
+        <source>track &apos;%1&apos; has %2 position</source>
+        <translation>Spur &apos;%1&apos; hat %2 Ort</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.named_track_has_positions</name>
+    <message>
+        <source>track &apos;%1&apos; has %2 positions</source>
+        <translation>Spur &apos;%1&apos; hat %2 Orte</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.neither_header_nor_tum</name>
+    <message>
+        <source>it has no header with a time, x and y, and is no TUM either</source>
+        <translation>eine Kopfzeile mit Zeit, x und y fehlt, und TUM ist es auch nicht</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.nested_too_deep</name>
+    <message>
+        <source>it is nested more than %1 deep</source>
+        <translation>die Verschachtelung ist tiefer als %1</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_anchors</name>
+    <message>
+        <source>anchors and aliases are not understood</source>
+        <translation>Anker und Verweise werden nicht verstanden</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_markers</name>
+    <message>
+        <source>there are no markers below the header</source>
+        <translation>unter der Kopfzeile stehen keine Marker</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_project_inside</name>
+    <message>
+        <source>there is no project in it</source>
+        <translation>darin ist kein Projekt</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_such_style</name>
+    <message>
+        <source>there is no such style</source>
+        <translation>diesen Stil gibt es nicht</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_task</name>
+    <message>
+        <source>the file holds no task</source>
+        <translation>die Datei enthält keine Aufgabe</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_track_has_position</name>
+    <message>
+        <source>none of its tracks has a position</source>
+        <translation>keine der Spuren hat einen Ort</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_valid_yaml</name>
+    <message>
+        <source>it is no valid YAML (%1)</source>
+        <translation>es ist kein gültiges YAML (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.not_a_finite_number</name>
+    <message>
+        <source>&apos;%1&apos; is not a finite number</source>
+        <translation>&apos;%1&apos; ist keine endliche Zahl</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.not_a_list</name>
+    <message>
+        <source>&apos;%1&apos; is not a list in brackets</source>
+        <translation>&apos;%1&apos; ist keine Liste in eckigen Klammern</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.not_a_point</name>
+    <message>
+        <source>&apos;%1&apos; is not a point [x, y] in mm</source>
+        <translation>&apos;%1&apos; ist kein Punkt [x, y] in mm</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.not_a_time</name>
+    <message>
+        <source>&apos;%1&apos; is not a time</source>
+        <translation>&apos;%1&apos; ist keine Zeit</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.not_a_time_in_seconds</name>
+    <message>
+        <source>&apos;%1&apos; is not a time in seconds</source>
+        <translation>&apos;%1&apos; ist keine Zeit in Sekunden</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.not_a_whole_number</name>
+    <message>
+        <source>&apos;%1&apos; is not a whole number from %2 to %3</source>
+        <translation>&apos;%1&apos; ist keine ganze Zahl von %2 bis %3</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.not_above_zero</name>
+    <message>
+        <source>&apos;%1&apos; is not above zero</source>
+        <translation>&apos;%1&apos; ist nicht größer als null</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.not_two_corners</name>
+    <message>
+        <source>&apos;rectangle_mm&apos; is not two corners</source>
+        <translation>&apos;rectangle_mm&apos; hat nicht zwei Ecken</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.nothing_imported</name>
+    <message>
+        <source>nothing was imported</source>
+        <translation>nichts wurde importiert</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.object_expected</name>
+    <message>
+        <source>an object in braces is expected here</source>
+        <translation>hier wird ein Objekt in geschweiften Klammern erwartet</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.one_error_blank</name>
+    <message>
+        <source>one of its two errors is blank</source>
+        <translation>einer der beiden Fehler ist leer</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.one_place_blank</name>
+    <message>
+        <source>one of its two places is blank</source>
+        <translation>einer der beiden Orte ist leer</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.order_lines</name>
+    <message>
+        <source>put the lines in the order of time, each time once</source>
+        <translation>ordnen Sie die Zeilen nach der Zeit, jede Zeit einmal</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.pack</name>
+    <message>
+        <source>pack &apos;%1&apos;</source>
+        <translation>&apos;%1&apos; packen</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.packing</name>
+    <message>
+        <source>packing %1</source>
+        <translation>gepackt wird: %1</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.path_given_twice</name>
+    <message>
+        <source>the reference path is given twice</source>
+        <translation>die Sollbahn ist zweimal angegeben</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.path_not_given</name>
+    <message>
+        <source>the reference path is given by nothing</source>
+        <translation>die Sollbahn ist durch nichts angegeben</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.place_too_far</name>
+    <message>
+        <source>its place is more than 100 km away</source>
+        <translation>der Ort ist mehr als 100 km entfernt</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.quoted_cell_does_not_end</name>
+    <message>
+        <source>a quoted cell does not end</source>
+        <translation>eine Zelle in Anführungszeichen endet nicht</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.reading_line</name>
+    <message>
+        <source>reading line %1</source>
+        <translation>Zeile %1 wird gelesen</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.roster</name>
+    <message>
+        <source>roster &apos;%1&apos;</source>
+        <translation>Klassenliste &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.roster_is_empty</name>
+    <message>
+        <source>it has no team</source>
+        <translation>kein Team ist darin</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.save_as_csv_utf8</name>
+    <message>
+        <source>save it again as &quot;CSV UTF-8&quot; or as a UTF-8 text</source>
+        <translation>speichern Sie sie neu als &quot;CSV UTF-8&quot; oder als UTF-8-Text</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.save_as_utf8</name>
+    <message>
+        <source>save it again as UTF-8 text</source>
+        <translation>speichern Sie sie neu als UTF-8-Text</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.save_with_commas</name>
+    <message>
+        <source>save it with commas</source>
+        <translation>speichern Sie sie mit Kommas</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.save_with_commas_and_points</name>
+    <message>
+        <source>save it with commas, and with a point in its numbers</source>
+        <translation>speichern Sie sie mit Kommas und mit Punkt in den Zahlen</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.separated_by_semicolons</name>
+    <message>
+        <source>its columns are separated by semicolons</source>
+        <translation>die Spalten sind durch Semikolons getrennt</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.several_documents</name>
+    <message>
+        <source>it holds more than one document</source>
+        <translation>darin steht mehr als ein Dokument</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.slalom_without_length</name>
+    <message>
+        <source>the slalom ends where it starts</source>
+        <translation>der Slalom endet, wo er beginnt</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.team_named_again</name>
+    <message>
+        <source>line %1 names team &apos;%2&apos; again, as line %3</source>
+        <translation>Zeile %1 nennt Team &apos;%2&apos; noch einmal, wie Zeile %3</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.time_goes_back</name>
+    <message>
+        <source>its time is before that of the line before</source>
+        <translation>die Zeit liegt vor der der Zeile davor</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.time_repeated</name>
+    <message>
+        <source>its time is that of the line before</source>
+        <translation>die Zeit ist die der Zeile davor</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.too_many_files</name>
+    <message>
+        <source>it has too many files</source>
+        <translation>zu viele Dateien</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.too_many_places</name>
+    <message>
+        <source>the file has more than 1.5 million places</source>
+        <translation>die Datei hat mehr als 1,5 Millionen Orte</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.too_many_values</name>
+    <message>
+        <source>it holds more than %1 values</source>
+        <translation>darin stehen mehr als %1 Werte</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.track_has_position</name>
+    <message>
+        <source>the track has %1 position</source>
+        <translation>die Spur hat %1 Ort</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.track_has_positions</name>
+    <message>
+        <source>the track has %1 positions</source>
+        <translation>die Spur hat %1 Orte</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.tum_entries</name>
+    <message>
+        <source>it has %1 entries instead of the 8 of TUM</source>
+        <translation>%1 Einträge statt der 8 von TUM</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.tum_entry</name>
+    <message>
+        <source>it has %1 entry instead of the 8 of TUM</source>
+        <translation>%1 Eintrag statt der 8 von TUM</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.unit_not_known</name>
+    <message>
+        <source>its column &apos;%1&apos; is in a unit that is not known</source>
+        <translation>die Spalte &apos;%1&apos; hat eine unbekannte Einheit</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.unpack</name>
+    <message>
+        <source>unpack &apos;%1&apos;</source>
+        <translation>&apos;%1&apos; entpacken</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.unpack_into</name>
+    <message>
+        <source>unpack into &apos;%1&apos;</source>
+        <translation>nach &apos;%1&apos; entpacken</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.unpacking</name>
+    <message>
+        <source>unpacking</source>
+        <translation>wird entpackt</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.unpacks_too_large</name>
+    <message>
+        <source>it unpacks to more than a hundred times its size</source>
+        <translation>es wird beim Entpacken mehr als hundertmal so groß</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.use_calibration_file</name>
+    <message>
+        <source>use a calibration file as ROS or OpenCV writes it</source>
+        <translation>verwenden Sie eine Kalibrierdatei, wie ROS oder OpenCV sie schreibt</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.use_keys</name>
+    <message>
+        <source>use %1</source>
+        <translation>verwenden Sie %1</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.wait_for_writers</name>
+    <message>
+        <source>wait until nobody writes to it, and try again</source>
+        <translation>warten Sie, bis niemand mehr darin schreibt, und versuchen Sie es noch einmal</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.write_class_and_team</name>
+    <message>
+        <source>write a line with class and team below the header</source>
+        <translation>schreiben Sie unter die Kopfzeile eine Zeile mit Klasse und Team</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.write_digits</name>
+    <message>
+        <source>write it with digits, like 12.5</source>
+        <translation>schreiben Sie die Zeit mit Ziffern, etwa 12.5</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.write_digits_or_blank</name>
+    <message>
+        <source>write it with digits, like 12.5, or leave the place blank</source>
+        <translation>schreiben Sie die Zahl mit Ziffern, etwa 12.5, oder lassen Sie die Stelle leer</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.write_line_for_marker</name>
+    <message>
+        <source>write one line for each marker</source>
+        <translation>schreiben Sie eine Zeile je Marker</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.write_object_with</name>
+    <message>
+        <source>write one with %1</source>
+        <translation>schreiben Sie eines mit %1</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.write_task_as_shown</name>
+    <message>
+        <source>write the task as odograph task list --json shows one</source>
+        <translation>schreiben Sie die Aufgabe so, wie odograph task list --json eine zeigt</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.write_tum_or_header</name>
+    <message>
+        <source>write %1, or begin the file with the line %2</source>
+        <translation>schreiben Sie %1, oder beginnen Sie die Datei mit der Zeile %2</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.write_value_for_each</name>
+    <message>
+        <source>write one value for each of %1</source>
+        <translation>schreiben Sie je einen Wert für %1</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.wrong_number_of_cells</name>
+    <message>
+        <source>it has %1 cells instead of %2</source>
+        <translation>%1 Zellen statt %2</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.wrong_number_of_numbers</name>
+    <message>
+        <source>&apos;%1&apos; has %2 numbers instead of %3 × %4</source>
+        <translation>&apos;%1&apos; hat %2 Zahlen statt %3 × %4</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.wrong_poles</name>
+    <message>
+        <source>&apos;poles&apos; is not a whole number from 1 to 100</source>
+        <translation>&apos;poles&apos; ist keine ganze Zahl von 1 bis 100</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.zone_given_twice</name>
+    <message>
+        <source>the zone is given twice</source>
+        <translation>die Zone ist zweimal angegeben</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.zone_not_given</name>
+    <message>
+        <source>the zone is given by nothing</source>
+        <translation>die Zone ist durch nichts angegeben</translation>
+    </message>
+</context>
+<context>
+    <name>files.cannot_be_looked_at</name>
+    <message>
+        <source>it cannot be looked at (%1)</source>
+        <translation>Zugriff nicht möglich (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>files.cannot_be_read</name>
+    <message>
+        <source>it cannot be read (%1)</source>
+        <translation>Lesen nicht möglich (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>files.cannot_be_written</name>
+    <message>
+        <source>it cannot be written (%1)</source>
+        <translation>Schreiben nicht möglich (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>files.check_file_is_there</name>
+    <message>
+        <source>check that the file is there and may be read</source>
+        <translation>prüfen Sie, ob die Datei da ist und gelesen werden darf</translation>
+    </message>
+</context>
+<context>
+    <name>files.check_may_be_read</name>
+    <message>
+        <source>check that you may read the file</source>
+        <translation>prüfen Sie, ob Sie die Datei lesen dürfen</translation>
+    </message>
+</context>
+<context>
+    <name>files.check_name</name>
+    <message>
+        <source>check the name and the folder</source>
+        <translation>prüfen Sie Name und Ordner</translation>
+    </message>
+</context>
+<context>
+    <name>files.choose_another_file</name>
+    <message>
+        <source>choose another file</source>
+        <translation>wählen Sie eine andere Datei</translation>
+    </message>
+</context>
+<context>
+    <name>files.choose_another_folder</name>
+    <message>
+        <source>choose another folder</source>
+        <translation>wählen Sie einen anderen Ordner</translation>
+    </message>
+</context>
+<context>
+    <name>files.choose_another_name</name>
+    <message>
+        <source>choose another name</source>
+        <translation>wählen Sie einen anderen Namen</translation>
+    </message>
+</context>
+<context>
+    <name>files.choose_folder_with_room</name>
+    <message>
+        <source>choose a folder that you may write to and that has room</source>
+        <translation>wählen Sie einen Ordner mit Platz, in den Sie schreiben dürfen</translation>
+    </message>
+</context>
+<context>
+    <name>files.choose_name_or_folder</name>
+    <message>
+        <source>choose another name or folder</source>
+        <translation>wählen Sie einen anderen Namen oder Ordner</translation>
+    </message>
+</context>
+<context>
+    <name>files.choose_shorter_name</name>
+    <message>
+        <source>choose a shorter name</source>
+        <translation>wählen Sie einen kürzeren Namen</translation>
+    </message>
+</context>
+<context>
+    <name>files.choose_writable_folder</name>
+    <message>
+        <source>choose a folder that you may write to</source>
+        <translation>wählen Sie einen Ordner, in den Sie schreiben dürfen</translation>
+    </message>
+</context>
+<context>
+    <name>files.disk_is_full</name>
+    <message>
+        <source>the disk is full</source>
+        <translation>die Platte ist voll</translation>
+    </message>
+</context>
+<context>
+    <name>files.folder_cannot_be_used</name>
+    <message>
+        <source>its folder cannot be used (%1)</source>
+        <translation>ihr Ordner ist nicht verwendbar (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>files.folder_not_writable</name>
+    <message>
+        <source>the folder &apos;%1&apos; cannot be written to (%2)</source>
+        <translation>in den Ordner &apos;%1&apos; kann nicht geschrieben werden (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>files.has_no_name</name>
+    <message>
+        <source>it has no name</source>
+        <translation>sie hat keinen Namen</translation>
+    </message>
+</context>
+<context>
+    <name>files.is_a_database</name>
+    <message>
+        <source>it is a database</source>
+        <translation>es ist eine Datenbank</translation>
+    </message>
+</context>
+<context>
+    <name>files.is_another_project</name>
+    <message>
+        <source>it is another project</source>
+        <translation>es ist ein anderes Projekt</translation>
+    </message>
+</context>
+<context>
+    <name>files.is_beside_project</name>
+    <message>
+        <source>it is the log, the lock or a backup of a project</source>
+        <translation>es ist das Protokoll, die Sperre oder eine Sicherungskopie eines Projekts</translation>
+    </message>
+</context>
+<context>
+    <name>files.is_in_media_folder</name>
+    <message>
+        <source>it is in the media folder of project &apos;%1&apos;</source>
+        <translation>sie liegt im Medienordner des Projekts &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>files.is_in_some_media_folder</name>
+    <message>
+        <source>it is in a media folder beside a project</source>
+        <translation>sie liegt in einem Medienordner neben einem Projekt</translation>
+    </message>
+</context>
+<context>
+    <name>files.is_input</name>
+    <message>
+        <source>it is an input of the same call</source>
+        <translation>sie ist eine Eingabe desselben Aufrufs</translation>
+    </message>
+</context>
+<context>
+    <name>files.is_of_another_kind</name>
+    <message>
+        <source>a file of another kind has that name</source>
+        <translation>eine Datei anderer Art hat diesen Namen</translation>
+    </message>
+</context>
+<context>
+    <name>files.is_open_project</name>
+    <message>
+        <source>it is a project that is open here</source>
+        <translation>es ist ein Projekt, das hier geöffnet ist</translation>
+    </message>
+</context>
+<context>
+    <name>files.is_temporary_name</name>
+    <message>
+        <source>Odograph uses such names for temporary files</source>
+        <translation>Odograph verwendet solche Namen für temporäre Dateien</translation>
+    </message>
+</context>
+<context>
+    <name>files.is_the_project</name>
+    <message>
+        <source>it is the project itself</source>
+        <translation>es ist das Projekt selbst</translation>
+    </message>
+</context>
+<context>
+    <name>files.is_there_already</name>
+    <message>
+        <source>it is there already</source>
+        <translation>das gibt es schon</translation>
+    </message>
+</context>
+<context>
+    <name>files.log_left_beside</name>
+    <message>
+        <source>its folder has &apos;%1&apos;, the log or journal of another file of this name</source>
+        <translation>in seinem Ordner liegt „%1“, das Protokoll oder Journal einer anderen Datei dieses Namens</translation>
+    </message>
+</context>
+<context>
+    <name>files.make_folder_first</name>
+    <message>
+        <source>make the folder first, or choose another one</source>
+        <translation>legen Sie den Ordner zuerst an, oder wählen Sie einen anderen</translation>
+    </message>
+</context>
+<context>
+    <name>files.make_room</name>
+    <message>
+        <source>make room on the disk and try again</source>
+        <translation>schaffen Sie Platz auf der Platte und versuchen Sie es noch einmal</translation>
+    </message>
+</context>
+<context>
+    <name>files.move_log_away</name>
+    <message>
+        <source>choose another name, or move &apos;%1&apos; to another folder first</source>
+        <translation>wählen Sie einen anderen Namen, oder verschieben Sie „%1“ zuerst in einen anderen Ordner</translation>
+    </message>
+</context>
+<context>
+    <name>files.name_a_file</name>
+    <message>
+        <source>name a file</source>
+        <translation>nennen Sie eine Datei</translation>
+    </message>
+</context>
+<context>
+    <name>files.name_too_long</name>
+    <message>
+        <source>its name is too long</source>
+        <translation>der Name ist zu lang</translation>
+    </message>
+</context>
+<context>
+    <name>files.names_a_project</name>
+    <message>
+        <source>a name ending in .odo is for a project</source>
+        <translation>ein Name, der auf .odo endet, ist für ein Projekt</translation>
+    </message>
+</context>
+<context>
+    <name>files.no_such_file</name>
+    <message>
+        <source>there is no such file</source>
+        <translation>es gibt keine solche Datei</translation>
+    </message>
+</context>
+<context>
+    <name>files.no_such_folder</name>
+    <message>
+        <source>there is no folder &apos;%1&apos;</source>
+        <translation>es gibt keinen Ordner &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>files.replace_by_force</name>
+    <message>
+        <source>choose another name, or replace it with --force</source>
+        <translation>wählen Sie einen anderen Namen, oder ersetzen Sie sie mit --force</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.add_points</name>
+    <message>
+        <source>add points</source>
+        <translation>fügen Sie Punkte hinzu</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.at_one_place</name>
+    <message>
+        <source>%1 lie at one place</source>
+        <translation>%1 liegen an einer Stelle</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.at_one_place_in_picture</name>
+    <message>
+        <source>%1 lie at one place in the picture</source>
+        <translation>%1 liegen im Bild an einer Stelle</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.beyond_horizon</name>
+    <message>
+        <source>%1 would lie beyond the horizon</source>
+        <translation>%1 läge hinter dem Horizont</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.bow_tie</name>
+    <message>
+        <source>the order of the points crosses over like a bow tie</source>
+        <translation>die Reihenfolge der Punkte überkreuzt sich wie eine Schleife</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.calibrate_again</name>
+    <message>
+        <source>calibrate the camera again, or import another file</source>
+        <translation>kalibrieren Sie die Kamera neu, oder importieren Sie eine andere Datei</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.check_points</name>
+    <message>
+        <source>check which point is which</source>
+        <translation>prüfen Sie, welcher Punkt welcher ist</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.coordinate_not_finite</name>
+    <message>
+        <source>a coordinate of %1 is not a finite number</source>
+        <translation>eine Koordinate von %1 ist keine endliche Zahl</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.correct_it</name>
+    <message>
+        <source>correct it</source>
+        <translation>berichtigen Sie es</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.correct_one</name>
+    <message>
+        <source>correct one of them</source>
+        <translation>berichtigen Sie einen davon</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.empty_chain</name>
+    <message>
+        <source>the chain has no links</source>
+        <translation>die Kette hat keine Glieder</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.focal_not_positive</name>
+    <message>
+        <source>the focal length %1 is not positive</source>
+        <translation>die Brennweite %1 ist nicht positiv</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.four_points_needed</name>
+    <message>
+        <source>four points are needed, %1 given</source>
+        <translation>vier Punkte werden gebraucht, %1 sind angegeben</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.give_one_link</name>
+    <message>
+        <source>give at least one</source>
+        <translation>geben Sie mindestens eines an</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.intrinsics_unusable</name>
+    <message>
+        <source>these intrinsics cannot be used</source>
+        <translation>diese Objektivdaten sind nicht brauchbar</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.no_homography</name>
+    <message>
+        <source>no homography</source>
+        <translation>keine Homographie</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.on_one_line</name>
+    <message>
+        <source>%1 lie on one line</source>
+        <translation>%1 liegen auf einer Linie</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.on_one_line_in_picture</name>
+    <message>
+        <source>%1 lie on one line in the picture</source>
+        <translation>%1 liegen im Bild auf einer Linie</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.point</name>
+    <message>
+        <source>point %1</source>
+        <translation>Punkt %1</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.points_do_not_tell</name>
+    <message>
+        <source>the points do not determine it</source>
+        <translation>die Punkte bestimmen sie nicht</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.singular_link</name>
+    <message>
+        <source>link %1 of %2 of the chain is singular</source>
+        <translation>Glied %1 von %2 der Kette ist singulär</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.size_not_positive</name>
+    <message>
+        <source>the picture size %1 is not positive</source>
+        <translation>die Bildgröße %1 ist nicht positiv</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.spread_points</name>
+    <message>
+        <source>spread the points</source>
+        <translation>verteilen Sie die Punkte</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.use_four_points</name>
+    <message>
+        <source>use four points of which no three are in line</source>
+        <translation>verwenden Sie vier Punkte, von denen keine drei auf einer Linie liegen</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.use_four_points_in_it</name>
+    <message>
+        <source>use four points in it of which no three are in line</source>
+        <translation>verwenden Sie darin vier Punkte, von denen keine drei auf einer Linie liegen</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.value_not_finite</name>
+    <message>
+        <source>one of the values is not a finite number</source>
+        <translation>einer der Werte ist keine endliche Zahl</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.wrong_coefficients</name>
+    <message>
+        <source>%1 distortion coefficients do not belong to this lens model</source>
+        <translation>%1 Verzeichnungskoeffizienten gehören nicht zu diesem Objektivmodell</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.wrong_covariance_size</name>
+    <message>
+        <source>the covariance has the wrong size</source>
+        <translation>die Kovarianz hat die falsche Größe</translation>
     </message>
 </context>
 <context>
@@ -9122,60 +8815,12 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Neue Klasse</translation>
     </message>
     <message>
-        <source>add class %1</source>
-        <translation>Klasse %1 anlegen</translation>
-    </message>
-    <message>
         <source>Rename class</source>
         <translation>Klasse umbenennen</translation>
     </message>
     <message>
-        <source>rename class %1 to %2</source>
-        <translation>Klasse %1 in %2 umbenennen</translation>
-    </message>
-    <message>
-        <source>take class %1 out of the archive</source>
-        <translation>Klasse %1 aus dem Archiv holen</translation>
-    </message>
-    <message>
-        <source>archive class %1</source>
-        <translation>Klasse %1 archivieren</translation>
-    </message>
-    <message>
-        <source>delete class %1</source>
-        <translation>Klasse %1 löschen</translation>
-    </message>
-    <message>
         <source>New team</source>
         <translation>Neues Team</translation>
-    </message>
-    <message>
-        <source>add team %1</source>
-        <translation>Team %1 anlegen</translation>
-    </message>
-    <message>
-        <source>take team %1 out of its class</source>
-        <translation>Team %1 aus seiner Klasse nehmen</translation>
-    </message>
-    <message>
-        <source>move team %1 to class %2</source>
-        <translation>Team %1 in Klasse %2 verschieben</translation>
-    </message>
-    <message>
-        <source>delete team %1</source>
-        <translation>Team %1 löschen</translation>
-    </message>
-    <message>
-        <source>change members and robots of team %1</source>
-        <translation>Mitglieder und Roboter von Team %1 ändern</translation>
-    </message>
-    <message>
-        <source>rename team %1 to %2</source>
-        <translation>Team %1 in %2 umbenennen</translation>
-    </message>
-    <message>
-        <source>change the pseudonym of team %1</source>
-        <translation>Pseudonym von Team %1 ändern</translation>
     </message>
 </context>
 <context>
@@ -9718,20 +9363,12 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Odograph-Demo</translation>
     </message>
     <message>
-        <source>Making the demo lesson</source>
-        <translation>Demo-Lektion wird angelegt</translation>
-    </message>
-    <message>
         <source>Copy of %1</source>
         <translation>Kopie von %1</translation>
     </message>
     <message>
         <source>Save a copy</source>
         <translation>Kopie speichern</translation>
-    </message>
-    <message>
-        <source>Saving a copy</source>
-        <translation>Kopie wird gespeichert</translation>
     </message>
     <message>
         <source>A copy was saved as %1. Its videos stay where they are.</source>
@@ -9744,10 +9381,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>With its cameras, marker layouts, robots and tasks, without people and trials</source>
         <translation>Mit seinen Kameras, Markerplänen, Robotern und Aufgaben, ohne Personen und Versuche</translation>
-    </message>
-    <message>
-        <source>Taking over the set-up</source>
-        <translation>Der Aufbau wird übernommen</translation>
     </message>
 </context>
 <context>
@@ -10098,40 +9731,12 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
             <numerusform>%n Versuche exportieren: Ordner wählen</numerusform>
         </translation>
     </message>
-    <message>
-        <source>Exported trials: %1 of %2.</source>
-        <translation>Exportierte Versuche: %1 von %2.</translation>
-    </message>
-    <message>
-        <source>Exporting %1 (%2 of %3)</source>
-        <translation>%1 wird exportiert (%2 von %3)</translation>
-    </message>
     <message numerus="yes">
         <source>Videos of %n trial(s)</source>
         <translation>
             <numerusform>Video von %n Versuch</numerusform>
             <numerusform>Videos von %n Versuchen</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Videos made: %1 of %2.</source>
-        <translation>Erstellte Videos: %1 von %2.</translation>
-    </message>
-    <message>
-        <source>Making the video of %1 (%2 of %3)</source>
-        <translation>Video von %1 wird erstellt (%2 von %3)</translation>
-    </message>
-    <message>
-        <source>Trials measured again: %1 of %2.</source>
-        <translation>Neu ausgewertete Versuche: %1 von %2.</translation>
-    </message>
-    <message>
-        <source>Measuring %1 again (%2 of %3)</source>
-        <translation>%1 wird neu ausgewertet (%2 von %3)</translation>
-    </message>
-    <message>
-        <source>Emptying the bin</source>
-        <translation>Papierkorb wird geleert</translation>
     </message>
     <message numerus="yes">
         <source>%n trial(s) removed for good.</source>
@@ -10150,14 +9755,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>%1 could not be deleted; delete it by hand.</source>
         <translation>%1 ließ sich nicht löschen; löschen Sie es von Hand.</translation>
-    </message>
-    <message>
-        <source>and %1 more</source>
-        <translation>und noch %1</translation>
-    </message>
-    <message>
-        <source>mend what stands there, and choose these trials again</source>
-        <translation>beheben, was dort steht, und diese Versuche erneut wählen</translation>
     </message>
 </context>
 <context>
@@ -11295,14 +10892,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>odo::MainWindow</name>
     <message>
-        <source>no project is open</source>
-        <translation>es ist kein Projekt geöffnet</translation>
-    </message>
-    <message>
-        <source>open the project that it belongs to</source>
-        <translation>das zugehörige Projekt öffnen</translation>
-    </message>
-    <message>
         <source>&amp;File</source>
         <translation>&amp;Datei</translation>
     </message>
@@ -11373,54 +10962,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>&amp;Papierkorb leeren…</translation>
     </message>
     <message>
-        <source>star %1</source>
-        <translation>%1 mit Stern versehen</translation>
-    </message>
-    <message>
-        <source>take the star off %1</source>
-        <translation>Stern von %1 entfernen</translation>
-    </message>
-    <message>
-        <source>star %1 trials</source>
-        <translation>%1 Versuche mit Stern versehen</translation>
-    </message>
-    <message>
-        <source>take the star off %1 trials</source>
-        <translation>Stern von %1 Versuchen entfernen</translation>
-    </message>
-    <message>
-        <source>archive %1</source>
-        <translation>%1 archivieren</translation>
-    </message>
-    <message>
-        <source>take %1 out of the archive</source>
-        <translation>%1 aus dem Archiv holen</translation>
-    </message>
-    <message>
-        <source>archive %1 trials</source>
-        <translation>%1 Versuche archivieren</translation>
-    </message>
-    <message>
-        <source>take %1 trials out of the archive</source>
-        <translation>%1 Versuche aus dem Archiv holen</translation>
-    </message>
-    <message>
-        <source>delete %1</source>
-        <translation>%1 löschen</translation>
-    </message>
-    <message>
-        <source>take %1 out of the bin</source>
-        <translation>%1 aus dem Papierkorb holen</translation>
-    </message>
-    <message>
-        <source>delete %1 trials</source>
-        <translation>%1 Versuche löschen</translation>
-    </message>
-    <message>
-        <source>take %1 trials out of the bin</source>
-        <translation>%1 Versuche aus dem Papierkorb holen</translation>
-    </message>
-    <message>
         <source>Take the &amp;star off</source>
         <translation>&amp;Stern entfernen</translation>
     </message>
@@ -11439,10 +10980,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Puts the selected trials into the bin (Del); they can be put back</source>
         <translation>Legt die ausgewählten Versuche in den Papierkorb (Entf); sie lassen sich zurücklegen</translation>
-    </message>
-    <message>
-        <source>change the tags of %1</source>
-        <translation>Schlagwörter von %1 ändern</translation>
     </message>
     <message>
         <source>Empty the bin</source>
@@ -12112,18 +11649,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Versuche</translation>
     </message>
     <message>
-        <source>report</source>
-        <translation>Bericht</translation>
-    </message>
-    <message>
-        <source>there is no trial yet</source>
-        <translation>es gibt noch keinen Versuch</translation>
-    </message>
-    <message>
-        <source>import or record one first</source>
-        <translation>zuerst einen importieren oder aufnehmen</translation>
-    </message>
-    <message>
         <source>Save the report</source>
         <translation>Bericht speichern</translation>
     </message>
@@ -12138,10 +11663,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>The report is with the printer %1.</source>
         <translation>Der Bericht ist beim Drucker %1.</translation>
-    </message>
-    <message>
-        <source>Making the report</source>
-        <translation>Bericht wird erstellt</translation>
     </message>
 </context>
 <context>
@@ -12739,18 +12260,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>%1 × %2</translation>
     </message>
     <message>
-        <source>add robot %1</source>
-        <translation>Roboter %1 hinzufügen</translation>
-    </message>
-    <message>
-        <source>change robot %1</source>
-        <translation>Roboter %1 ändern</translation>
-    </message>
-    <message>
-        <source>delete robot %1</source>
-        <translation>Roboter %1 löschen</translation>
-    </message>
-    <message>
         <source>its silhouette</source>
         <translation>seiner Silhouette</translation>
     </message>
@@ -13087,10 +12596,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <source>P%1</source>
         <comment>a point</comment>
         <translation>P%1</translation>
-    </message>
-    <message>
-        <source>camera %1</source>
-        <translation>Kamera %1</translation>
     </message>
     <message>
         <source>Click a point of the floor in the left picture, then the same one in the right picture. What lies near a click is taken to the tenth of a pixel; the arrow keys move the chosen point, Space snaps it.</source>
@@ -13782,36 +13287,12 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         </translation>
     </message>
     <message>
-        <source>add task %1</source>
-        <translation>Aufgabe %1 anlegen</translation>
-    </message>
-    <message>
-        <source>change task %1</source>
-        <translation>Aufgabe %1 ändern</translation>
-    </message>
-    <message>
         <source>Rename task</source>
         <translation>Aufgabe umbenennen</translation>
     </message>
     <message>
         <source>Name:</source>
         <translation>Name:</translation>
-    </message>
-    <message>
-        <source>rename task %1 to %2</source>
-        <translation>Aufgabe %1 in %2 umbenennen</translation>
-    </message>
-    <message>
-        <source>archive task %1</source>
-        <translation>Aufgabe %1 archivieren</translation>
-    </message>
-    <message>
-        <source>take task %1 out of the archive</source>
-        <translation>Aufgabe %1 aus dem Archiv holen</translation>
-    </message>
-    <message>
-        <source>delete task %1</source>
-        <translation>Aufgabe %1 löschen</translation>
     </message>
 </context>
 <context>
@@ -14142,10 +13623,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Kamera %1 ist kalibriert. %2</translation>
     </message>
     <message>
-        <source>register camera %1</source>
-        <translation>Kamera %1 einmessen</translation>
-    </message>
-    <message>
         <source>Camera %1 is registered. %2</source>
         <translation>Kamera %1 ist eingemessen. %2</translation>
     </message>
@@ -14184,10 +13661,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Tables (*.csv *.txt);;All files (*)</source>
         <translation>Tabellen (*.csv *.txt);;Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>add layout %1</source>
-        <translation>Markerplan %1 anlegen</translation>
     </message>
     <message>
         <source>Layout %1 has %2 markers.</source>
@@ -14431,10 +13904,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Gepackte Projekte (*%1)</translation>
     </message>
     <message>
-        <source>Packing the project</source>
-        <translation>Projekt wird gepackt</translation>
-    </message>
-    <message>
         <source>The project is packed into %1. Elsewhere it is unpacked by &quot;Unpack a packed project&quot;.</source>
         <translation>Das Projekt ist in %1 gepackt. Anderswo wird es mit „Gepacktes Projekt entpacken“ entpackt.</translation>
     </message>
@@ -14455,16 +13924,8 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Wohin soll das Projekt entpackt werden?</translation>
     </message>
     <message>
-        <source>Unpacking the project</source>
-        <translation>Projekt wird entpackt</translation>
-    </message>
-    <message>
         <source>In which folder, or below, may the lost videos lie?</source>
         <translation>In oder unter welchem Ordner könnten die verlorenen Videos liegen?</translation>
-    </message>
-    <message>
-        <source>Looking for lost videos</source>
-        <translation>Verlorene Videos werden gesucht</translation>
     </message>
     <message>
         <source>%1 of %2 lost videos were found, by their content.</source>
@@ -14473,10 +13934,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Find &amp;stray files…</source>
         <translation>Herren&amp;lose Dateien suchen…</translation>
-    </message>
-    <message>
-        <source>Looking for stray files</source>
-        <translation>Herrenlose Dateien werden gesucht</translation>
     </message>
     <message>
         <source>Every file in the media folder belongs to a trial, a lens calibration or a floor registration.</source>
@@ -14505,20 +13962,12 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <source>&amp;Remove files</source>
         <translation>Dateien &amp;entfernen</translation>
     </message>
-    <message>
-        <source>Adding stray videos as trials</source>
-        <translation>Herrenlose Videos werden als Versuche hinzugefügt</translation>
-    </message>
     <message numerus="yes">
         <source>%n trial(s) added. Their names begin with &quot;recovered&quot;.</source>
         <translation>
             <numerusform>%n Versuch hinzugefügt. Sein Name beginnt mit „recovered“.</numerusform>
             <numerusform>%n Versuche hinzugefügt. Ihre Namen beginnen mit „recovered“.</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Removing stray files</source>
-        <translation>Herrenlose Dateien werden entfernt</translation>
     </message>
     <message numerus="yes">
         <source>%n stray file(s) removed.</source>
@@ -14597,30 +14046,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>&amp;Roboter hinzufügen…</translation>
     </message>
     <message>
-        <source>Importing %1</source>
-        <translation>%1 wird importiert</translation>
-    </message>
-    <message>
-        <source>Tracking %1</source>
-        <translation>%1 wird verfolgt</translation>
-    </message>
-    <message>
-        <source>the sample</source>
-        <translation>der Messpunkt</translation>
-    </message>
-    <message>
-        <source>this project can only be read</source>
-        <translation>dieses Projekt ist nur lesbar</translation>
-    </message>
-    <message>
-        <source>save a copy and work on that</source>
-        <translation>eine Kopie speichern und mit ihr arbeiten</translation>
-    </message>
-    <message>
-        <source>Measuring %1 again</source>
-        <translation>%1 wird neu ausgewertet</translation>
-    </message>
-    <message>
         <source>The sample at %1 of %2 is not used. Undo takes it back.</source>
         <translation>Der Messpunkt bei %1 von %2 wird nicht verwendet. Rückgängig nimmt es zurück.</translation>
     </message>
@@ -14637,39 +14062,12 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>MP4-Videos (*.mp4)</translation>
     </message>
     <message>
-        <source>Making the video of %1</source>
-        <translation>Video von %1 wird erstellt</translation>
-    </message>
-    <message>
         <source>The video of %1 is there: %2</source>
         <translation>Das Video von %1 ist da: %2</translation>
     </message>
     <message>
-        <source>add robot %1</source>
-        <translation>Roboter %1 hinzufügen</translation>
-    </message>
-    <message>
         <source>Robot %1 is known now.</source>
         <translation>Roboter %1 ist jetzt bekannt.</translation>
-    </message>
-    <message>
-        <source>the trial</source>
-        <translation>der Versuch</translation>
-    </message>
-</context>
-<context>
-    <name>odo::TrialBatch</name>
-    <message>
-        <source>many trials</source>
-        <translation>viele Versuche</translation>
-    </message>
-    <message>
-        <source>another job is running</source>
-        <translation>ein anderer Vorgang läuft</translation>
-    </message>
-    <message>
-        <source>wait until it is done, or cancel it</source>
-        <translation>warten, bis er fertig ist, oder ihn abbrechen</translation>
     </message>
 </context>
 <context>
@@ -14764,10 +14162,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>No trial selected</source>
         <translation>Kein Versuch ausgewählt</translation>
-    </message>
-    <message>
-        <source>write notes of %1</source>
-        <translation>Notizen zu %1 schreiben</translation>
     </message>
 </context>
 <context>
@@ -14984,18 +14378,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <source>&amp;Redo: %1</source>
         <translation>&amp;Wiederholen: %1</translation>
     </message>
-    <message>
-        <source>undo</source>
-        <translation>rückgängig machen</translation>
-    </message>
-    <message>
-        <source>a job is running on the project</source>
-        <translation>ein Vorgang läuft am Projekt</translation>
-    </message>
-    <message>
-        <source>wait until it is done, or cancel it</source>
-        <translation>warten, bis er fertig ist, oder ihn abbrechen</translation>
-    </message>
 </context>
 <context>
     <name>odo::VideoDialog</name>
@@ -15128,52 +14510,8 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>odo::Workspace</name>
     <message>
-        <source>another job is running</source>
-        <translation>ein anderer Vorgang läuft</translation>
-    </message>
-    <message>
-        <source>wait until it is done, or cancel it</source>
-        <translation>warten, bis er fertig ist, oder ihn abbrechen</translation>
-    </message>
-    <message>
-        <source>cannot open another project</source>
-        <translation>ein anderes Projekt lässt sich nicht öffnen</translation>
-    </message>
-    <message>
-        <source>Opening %1</source>
-        <translation>%1 wird geöffnet</translation>
-    </message>
-    <message>
         <source>%1: %2. Here it can only be looked at; to change it, close it there and open it here again.</source>
         <translation>%1: %2. Hier lässt es sich nur ansehen; um es zu ändern, schließen Sie es dort und öffnen Sie es hier erneut.</translation>
-    </message>
-    <message>
-        <source>Completing a recording that was cut off</source>
-        <translation>Abgebrochene Aufnahme wird vervollständigt</translation>
-    </message>
-    <message>
-        <source>Making the hashes of new recordings</source>
-        <translation>Prüfsummen neuer Aufnahmen werden gebildet</translation>
-    </message>
-    <message>
-        <source>cannot make another project</source>
-        <translation>ein anderes Projekt lässt sich nicht anlegen</translation>
-    </message>
-    <message>
-        <source>no project is open</source>
-        <translation>es ist kein Projekt geöffnet</translation>
-    </message>
-    <message>
-        <source>open or make a project first</source>
-        <translation>zuerst ein Projekt öffnen oder anlegen</translation>
-    </message>
-    <message>
-        <source>its backup of %1 is sound; what was done since is not in it</source>
-        <translation>seine Sicherungskopie vom %1 ist unversehrt; was seitdem getan wurde, ist nicht darin</translation>
-    </message>
-    <message>
-        <source>Restoring the backup</source>
-        <translation>Sicherungskopie wird wiederhergestellt</translation>
     </message>
     <message>
         <source>The backup was restored. The damaged file is kept as “%1”.</source>
@@ -15233,6 +14571,6733 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Zone %1</source>
         <translation>Zone %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.add_another_layout</name>
+    <message>
+        <source>add another layout for other markers</source>
+        <translation>fügen Sie für andere Marker einen anderen Plan hinzu</translation>
+    </message>
+</context>
+<context>
+    <name>project.add_one_first</name>
+    <message>
+        <source>add one first</source>
+        <translation>fügen Sie zuerst eins hinzu</translation>
+    </message>
+</context>
+<context>
+    <name>project.add_what_it_refers_to</name>
+    <message>
+        <source>add what it refers to first</source>
+        <translation>fügen Sie zuerst hinzu, worauf es sich bezieht</translation>
+    </message>
+</context>
+<context>
+    <name>project.adopt_or_remove</name>
+    <message>
+        <source>make a trial of it with odograph check P.odo --adopt, or remove it with --remove-strays; the window offers both under &apos;Find stray files…&apos;</source>
+        <translation>machen Sie mit odograph check P.odo --adopt einen Versuch daraus, oder entfernen Sie sie mit --remove-strays; das Fenster bietet beides unter „Herrenlose Dateien suchen…“</translation>
+    </message>
+</context>
+<context>
+    <name>project.an_analysis</name>
+    <message>
+        <source>analysis of a trial</source>
+        <translation>Auswertung eines Versuchs</translation>
+    </message>
+</context>
+<context>
+    <name>project.analyse_again</name>
+    <message>
+        <source>analyse the trial again</source>
+        <translation>werten Sie den Versuch neu aus</translation>
+    </message>
+</context>
+<context>
+    <name>project.analysis_number</name>
+    <message>
+        <source>analysis %1</source>
+        <translation>Auswertung %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.analysis_of_project</name>
+    <message>
+        <source>analysis %1 of the project</source>
+        <translation>Auswertung %1 des Projekts</translation>
+    </message>
+</context>
+<context>
+    <name>project.another_program_writes</name>
+    <message>
+        <source>another program is writing to it</source>
+        <translation>ein anderes Programm schreibt darin</translation>
+    </message>
+</context>
+<context>
+    <name>project.being_recorded</name>
+    <message>
+        <source>it is being recorded</source>
+        <translation>er wird gerade aufgenommen</translation>
+    </message>
+</context>
+<context>
+    <name>project.calibration_of_project</name>
+    <message>
+        <source>calibration %1 of the project</source>
+        <translation>Kalibrierung %1 des Projekts</translation>
+    </message>
+</context>
+<context>
+    <name>project.calibration_origin</name>
+    <message>
+        <source>origin of a calibration</source>
+        <translation>Herkunft einer Kalibrierung</translation>
+    </message>
+</context>
+<context>
+    <name>project.calibration_picture_of</name>
+    <message>
+        <source>the calibration picture &apos;%1&apos; of camera &apos;%2&apos;</source>
+        <translation>das Kalibrierungsbild &apos;%1&apos; der Kamera &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.camera_address</name>
+    <message>
+        <source>address of a camera</source>
+        <translation>Adresse einer Kamera</translation>
+    </message>
+</context>
+<context>
+    <name>project.cannot_be_looked_at</name>
+    <message>
+        <source>it cannot be looked at (%1)</source>
+        <translation>Zugriff nicht möglich (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>project.cannot_be_read</name>
+    <message>
+        <source>it cannot be read</source>
+        <translation>Lesen nicht möglich</translation>
+    </message>
+</context>
+<context>
+    <name>project.cannot_be_written_to</name>
+    <message>
+        <source>it cannot be written to</source>
+        <translation>Schreiben ist dort nicht erlaubt</translation>
+    </message>
+</context>
+<context>
+    <name>project.cannot_hold</name>
+    <message>
+        <source>cannot hold %1</source>
+        <translation>%1 kann nicht gesperrt werden</translation>
+    </message>
+</context>
+<context>
+    <name>project.cannot_record_into</name>
+    <message>
+        <source>cannot record into %1</source>
+        <translation>in %1 kann nicht aufgenommen werden</translation>
+    </message>
+</context>
+<context>
+    <name>project.cannot_remove</name>
+    <message>
+        <source>cannot remove &apos;%1&apos;</source>
+        <translation>&apos;%1&apos; kann nicht entfernt werden</translation>
+    </message>
+</context>
+<context>
+    <name>project.change_list</name>
+    <message>
+        <source>the list of changes</source>
+        <translation>die Änderungsliste</translation>
+    </message>
+</context>
+<context>
+    <name>project.change_not_noted</name>
+    <message>
+        <source>the change could not be noted (%1)</source>
+        <translation>die Änderung konnte nicht vermerkt werden (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>project.change_something_first</name>
+    <message>
+        <source>change something first</source>
+        <translation>ändern Sie zuerst etwas</translation>
+    </message>
+</context>
+<context>
+    <name>project.change_words</name>
+    <message>
+        <source>words of a change</source>
+        <translation>Worte einer Änderung</translation>
+    </message>
+</context>
+<context>
+    <name>project.changed_since</name>
+    <message>
+        <source>what it concerns has been changed or used since</source>
+        <translation>was sie betrifft, wurde seither geändert oder benutzt</translation>
+    </message>
+</context>
+<context>
+    <name>project.check</name>
+    <message>
+        <source>check of the project</source>
+        <translation>Prüfung des Projekts</translation>
+    </message>
+</context>
+<context>
+    <name>project.check_disk</name>
+    <message>
+        <source>check the disk</source>
+        <translation>prüfen Sie die Platte</translation>
+    </message>
+</context>
+<context>
+    <name>project.check_disk_and_retry</name>
+    <message>
+        <source>check the disk and try again</source>
+        <translation>prüfen Sie die Platte und versuchen Sie es noch einmal</translation>
+    </message>
+</context>
+<context>
+    <name>project.check_folder_is_there</name>
+    <message>
+        <source>check that the folder is there and may be read</source>
+        <translation>prüfen Sie, ob der Ordner da ist und gelesen werden darf</translation>
+    </message>
+</context>
+<context>
+    <name>project.check_its_folder</name>
+    <message>
+        <source>check the free space and the rights of its folder</source>
+        <translation>prüfen Sie den freien Platz und die Rechte seines Ordners</translation>
+    </message>
+</context>
+<context>
+    <name>project.check_its_input</name>
+    <message>
+        <source>check the input that it was computed from</source>
+        <translation>prüfen Sie, woraus er berechnet wurde</translation>
+    </message>
+</context>
+<context>
+    <name>project.check_name_or_make</name>
+    <message>
+        <source>check the name, or make a new project</source>
+        <translation>prüfen Sie den Namen, oder legen Sie ein neues Projekt an</translation>
+    </message>
+</context>
+<context>
+    <name>project.check_numbers</name>
+    <message>
+        <source>check the numbers</source>
+        <translation>prüfen Sie die Zahlen</translation>
+    </message>
+</context>
+<context>
+    <name>project.check_project_folder</name>
+    <message>
+        <source>check the free space and the rights of the project&apos;s folder</source>
+        <translation>prüfen Sie den freien Platz und die Rechte des Projektordners</translation>
+    </message>
+</context>
+<context>
+    <name>project.check_rights</name>
+    <message>
+        <source>check the rights of the project&apos;s folder</source>
+        <translation>prüfen Sie die Rechte des Projektordners</translation>
+    </message>
+</context>
+<context>
+    <name>project.checking</name>
+    <message>
+        <source>checking %1</source>
+        <translation>%1 wird geprüft</translation>
+    </message>
+</context>
+<context>
+    <name>project.checking_database</name>
+    <message>
+        <source>checking the database</source>
+        <translation>die Datenbank wird geprüft</translation>
+    </message>
+</context>
+<context>
+    <name>project.choose_its_own</name>
+    <message>
+        <source>choose one of its own (odograph revisions P.odo CAMERA --use), or restore the project from a backup copy</source>
+        <translation>wählen Sie eine ihrer eigenen (odograph revisions P.odo CAMERA --use), oder stellen Sie das Projekt aus einer Sicherungskopie wieder her</translation>
+    </message>
+</context>
+<context>
+    <name>project.choose_our_file</name>
+    <message>
+        <source>choose a file that Odograph has written</source>
+        <translation>wählen Sie eine Datei, die Odograph geschrieben hat</translation>
+    </message>
+</context>
+<context>
+    <name>project.choose_shorter_name</name>
+    <message>
+        <source>choose a shorter name</source>
+        <translation>wählen Sie einen kürzeren Namen</translation>
+    </message>
+</context>
+<context>
+    <name>project.choose_writable_folder</name>
+    <message>
+        <source>choose a folder that can be written to and has room</source>
+        <translation>wählen Sie einen beschreibbaren Ordner mit Platz</translation>
+    </message>
+</context>
+<context>
+    <name>project.class_has_team</name>
+    <message>
+        <source>a team belongs to it</source>
+        <translation>ein Team gehört dazu</translation>
+    </message>
+</context>
+<context>
+    <name>project.class_has_teams</name>
+    <message>
+        <source>%1 teams belong to it</source>
+        <translation>%1 Teams gehören dazu</translation>
+    </message>
+</context>
+<context>
+    <name>project.close_it_there</name>
+    <message>
+        <source>close it there first</source>
+        <translation>schließen Sie es dort zuerst</translation>
+    </message>
+</context>
+<context>
+    <name>project.close_other_program</name>
+    <message>
+        <source>close the other program and try again</source>
+        <translation>schließen Sie das andere Programm und versuchen Sie es noch einmal</translation>
+    </message>
+</context>
+<context>
+    <name>project.complete_recording</name>
+    <message>
+        <source>open the project to write, which completes it: odograph record P.odo --recover</source>
+        <translation>öffnen Sie das Projekt zum Schreiben, dabei wird sie abgeschlossen: odograph record P.odo --recover</translation>
+    </message>
+</context>
+<context>
+    <name>project.copy</name>
+    <message>
+        <source>copy &apos;%1&apos;</source>
+        <translation>Kopie &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.copy_again</name>
+    <message>
+        <source>copy it again from where it came, or restore a backup copy</source>
+        <translation>kopieren Sie sie noch einmal von ihrer Quelle, oder stellen Sie eine Sicherungskopie wieder her</translation>
+    </message>
+</context>
+<context>
+    <name>project.copy_differs</name>
+    <message>
+        <source>the copy differs from what was written</source>
+        <translation>die Kopie weicht vom Geschriebenen ab</translation>
+    </message>
+</context>
+<context>
+    <name>project.copy_file_beside</name>
+    <message>
+        <source>copy the file beside the project</source>
+        <translation>kopieren Sie die Datei neben das Projekt</translation>
+    </message>
+</context>
+<context>
+    <name>project.copy_of_project</name>
+    <message>
+        <source>copy of project &apos;%1&apos;</source>
+        <translation>Kopie des Projekts &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.copy_sound_backup</name>
+    <message>
+        <source>copy &apos;%1&apos;, which is sound, to a new name and open that, and keep the damaged file</source>
+        <translation>kopieren Sie „%1“, das unversehrt ist, unter einen neuen Namen, öffnen Sie diese Kopie, und behalten Sie die beschädigte Datei</translation>
+    </message>
+</context>
+<context>
+    <name>project.copy_to_another_disk</name>
+    <message>
+        <source>check the disk, and copy the project to another one</source>
+        <translation>prüfen Sie die Platte und kopieren Sie das Projekt auf eine andere</translation>
+    </message>
+</context>
+<context>
+    <name>project.copy_to_writable_folder</name>
+    <message>
+        <source>copy it to a folder that you may write to, and open the copy</source>
+        <translation>kopieren Sie es in einen Ordner, in den Sie schreiben dürfen, und öffnen Sie die Kopie</translation>
+    </message>
+</context>
+<context>
+    <name>project.copy_with_side_files</name>
+    <message>
+        <source>copy it with the files beside it to a folder that you may write to, and open the copy</source>
+        <translation>kopieren Sie es mit den Dateien daneben in einen Ordner, in den Sie schreiben dürfen, und öffnen Sie die Kopie</translation>
+    </message>
+</context>
+<context>
+    <name>project.copy_with_videos</name>
+    <message>
+        <source>copy it with its videos to a folder that you may write to, and open the copy</source>
+        <translation>kopieren Sie es mit seinen Videos in einen Ordner, in den Sie schreiben dürfen, und öffnen Sie die Kopie</translation>
+    </message>
+</context>
+<context>
+    <name>project.corners_of</name>
+    <message>
+        <source>corners of &apos;%1&apos;</source>
+        <translation>Ecken von &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.covariance_not_6_by_6</name>
+    <message>
+        <source>its stored covariance is not a 6 by 6 matrix</source>
+        <translation>die gespeicherte Kovarianz ist keine 6 × 6-Matrix</translation>
+    </message>
+</context>
+<context>
+    <name>project.database_refused</name>
+    <message>
+        <source>the database refused</source>
+        <translation>die Datenbank verweigerte es</translation>
+    </message>
+</context>
+<context>
+    <name>project.database_refused_because</name>
+    <message>
+        <source>the database refused (%1)</source>
+        <translation>die Datenbank verweigerte es (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>project.delete_its_trials</name>
+    <message>
+        <source>delete them for good first, or archive its class</source>
+        <translation>löschen Sie sie zuerst endgültig, oder archivieren Sie seine Klasse</translation>
+    </message>
+</context>
+<context>
+    <name>project.disk_error</name>
+    <message>
+        <source>the disk reported an error, the change was not saved</source>
+        <translation>die Platte meldete einen Fehler, die Änderung wurde nicht gespeichert</translation>
+    </message>
+</context>
+<context>
+    <name>project.disk_full</name>
+    <message>
+        <source>the disk is full, the change was not saved</source>
+        <translation>die Platte ist voll, die Änderung wurde nicht gespeichert</translation>
+    </message>
+</context>
+<context>
+    <name>project.disk_read_only</name>
+    <message>
+        <source>the disk has become read-only, the change was not saved</source>
+        <translation>die Platte ist schreibgeschützt geworden, die Änderung wurde nicht gespeichert</translation>
+    </message>
+</context>
+<context>
+    <name>project.disk_unreadable</name>
+    <message>
+        <source>the disk could not be read, and nothing was changed</source>
+        <translation>die Platte konnte nicht gelesen werden, und nichts wurde geändert</translation>
+    </message>
+</context>
+<context>
+    <name>project.duration_of_recordings_differs</name>
+    <message>
+        <source>its duration is stored as %1, its recordings last %2</source>
+        <translation>als Dauer ist %1 gespeichert, die Aufnahmen dauern %2</translation>
+    </message>
+</context>
+<context>
+    <name>project.duration_of_tracks_differs</name>
+    <message>
+        <source>its duration is stored as %1, its imported tracks last %2</source>
+        <translation>als Dauer ist %1 gespeichert, die importierten Spuren dauern %2</translation>
+    </message>
+</context>
+<context>
+    <name>project.earlier_step_failed</name>
+    <message>
+        <source>an earlier step of this change failed</source>
+        <translation>ein früherer Schritt dieser Änderung misslang</translation>
+    </message>
+</context>
+<context>
+    <name>project.end_recording_first</name>
+    <message>
+        <source>end its recording first</source>
+        <translation>beenden Sie zuerst seine Aufnahme</translation>
+    </message>
+</context>
+<context>
+    <name>project.figures_without_task</name>
+    <message>
+        <source>their figures would not say any more what they were measured by</source>
+        <translation>ihre Kennwerte würden nicht mehr sagen, wonach sie ermittelt wurden</translation>
+    </message>
+</context>
+<context>
+    <name>project.file_changed</name>
+    <message>
+        <source>%1 was changed since it was made</source>
+        <translation>%1 wurde seit der Entstehung verändert</translation>
+    </message>
+</context>
+<context>
+    <name>project.file_cut_off</name>
+    <message>
+        <source>the file is cut off</source>
+        <translation>die Datei ist abgeschnitten</translation>
+    </message>
+</context>
+<context>
+    <name>project.file_damaged</name>
+    <message>
+        <source>the file is damaged</source>
+        <translation>die Datei ist beschädigt</translation>
+    </message>
+</context>
+<context>
+    <name>project.file_empty</name>
+    <message>
+        <source>the file is empty</source>
+        <translation>die Datei ist leer</translation>
+    </message>
+</context>
+<context>
+    <name>project.file_lost</name>
+    <message>
+        <source>its file was deleted, renamed or replaced while it was open; nothing was stored</source>
+        <translation>seine Datei wurde gelöscht, umbenannt oder ersetzt, während es offen war; nichts wurde gespeichert</translation>
+    </message>
+</context>
+<context>
+    <name>project.file_there_already</name>
+    <message>
+        <source>a file of that name is there already</source>
+        <translation>eine Datei dieses Namens gibt es schon</translation>
+    </message>
+</context>
+<context>
+    <name>project.file_unused</name>
+    <message>
+        <source>no trial, lens calibration or floor registration uses this file</source>
+        <translation>kein Versuch, keine Objektivkalibrierung und keine Einmessung verwendet diese Datei</translation>
+    </message>
+</context>
+<context>
+    <name>project.find_or_put_back</name>
+    <message>
+        <source>take it from there with odograph check P.odo --find FOLDER or Find lost videos… in the window, or put it back in its place</source>
+        <translation>holen Sie sie mit odograph check P.odo --find FOLDER oder „Verlorene Videos suchen…“ im Fenster von dort, oder legen Sie sie an ihren Platz zurück</translation>
+    </message>
+</context>
+<context>
+    <name>project.folder_read_only</name>
+    <message>
+        <source>its folder cannot be written to</source>
+        <translation>in seinen Ordner kann nicht geschrieben werden</translation>
+    </message>
+</context>
+<context>
+    <name>project.foreign_log</name>
+    <message>
+        <source>the log beside it (&apos;%1&apos;) belongs to another file or to another state of this one</source>
+        <translation>das Protokoll daneben („%1“) gehört zu einer anderen Datei oder zu einem anderen Stand dieser Datei</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_1</name>
+    <message>
+        <source>the first schema</source>
+        <translation>das erste Schema</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_10</name>
+    <message>
+        <source>what a school year needs: stars, tags, archive, bin, pseudonyms, scoring and the list of changes</source>
+        <translation>was ein Schuljahr braucht: Sterne, Schlagwörter, Archiv, Papierkorb, Pseudonyme, Wertung und die Liste der Änderungen</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_11</name>
+    <message>
+        <source>members and robots of teams, zones and the archive of tasks, and imported tracks</source>
+        <translation>Mitglieder und Roboter der Teams, Zonen und Archiv der Aufgaben, und importierte Spuren</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_12</name>
+    <message>
+        <source>digests of analyses, and long series in chunks</source>
+        <translation>Prüfsummen der Auswertungen, und lange Reihen in Stücken</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_13</name>
+    <message>
+        <source>the point of a robot that is measured</source>
+        <translation>der Punkt eines Roboters, der gemessen wird</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_14</name>
+    <message>
+        <source>when robots of one look could not be told apart</source>
+        <translation>wann Roboter gleichen Aussehens nicht zu unterscheiden waren</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_15</name>
+    <message>
+        <source>robots that a person pointed out in a picture</source>
+        <translation>Roboter, die ein Mensch in einem Bild gezeigt hat</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_16</name>
+    <message>
+        <source>sentences as codes with their arguments</source>
+        <translation>Sätze als Codes mit ihren Argumenten</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_2</name>
+    <message>
+        <source>samples overruled by hand</source>
+        <translation>Messpunkte, über die von Hand anders entschieden wurde</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_3</name>
+    <message>
+        <source>rates of the cameras&apos; clocks</source>
+        <translation>Gang der Kamerauhren</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_4</name>
+    <message>
+        <source>tasks with gates, a reference path and limits</source>
+        <translation>Aufgaben mit Toren, Sollbahn und Grenzwerten</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_5</name>
+    <message>
+        <source>how each view was put in step</source>
+        <translation>wie jede Sicht synchronisiert wurde</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_6</name>
+    <message>
+        <source>calibrations with their boards, corners and pictures</source>
+        <translation>Kalibrierungen mit ihren Tafeln, Ecken und Bildern</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_7</name>
+    <message>
+        <source>revisions that are chosen, and checks of registrations</source>
+        <translation>gewählte Revisionen, und Prüfungen von Einmessungen</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_8</name>
+    <message>
+        <source>trials while they are being recorded, and the raw times of their pictures</source>
+        <translation>Versuche während der Aufnahme, und die Rohzeiten ihrer Bilder</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_9</name>
+    <message>
+        <source>pictures of registrations</source>
+        <translation>Bilder der Einmessungen</translation>
+    </message>
+</context>
+<context>
+    <name>project.frame_times_of</name>
+    <message>
+        <source>frame times of &apos;%1&apos;</source>
+        <translation>Bildzeiten von &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.gate</name>
+    <message>
+        <source>gate &apos;%1&apos;</source>
+        <translation>Tor &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.give_a_height</name>
+    <message>
+        <source>give a height, or let it be estimated</source>
+        <translation>geben Sie eine Höhe an, oder lassen Sie sie schätzen</translation>
+    </message>
+</context>
+<context>
+    <name>project.give_a_name</name>
+    <message>
+        <source>give the %1 a name</source>
+        <translation>geben Sie einen Namen an (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>project.give_a_title</name>
+    <message>
+        <source>give the project a title</source>
+        <translation>geben Sie dem Projekt einen Titel</translation>
+    </message>
+</context>
+<context>
+    <name>project.give_another_task</name>
+    <message>
+        <source>give them another task first</source>
+        <translation>geben Sie ihnen zuerst eine andere Aufgabe</translation>
+    </message>
+</context>
+<context>
+    <name>project.give_file_a_name</name>
+    <message>
+        <source>give the file a name</source>
+        <translation>geben Sie der Datei einen Namen</translation>
+    </message>
+</context>
+<context>
+    <name>project.give_members</name>
+    <message>
+        <source>give the names of the people in the team</source>
+        <translation>geben Sie die Namen der Personen im Team an</translation>
+    </message>
+</context>
+<context>
+    <name>project.give_robot_size</name>
+    <message>
+        <source>give length and width in millimetres, like 260x190</source>
+        <translation>geben Sie Länge und Breite in Millimetern an, etwa 260x190</translation>
+    </message>
+</context>
+<context>
+    <name>project.give_whole_truth</name>
+    <message>
+        <source>give position, velocity and acceleration for each time</source>
+        <translation>geben Sie zu jeder Zeit Ort, Geschwindigkeit und Beschleunigung an</translation>
+    </message>
+</context>
+<context>
+    <name>project.has_bytes_of</name>
+    <message>
+        <source>it has %1 of %2 bytes</source>
+        <translation>%1 von %2 Bytes sind da</translation>
+    </message>
+</context>
+<context>
+    <name>project.has_characters</name>
+    <message>
+        <source>it has %1 characters</source>
+        <translation>%1 Zeichen</translation>
+    </message>
+</context>
+<context>
+    <name>project.has_names</name>
+    <message>
+        <source>it has %1</source>
+        <translation>vorhanden: %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.has_none_yet</name>
+    <message>
+        <source>it has no %1 yet</source>
+        <translation>es hat noch nichts dieser Art: %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.has_other_size</name>
+    <message>
+        <source>%1 has %2 bytes instead of %3</source>
+        <translation>%1 hat %2 Bytes statt %3</translation>
+    </message>
+</context>
+<context>
+    <name>project.has_robots</name>
+    <message>
+        <source>it has %1 robots</source>
+        <translation>er hat %1 Roboter</translation>
+    </message>
+</context>
+<context>
+    <name>project.has_views</name>
+    <message>
+        <source>it has %1 views</source>
+        <translation>er hat %1 Sichten</translation>
+    </message>
+</context>
+<context>
+    <name>project.height_below_floor</name>
+    <message>
+        <source>its height is below the floor</source>
+        <translation>seine Höhe liegt unter dem Boden</translation>
+    </message>
+</context>
+<context>
+    <name>project.height_from_0</name>
+    <message>
+        <source>give a height of 0 or more</source>
+        <translation>geben Sie eine Höhe von 0 oder mehr an</translation>
+    </message>
+</context>
+<context>
+    <name>project.height_not_given</name>
+    <message>
+        <source>its height is to be told, but none is given</source>
+        <translation>seine Höhe soll vorgegeben sein, aber es gibt keine</translation>
+    </message>
+</context>
+<context>
+    <name>project.holds_invisible</name>
+    <message>
+        <source>it holds an invisible character, %1</source>
+        <translation>darin ist ein unsichtbares Zeichen, %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.holds_line_break</name>
+    <message>
+        <source>it holds a line break or another control character</source>
+        <translation>darin ist ein Zeilenumbruch oder ein anderes Steuerzeichen</translation>
+    </message>
+</context>
+<context>
+    <name>project.import_another_file</name>
+    <message>
+        <source>import another file</source>
+        <translation>importieren Sie eine andere Datei</translation>
+    </message>
+</context>
+<context>
+    <name>project.impossible_format</name>
+    <message>
+        <source>it says of itself to have the format %1</source>
+        <translation>sie gibt das Format %1 an</translation>
+    </message>
+</context>
+<context>
+    <name>project.in_synced_folder</name>
+    <message>
+        <source>it lies in a folder that %1 copies while it changes, so that a copy may have half a change</source>
+        <translation>es liegt in einem Ordner, den %1 kopiert, während es sich ändert, sodass eine Kopie eine halbe Änderung haben kann</translation>
+    </message>
+</context>
+<context>
+    <name>project.is_missing</name>
+    <message>
+        <source>%1 is missing</source>
+        <translation>%1 fehlt</translation>
+    </message>
+</context>
+<context>
+    <name>project.is_missing_recording</name>
+    <message>
+        <source>this is a missing recording</source>
+        <translation>dies ist eine fehlende Aufnahme</translation>
+    </message>
+</context>
+<context>
+    <name>project.journal_of_another</name>
+    <message>
+        <source>the journal beside it names another file</source>
+        <translation>das Journal daneben nennt eine andere Datei</translation>
+    </message>
+</context>
+<context>
+    <name>project.keep_it</name>
+    <message>
+        <source>keep it</source>
+        <translation>behalten Sie ihn</translation>
+    </message>
+</context>
+<context>
+    <name>project.keep_on_own_disk</name>
+    <message>
+        <source>keep it on a disk of this computer, and pack it to share it</source>
+        <translation>halten Sie es auf einer Platte dieses Rechners, und packen Sie es, um es weiterzugeben</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_calibration</name>
+    <message>
+        <source>calibration</source>
+        <translation>Kalibrierung</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_camera</name>
+    <message>
+        <source>camera</source>
+        <translation>Kamera</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_class</name>
+    <message>
+        <source>class</source>
+        <translation>Klasse</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_figure</name>
+    <message>
+        <source>figure</source>
+        <translation>Kennwert</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_gate</name>
+    <message>
+        <source>gate</source>
+        <translation>Tor</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_layout</name>
+    <message>
+        <source>layout</source>
+        <translation>Plan</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_lens</name>
+    <message>
+        <source>lens</source>
+        <translation>Objektiv</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_marker</name>
+    <message>
+        <source>marker</source>
+        <translation>Marker</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_member</name>
+    <message>
+        <source>member</source>
+        <translation>Mitglied</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_pseudonym</name>
+    <message>
+        <source>pseudonym</source>
+        <translation>Pseudonym</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_registration</name>
+    <message>
+        <source>registration</source>
+        <translation>Einmessung</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_robot</name>
+    <message>
+        <source>robot</source>
+        <translation>Roboter</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_tag</name>
+    <message>
+        <source>tag</source>
+        <translation>Schlagwort</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_task</name>
+    <message>
+        <source>task</source>
+        <translation>Aufgabe</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_team</name>
+    <message>
+        <source>team</source>
+        <translation>Team</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_track</name>
+    <message>
+        <source>track</source>
+        <translation>Spur</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_trial</name>
+    <message>
+        <source>trial</source>
+        <translation>Versuch</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_zone</name>
+    <message>
+        <source>zone</source>
+        <translation>Zone</translation>
+    </message>
+</context>
+<context>
+    <name>project.label_twice</name>
+    <message>
+        <source>the label &apos;%1&apos; is there twice</source>
+        <translation>die Bezeichnung &apos;%1&apos; gibt es zweimal</translation>
+    </message>
+</context>
+<context>
+    <name>project.leave_it</name>
+    <message>
+        <source>leave it</source>
+        <translation>lassen Sie es dabei</translation>
+    </message>
+</context>
+<context>
+    <name>project.leave_one_out</name>
+    <message>
+        <source>leave out one of the two</source>
+        <translation>lassen Sie eines von beiden weg</translation>
+    </message>
+</context>
+<context>
+    <name>project.leave_out_unseen_markers</name>
+    <message>
+        <source>leave out those that no camera sees</source>
+        <translation>lassen Sie die weg, die keine Kamera sieht</translation>
+    </message>
+</context>
+<context>
+    <name>project.lengths_differ</name>
+    <message>
+        <source>samples and profile differ in length</source>
+        <translation>Messpunkte und Profil sind verschieden lang</translation>
+    </message>
+</context>
+<context>
+    <name>project.lens_kept</name>
+    <message>
+        <source>the lens is kept without it</source>
+        <translation>die Objektivdaten bleiben auch ohne sie erhalten</translation>
+    </message>
+</context>
+<context>
+    <name>project.lens_of_project</name>
+    <message>
+        <source>lens %1 of the project</source>
+        <translation>Objektiv %1 des Projekts</translation>
+    </message>
+</context>
+<context>
+    <name>project.lies_in_media</name>
+    <message>
+        <source>a project lies in the media folder of another one</source>
+        <translation>ein Projekt liegt im Medienordner eines anderen</translation>
+    </message>
+</context>
+<context>
+    <name>project.lists_too_long</name>
+    <message>
+        <source>%1: more than %2 of one %3: %4</source>
+        <translation>%1: mehr als %2 je %3: %4</translation>
+    </message>
+</context>
+<context>
+    <name>project.look_for_strays</name>
+    <message>
+        <source>look for stray files</source>
+        <translation>Suche nach herrenlosen Dateien</translation>
+    </message>
+</context>
+<context>
+    <name>project.look_in</name>
+    <message>
+        <source>look in &apos;%1&apos;</source>
+        <translation>Suche in &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.make_room</name>
+    <message>
+        <source>make room on the disk and try again</source>
+        <translation>schaffen Sie Platz auf der Platte und versuchen Sie es noch einmal</translation>
+    </message>
+</context>
+<context>
+    <name>project.marker_errors_differ</name>
+    <message>
+        <source>the marker errors of registration %1 are not those that its markers give</source>
+        <translation>die Markerfehler der Einmessung %1 sind nicht die, die ihre Marker ergeben</translation>
+    </message>
+</context>
+<context>
+    <name>project.marker_off_floor</name>
+    <message>
+        <source>marker &apos;%1&apos; is not on a floor of 1 km</source>
+        <translation>Marke &apos;%1&apos; liegt nicht auf einem Boden von 1 km</translation>
+    </message>
+</context>
+<context>
+    <name>project.matrix_not_square</name>
+    <message>
+        <source>its stored matrix of %1 numbers is not square</source>
+        <translation>die gespeicherte Matrix aus %1 Zahlen ist nicht quadratisch</translation>
+    </message>
+</context>
+<context>
+    <name>project.may_be_used_beside</name>
+    <message>
+        <source>project &apos;%1&apos; beside it may use them, and cannot be read (%2)</source>
+        <translation>das Projekt „%1“ daneben verwendet sie vielleicht und kann nicht gelesen werden (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>project.measured_by_task</name>
+    <message>
+        <source>trials were measured by it</source>
+        <translation>Versuche wurden danach ausgewertet</translation>
+    </message>
+</context>
+<context>
+    <name>project.measurements_changed</name>
+    <message>
+        <source>the measurements have changed since robot &apos;%1&apos; was analysed</source>
+        <translation>die Messungen haben sich seit der Auswertung des Roboters &apos;%1&apos; geändert</translation>
+    </message>
+</context>
+<context>
+    <name>project.metric</name>
+    <message>
+        <source>metric &apos;%1&apos;</source>
+        <translation>Kennwert &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.metric_differs</name>
+    <message>
+        <source>metric &apos;%1&apos; of robot &apos;%2&apos; is stored as %3, its positions give %4</source>
+        <translation>als Kennwert &apos;%1&apos; des Roboters &apos;%2&apos; ist %3 gespeichert, seine Orte ergeben %4</translation>
+    </message>
+</context>
+<context>
+    <name>project.metric_missing</name>
+    <message>
+        <source>metric &apos;%1&apos; of robot &apos;%2&apos; is missing, its positions give %3</source>
+        <translation>der Kennwert &apos;%1&apos; des Roboters &apos;%2&apos; fehlt, seine Orte ergeben %3</translation>
+    </message>
+</context>
+<context>
+    <name>project.metric_sigma_differs</name>
+    <message>
+        <source>the standard deviation of metric &apos;%1&apos; of robot &apos;%2&apos; is stored as %3, its positions give %4</source>
+        <translation>als Standardabweichung des Kennwerts &apos;%1&apos; des Roboters &apos;%2&apos; ist %3 gespeichert, seine Orte ergeben %4</translation>
+    </message>
+</context>
+<context>
+    <name>project.metric_without_source</name>
+    <message>
+        <source>metric &apos;%1&apos; of robot &apos;%2&apos; is stored, but its positions give none</source>
+        <translation>der Kennwert &apos;%1&apos; des Roboters &apos;%2&apos; ist gespeichert, aber seine Orte ergeben keinen</translation>
+    </message>
+</context>
+<context>
+    <name>project.more_names</name>
+    <message>
+        <source>%1 more</source>
+        <translation>%1 weitere</translation>
+    </message>
+</context>
+<context>
+    <name>project.move_file_away</name>
+    <message>
+        <source>move it to another folder</source>
+        <translation>verschieben Sie sie in einen anderen Ordner</translation>
+    </message>
+</context>
+<context>
+    <name>project.move_log_away</name>
+    <message>
+        <source>move the log to another folder to open the file without it, or put the file back that the log belongs to</source>
+        <translation>verschieben Sie das Protokoll in einen anderen Ordner, um die Datei ohne es zu öffnen, oder legen Sie die Datei zurück, zu der es gehört</translation>
+    </message>
+</context>
+<context>
+    <name>project.move_project_away</name>
+    <message>
+        <source>move it with its videos to a folder of its own</source>
+        <translation>verschieben Sie es mit seinen Videos in einen eigenen Ordner</translation>
+    </message>
+</context>
+<context>
+    <name>project.move_teams_first</name>
+    <message>
+        <source>move its teams to another class first, or archive it</source>
+        <translation>verschieben Sie ihre Teams zuerst in eine andere Klasse, oder archivieren Sie sie</translation>
+    </message>
+</context>
+<context>
+    <name>project.name_empty</name>
+    <message>
+        <source>it is empty</source>
+        <translation>er ist leer</translation>
+    </message>
+</context>
+<context>
+    <name>project.name_of</name>
+    <message>
+        <source>name of a %1</source>
+        <translation>Name (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>project.name_robots_once</name>
+    <message>
+        <source>name each of its robots once</source>
+        <translation>nennen Sie jeden Roboter einmal</translation>
+    </message>
+</context>
+<context>
+    <name>project.name_taken</name>
+    <message>
+        <source>the project has a %1 of that name already</source>
+        <translation>das Projekt hat schon einen Eintrag „%1“ dieses Namens</translation>
+    </message>
+</context>
+<context>
+    <name>project.name_too_long</name>
+    <message>
+        <source>its name is too long</source>
+        <translation>der Name ist zu lang</translation>
+    </message>
+</context>
+<context>
+    <name>project.name_video_file</name>
+    <message>
+        <source>name the video&apos;s file</source>
+        <translation>nennen Sie die Datei des Videos</translation>
+    </message>
+</context>
+<context>
+    <name>project.newer_format</name>
+    <message>
+        <source>it was written by a newer Odograph (format %1, this one knows formats up to %2)</source>
+        <translation>geschrieben von einem neueren Odograph (Format %1, dieses kennt Formate bis %2)</translation>
+    </message>
+</context>
+<context>
+    <name>project.no_file_but_other</name>
+    <message>
+        <source>it is a folder or a device, not a file</source>
+        <translation>es ist ein Ordner oder Gerät, keine Datei</translation>
+    </message>
+</context>
+<context>
+    <name>project.no_file_name</name>
+    <message>
+        <source>it has no file name</source>
+        <translation>der Dateiname fehlt</translation>
+    </message>
+</context>
+<context>
+    <name>project.no_ordinary_number</name>
+    <message>
+        <source>a value to be stored is not a number of ordinary size</source>
+        <translation>ein zu speichernder Wert ist keine Zahl gewöhnlicher Größe</translation>
+    </message>
+</context>
+<context>
+    <name>project.no_place_to_rescue_to</name>
+    <message>
+        <source>its folder is gone, and there is no home folder to rescue it to</source>
+        <translation>sein Ordner ist verschwunden, und es gibt keinen persönlichen Ordner, in den es gerettet werden könnte</translation>
+    </message>
+</context>
+<context>
+    <name>project.no_samples</name>
+    <message>
+        <source>it has no samples</source>
+        <translation>keine Messpunkte</translation>
+    </message>
+</context>
+<context>
+    <name>project.no_sound_backup</name>
+    <message>
+        <source>no sound backup lies beside it</source>
+        <translation>keine unversehrte Sicherungskopie liegt daneben</translation>
+    </message>
+</context>
+<context>
+    <name>project.no_such_name</name>
+    <message>
+        <source>there is no such %1 in the project</source>
+        <translation>so etwas gibt es im Projekt nicht: %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.no_such_number</name>
+    <message>
+        <source>it has no %1 with the number %2</source>
+        <translation>mit der Nummer %2 gibt es darin nichts: %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.not_a_project</name>
+    <message>
+        <source>it is not a project file</source>
+        <translation>es ist keine Projektdatei</translation>
+    </message>
+</context>
+<context>
+    <name>project.not_brought_to_format</name>
+    <message>
+        <source>it could not be brought to format %1 (%2)</source>
+        <translation>es konnte nicht auf Format %1 gebracht werden (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>project.not_complete_yet</name>
+    <message>
+        <source>it is not complete yet</source>
+        <translation>sie ist noch nicht abgeschlossen</translation>
+    </message>
+</context>
+<context>
+    <name>project.not_copied</name>
+    <message>
+        <source>it could not be copied to be read (%1)</source>
+        <translation>es konnte zum Lesen nicht kopiert werden (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>project.not_finite</name>
+    <message>
+        <source>it is not a finite number</source>
+        <translation>das ist keine endliche Zahl</translation>
+    </message>
+</context>
+<context>
+    <name>project.not_in_bin</name>
+    <message>
+        <source>it is not in the bin</source>
+        <translation>er ist nicht im Papierkorb</translation>
+    </message>
+</context>
+<context>
+    <name>project.not_utf8</name>
+    <message>
+        <source>it is not valid UTF-8 text</source>
+        <translation>kein gültiger UTF-8-Text</translation>
+    </message>
+</context>
+<context>
+    <name>project.nothing_to_redo</name>
+    <message>
+        <source>nothing has been undone</source>
+        <translation>nichts wurde zurückgenommen</translation>
+    </message>
+</context>
+<context>
+    <name>project.nothing_to_undo</name>
+    <message>
+        <source>nothing has been changed since the project was opened</source>
+        <translation>seit dem Öffnen des Projekts wurde nichts geändert</translation>
+    </message>
+</context>
+<context>
+    <name>project.numbers_too_large</name>
+    <message>
+        <source>%1: numbers beyond %2: %3</source>
+        <translation>%1: Zahlen jenseits von %2: %3</translation>
+    </message>
+</context>
+<context>
+    <name>project.observations_do_not_fit</name>
+    <message>
+        <source>view &apos;%1&apos; has %2 frames, but the observations of &apos;%3&apos; (%4) do not fit them</source>
+        <translation>Sicht &apos;%1&apos; hat %2 Bilder, aber die Beobachtungen von &apos;%3&apos; (%4) passen nicht dazu</translation>
+    </message>
+</context>
+<context>
+    <name>project.observations_of_project</name>
+    <message>
+        <source>observations %1 of the project</source>
+        <translation>Beobachtungen %1 des Projekts</translation>
+    </message>
+</context>
+<context>
+    <name>project.older_format</name>
+    <message>
+        <source>it has the older format %1 and must be brought up to date before it can be read, but %2</source>
+        <translation>es hat das ältere Format %1 und muss vor dem Lesen aktualisiert werden, aber %2</translation>
+    </message>
+</context>
+<context>
+    <name>project.on_network_disk</name>
+    <message>
+        <source>it lies on a network disk (%1), where a recording can stall and two computers can damage it</source>
+        <translation>es liegt auf einem Netzlaufwerk (%1), wo eine Aufnahme stocken kann und zwei Rechner es beschädigen können</translation>
+    </message>
+</context>
+<context>
+    <name>project.open_again</name>
+    <message>
+        <source>open it again; if you were recording, look for stray files (odograph check --adopt)</source>
+        <translation>öffnen Sie es erneut; wenn Sie gerade aufgenommen haben, suchen Sie nach herrenlosen Dateien (odograph check --adopt)</translation>
+    </message>
+</context>
+<context>
+    <name>project.open_elsewhere</name>
+    <message>
+        <source>it is open in another window</source>
+        <translation>es ist in einem anderen Fenster geöffnet</translation>
+    </message>
+</context>
+<context>
+    <name>project.open_elsewhere_by</name>
+    <message>
+        <source>it is open in another window (%1)</source>
+        <translation>es ist in einem anderen Fenster geöffnet (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>project.open_or_move_that</name>
+    <message>
+        <source>open that project, or move it to a folder of its own with its videos</source>
+        <translation>öffnen Sie jenes Projekt, oder verschieben Sie es mit seinen Videos in einen eigenen Ordner</translation>
+    </message>
+</context>
+<context>
+    <name>project.open_with_newer_odograph</name>
+    <message>
+        <source>open the project with a newer Odograph</source>
+        <translation>öffnen Sie das Projekt mit einem neueren Odograph</translation>
+    </message>
+</context>
+<context>
+    <name>project.open_with_that_odograph</name>
+    <message>
+        <source>open it with that Odograph, or update this one</source>
+        <translation>öffnen Sie es mit jenem Odograph, oder aktualisieren Sie dieses</translation>
+    </message>
+</context>
+<context>
+    <name>project.other_database</name>
+    <message>
+        <source>it is a database of another program</source>
+        <translation>es ist die Datenbank eines anderen Programms</translation>
+    </message>
+</context>
+<context>
+    <name>project.other_labels</name>
+    <message>
+        <source>the labels are not those that it has</source>
+        <translation>die Bezeichnungen sind nicht die seinen</translation>
+    </message>
+</context>
+<context>
+    <name>project.other_tables</name>
+    <message>
+        <source>its tables are not those of a project</source>
+        <translation>seine Tabellen sind nicht die eines Projekts</translation>
+    </message>
+</context>
+<context>
+    <name>project.others_calibration_chosen</name>
+    <message>
+        <source>calibration %1 was chosen for it, which is camera &apos;%2&apos;s; its newest own one is used</source>
+        <translation>für sie wurde Kalibrierung %1 gewählt, die zur Kamera &apos;%2&apos; gehört; verwendet wird ihre neueste eigene</translation>
+    </message>
+</context>
+<context>
+    <name>project.others_registration_chosen</name>
+    <message>
+        <source>registration %1 was chosen for it, which is camera &apos;%2&apos;s; its newest own one is used</source>
+        <translation>für sie wurde Einmessung %1 gewählt, die zur Kamera &apos;%2&apos; gehört; verwendet wird ihre neueste eigene</translation>
+    </message>
+</context>
+<context>
+    <name>project.overrides_changed</name>
+    <message>
+        <source>the manual overrides have changed since robot &apos;%1&apos; was analysed</source>
+        <translation>die Entscheidungen von Hand haben sich seit der Auswertung des Roboters &apos;%1&apos; geändert</translation>
+    </message>
+</context>
+<context>
+    <name>project.own_labels</name>
+    <message>
+        <source>give each marker a label of its own</source>
+        <translation>geben Sie jedem Marker eine eigene Bezeichnung</translation>
+    </message>
+</context>
+<context>
+    <name>project.path_cut_off</name>
+    <message>
+        <source>its reference path ends within a point</source>
+        <translation>die Sollbahn endet mitten in einem Punkt</translation>
+    </message>
+</context>
+<context>
+    <name>project.path_leaves_folder</name>
+    <message>
+        <source>its relative path leaves the project&apos;s folder</source>
+        <translation>der relative Pfad führt aus dem Ordner des Projekts hinaus</translation>
+    </message>
+</context>
+<context>
+    <name>project.picture_name</name>
+    <message>
+        <source>name of a calibration picture</source>
+        <translation>Name eines Kalibrierbilds</translation>
+    </message>
+</context>
+<context>
+    <name>project.picture_path</name>
+    <message>
+        <source>path of a calibration picture</source>
+        <translation>Pfad eines Kalibrierbilds</translation>
+    </message>
+</context>
+<context>
+    <name>project.position_no_number</name>
+    <message>
+        <source>a position or its covariance is no number</source>
+        <translation>ein Ort oder seine Kovarianz ist keine Zahl</translation>
+    </message>
+</context>
+<context>
+    <name>project.positions_changed</name>
+    <message>
+        <source>the positions of robot &apos;%1&apos; are not those that its analysis gave</source>
+        <translation>die Orte des Roboters &apos;%1&apos; sind nicht die, die seine Auswertung ergab</translation>
+    </message>
+</context>
+<context>
+    <name>project.project</name>
+    <message>
+        <source>project &apos;%1&apos;</source>
+        <translation>Projekt &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.project_file_damaged</name>
+    <message>
+        <source>the project file is damaged</source>
+        <translation>die Projektdatei ist beschädigt</translation>
+    </message>
+</context>
+<context>
+    <name>project.put_back_and_open</name>
+    <message>
+        <source>put the file back in its place, and open the project again</source>
+        <translation>legen Sie die Datei an ihren Ort zurück, und öffnen Sie das Projekt noch einmal</translation>
+    </message>
+</context>
+<context>
+    <name>project.put_back_and_retry</name>
+    <message>
+        <source>put it back in its place and try again</source>
+        <translation>legen Sie sie an ihren Platz zurück und versuchen Sie es noch einmal</translation>
+    </message>
+</context>
+<context>
+    <name>project.put_back_or_find</name>
+    <message>
+        <source>put the file back in its place, or find it by its content with odograph check P.odo --find FOLDER or Find lost videos… in the window</source>
+        <translation>legen Sie die Datei an ihren Platz zurück, oder suchen Sie sie anhand ihres Inhalts mit odograph check P.odo --find FOLDER oder „Verlorene Videos suchen…“ im Fenster</translation>
+    </message>
+</context>
+<context>
+    <name>project.put_file_back</name>
+    <message>
+        <source>put the file back in its place</source>
+        <translation>legen Sie die Datei an ihren Platz zurück</translation>
+    </message>
+</context>
+<context>
+    <name>project.put_into_bin_first</name>
+    <message>
+        <source>put it into the bin first</source>
+        <translation>legen Sie ihn zuerst in den Papierkorb</translation>
+    </message>
+</context>
+<context>
+    <name>project.put_original_back</name>
+    <message>
+        <source>put the original file back in its place</source>
+        <translation>legen Sie die ursprüngliche Datei wieder an ihren Platz</translation>
+    </message>
+</context>
+<context>
+    <name>project.raw_times_of</name>
+    <message>
+        <source>raw times of recording %1</source>
+        <translation>Rohzeiten der Aufnahme %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.reading</name>
+    <message>
+        <source>reading %1</source>
+        <translation>gelesen wird: %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.reading_failed</name>
+    <message>
+        <source>reading it failed (%1)</source>
+        <translation>das Lesen misslang (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>project.record_another</name>
+    <message>
+        <source>record another trial</source>
+        <translation>nehmen Sie einen anderen Versuch auf</translation>
+    </message>
+</context>
+<context>
+    <name>project.recorded_into_now</name>
+    <message>
+        <source>a trial is being recorded into it just now</source>
+        <translation>gerade wird ein Versuch darin aufgenommen</translation>
+    </message>
+</context>
+<context>
+    <name>project.recording</name>
+    <message>
+        <source>recording</source>
+        <translation>Aufnahme</translation>
+    </message>
+</context>
+<context>
+    <name>project.recording_at</name>
+    <message>
+        <source>recording &apos;%1&apos;</source>
+        <translation>Aufnahme &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.recording_cut_off</name>
+    <message>
+        <source>its recording was cut off</source>
+        <translation>seine Aufnahme wurde abgebrochen</translation>
+    </message>
+</context>
+<context>
+    <name>project.recording_ended</name>
+    <message>
+        <source>its recording has ended already</source>
+        <translation>seine Aufnahme ist schon beendet</translation>
+    </message>
+</context>
+<context>
+    <name>project.recording_kept</name>
+    <message>
+        <source>its recording has ended, and is kept</source>
+        <translation>die Aufnahme ist beendet und wird behalten</translation>
+    </message>
+</context>
+<context>
+    <name>project.recording_of_view</name>
+    <message>
+        <source>the recording of view &apos;%1&apos;</source>
+        <translation>die Aufnahme der Sicht &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.recording_path</name>
+    <message>
+        <source>path of a recording</source>
+        <translation>Pfad einer Aufnahme</translation>
+    </message>
+</context>
+<context>
+    <name>project.recording_without_file</name>
+    <message>
+        <source>it has no file</source>
+        <translation>dazu fehlt die Datei</translation>
+    </message>
+</context>
+<context>
+    <name>project.recordings_changed</name>
+    <message>
+        <source>the recordings or their synchronisation have changed since robot &apos;%1&apos; was analysed</source>
+        <translation>die Aufnahmen oder ihre Synchronisierung haben sich seit der Auswertung des Roboters &apos;%1&apos; geändert</translation>
+    </message>
+</context>
+<context>
+    <name>project.redo</name>
+    <message>
+        <source>redo</source>
+        <translation>wiederholen</translation>
+    </message>
+</context>
+<context>
+    <name>project.redo_of</name>
+    <message>
+        <source>redo &apos;%1&apos;</source>
+        <translation>&apos;%1&apos; wiederholen</translation>
+    </message>
+</context>
+<context>
+    <name>project.reference_too_far</name>
+    <message>
+        <source>its reference point is farther from its centre than %1</source>
+        <translation>sein Bezugspunkt liegt weiter als %1 von seiner Mitte entfernt</translation>
+    </message>
+</context>
+<context>
+    <name>project.reference_without_heading</name>
+    <message>
+        <source>a reference point beside its centre takes a heading, which is not known where the height changes</source>
+        <translation>ein Bezugspunkt neben der Mitte braucht eine Fahrtrichtung, die nicht bekannt ist, wo sich die Höhe ändert</translation>
+    </message>
+</context>
+<context>
+    <name>project.refers_to_nothing</name>
+    <message>
+        <source>it refers to something that is not in the project, or a value is missing</source>
+        <translation>es bezieht sich auf etwas, das nicht im Projekt ist, oder ein Wert fehlt</translation>
+    </message>
+</context>
+<context>
+    <name>project.registration_kept</name>
+    <message>
+        <source>the registration is kept without it</source>
+        <translation>die Einmessung bleibt auch ohne sie erhalten</translation>
+    </message>
+</context>
+<context>
+    <name>project.registration_of_project</name>
+    <message>
+        <source>registration %1 of the project</source>
+        <translation>Einmessung %1 des Projekts</translation>
+    </message>
+</context>
+<context>
+    <name>project.registration_picture_of</name>
+    <message>
+        <source>the picture of registration %1 of camera &apos;%2&apos;</source>
+        <translation>das Bild der Einmessung %1 der Kamera &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.registration_picture_path</name>
+    <message>
+        <source>path of a registration&apos;s picture</source>
+        <translation>Pfad des Bilds einer Einmessung</translation>
+    </message>
+</context>
+<context>
+    <name>project.registrations_changed</name>
+    <message>
+        <source>the registrations have changed since robot &apos;%1&apos; was analysed</source>
+        <translation>die Einmessungen haben sich seit der Auswertung des Roboters &apos;%1&apos; geändert</translation>
+    </message>
+</context>
+<context>
+    <name>project.remove_file_first</name>
+    <message>
+        <source>choose another name, or remove that file first</source>
+        <translation>wählen Sie einen anderen Namen, oder entfernen Sie zuerst jene Datei</translation>
+    </message>
+</context>
+<context>
+    <name>project.rest_not_read</name>
+    <message>
+        <source>the rest is not read; change it here, or where the file comes from</source>
+        <translation>der Rest wird nicht gelesen; ändern Sie es hier oder dort, wo die Datei herkommt</translation>
+    </message>
+</context>
+<context>
+    <name>project.restore_file</name>
+    <message>
+        <source>restore it from a backup copy</source>
+        <translation>stellen Sie es aus einer Sicherungskopie wieder her</translation>
+    </message>
+</context>
+<context>
+    <name>project.restore_or_register_again</name>
+    <message>
+        <source>restore the project from a backup copy, or register the camera again</source>
+        <translation>stellen Sie das Projekt aus einer Sicherungskopie wieder her, oder messen Sie die Kamera neu ein</translation>
+    </message>
+</context>
+<context>
+    <name>project.restore_or_track_again</name>
+    <message>
+        <source>restore the project from a backup copy, or track the trial again</source>
+        <translation>stellen Sie das Projekt aus einer Sicherungskopie wieder her, oder verfolgen Sie den Versuch noch einmal</translation>
+    </message>
+</context>
+<context>
+    <name>project.restore_project</name>
+    <message>
+        <source>restore the project from a backup copy</source>
+        <translation>stellen Sie das Projekt aus einer Sicherungskopie wieder her</translation>
+    </message>
+</context>
+<context>
+    <name>project.results_changed</name>
+    <message>
+        <source>the metrics, spikes or settings of robot &apos;%1&apos; are not those that its analysis gave</source>
+        <translation>die Kennwerte, Ausreißer oder Einstellungen des Roboters &apos;%1&apos; sind nicht die, die seine Auswertung ergab</translation>
+    </message>
+</context>
+<context>
+    <name>project.robot_can_be_renamed</name>
+    <message>
+        <source>it can be given another name</source>
+        <translation>ein anderer Name ist möglich</translation>
+    </message>
+</context>
+<context>
+    <name>project.robot_drove</name>
+    <message>
+        <source>it drove in a trial</source>
+        <translation>er fuhr in einem Versuch</translation>
+    </message>
+</context>
+<context>
+    <name>project.robot_too_large</name>
+    <message>
+        <source>it is larger than %1</source>
+        <translation>größer als %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.robot_twice</name>
+    <message>
+        <source>a robot belongs to it twice</source>
+        <translation>ein Roboter gehört ihm zweimal</translation>
+    </message>
+</context>
+<context>
+    <name>project.row_refers_to_nothing</name>
+    <message>
+        <source>row %1 of &apos;%2&apos; refers to a row of &apos;%3&apos; that is not there</source>
+        <translation>Zeile %1 von &apos;%2&apos; verweist auf eine Zeile von &apos;%3&apos;, die es nicht gibt</translation>
+    </message>
+</context>
+<context>
+    <name>project.run_check</name>
+    <message>
+        <source>run a check of the project</source>
+        <translation>prüfen Sie das Projekt</translation>
+    </message>
+</context>
+<context>
+    <name>project.series_differ</name>
+    <message>
+        <source>its series differ in length</source>
+        <translation>die Reihen sind verschieden lang</translation>
+    </message>
+</context>
+<context>
+    <name>project.series_missing</name>
+    <message>
+        <source>its series are missing</source>
+        <translation>die Reihen fehlen</translation>
+    </message>
+</context>
+<context>
+    <name>project.series_of_other_kind</name>
+    <message>
+        <source>its stored series is not of the expected kind</source>
+        <translation>die gespeicherte Reihe ist nicht von der erwarteten Art</translation>
+    </message>
+</context>
+<context>
+    <name>project.series_of_other_length</name>
+    <message>
+        <source>its stored series announces %1 rows but holds %2 bytes</source>
+        <translation>die gespeicherte Reihe kündigt %1 Zeilen an, hat aber %2 Bytes</translation>
+    </message>
+</context>
+<context>
+    <name>project.size_not_above_0</name>
+    <message>
+        <source>its size is not above 0</source>
+        <translation>seine Größe ist nicht größer als 0</translation>
+    </message>
+</context>
+<context>
+    <name>project.spike_without_sample</name>
+    <message>
+        <source>a spike refers to a sample that is not there</source>
+        <translation>ein Ausreißer verweist auf einen Messpunkt, den es nicht gibt</translation>
+    </message>
+</context>
+<context>
+    <name>project.split_recording</name>
+    <message>
+        <source>split the recording into shorter ones</source>
+        <translation>teilen Sie die Aufnahme in kürzere</translation>
+    </message>
+</context>
+<context>
+    <name>project.strays_unknown</name>
+    <message>
+        <source>it cannot be told which files belong to no trial</source>
+        <translation>welche Dateien zu keinem Versuch gehören, ist nicht zu sagen</translation>
+    </message>
+</context>
+<context>
+    <name>project.synchronisation_differs</name>
+    <message>
+        <source>its stored synchronisation is not that of its second view</source>
+        <translation>die gespeicherte Synchronisierung ist nicht die seiner zweiten Sicht</translation>
+    </message>
+</context>
+<context>
+    <name>project.synchronisation_of_one_view</name>
+    <message>
+        <source>a synchronisation is stored, but it has no second view</source>
+        <translation>eine Synchronisierung ist gespeichert, aber er hat keine zweite Sicht</translation>
+    </message>
+</context>
+<context>
+    <name>project.take_later_back</name>
+    <message>
+        <source>take the later change back first, or leave it</source>
+        <translation>nehmen Sie zuerst die spätere Änderung zurück, oder lassen Sie es</translation>
+    </message>
+</context>
+<context>
+    <name>project.task_changed</name>
+    <message>
+        <source>the task has changed since robot &apos;%1&apos; was analysed</source>
+        <translation>die Aufgabe hat sich seit der Auswertung des Roboters &apos;%1&apos; geändert</translation>
+    </message>
+</context>
+<context>
+    <name>project.task_has_trial</name>
+    <message>
+        <source>a trial has it</source>
+        <translation>ein Versuch hat sie</translation>
+    </message>
+</context>
+<context>
+    <name>project.task_has_trials</name>
+    <message>
+        <source>%1 trials have it</source>
+        <translation>%1 Versuche haben sie</translation>
+    </message>
+</context>
+<context>
+    <name>project.team_has_trial</name>
+    <message>
+        <source>a trial is its</source>
+        <translation>ein Versuch gehört ihm</translation>
+    </message>
+</context>
+<context>
+    <name>project.team_has_trials</name>
+    <message>
+        <source>%1 trials are its</source>
+        <translation>%1 Versuche gehören ihm</translation>
+    </message>
+</context>
+<context>
+    <name>project.texts_too_long</name>
+    <message>
+        <source>%1: texts of more than %2 characters: %3</source>
+        <translation>%1: Texte von mehr als %2 Zeichen: %3</translation>
+    </message>
+</context>
+<context>
+    <name>project.times_do_not_rise</name>
+    <message>
+        <source>its times do not rise</source>
+        <translation>die Zeiten steigen nicht</translation>
+    </message>
+</context>
+<context>
+    <name>project.title</name>
+    <message>
+        <source>title of the project</source>
+        <translation>Titel des Projekts</translation>
+    </message>
+</context>
+<context>
+    <name>project.too_many_markers</name>
+    <message>
+        <source>it has more than %1 markers</source>
+        <translation>er hat mehr als %1 Marken</translation>
+    </message>
+</context>
+<context>
+    <name>project.too_many_members</name>
+    <message>
+        <source>it has more than %1 members</source>
+        <translation>es hat mehr als %1 Mitglieder</translation>
+    </message>
+</context>
+<context>
+    <name>project.too_many_samples</name>
+    <message>
+        <source>it has more than %1 samples</source>
+        <translation>mehr als %1 Messpunkte</translation>
+    </message>
+</context>
+<context>
+    <name>project.track</name>
+    <message>
+        <source>track &apos;%1&apos;</source>
+        <translation>Spur &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.track_again</name>
+    <message>
+        <source>track the trial again</source>
+        <translation>verfolgen Sie den Versuch noch einmal</translation>
+    </message>
+</context>
+<context>
+    <name>project.track_kept</name>
+    <message>
+        <source>the measured track is kept without it</source>
+        <translation>die gemessene Spur bleibt auch ohne sie erhalten</translation>
+    </message>
+</context>
+<context>
+    <name>project.track_reading</name>
+    <message>
+        <source>reading of a track</source>
+        <translation>Lesart einer Spur</translation>
+    </message>
+</context>
+<context>
+    <name>project.trial_notes</name>
+    <message>
+        <source>notes of a trial</source>
+        <translation>Notizen eines Versuchs</translation>
+    </message>
+</context>
+<context>
+    <name>project.trial_of_project</name>
+    <message>
+        <source>trial %1 of the project</source>
+        <translation>Versuch %1 des Projekts</translation>
+    </message>
+</context>
+<context>
+    <name>project.truth</name>
+    <message>
+        <source>truth of a trial</source>
+        <translation>Wahrheit eines Versuchs</translation>
+    </message>
+</context>
+<context>
+    <name>project.truth_of_trial</name>
+    <message>
+        <source>truth of trial %1</source>
+        <translation>Wahrheit des Versuchs %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.try_again</name>
+    <message>
+        <source>try it again</source>
+        <translation>versuchen Sie es noch einmal</translation>
+    </message>
+</context>
+<context>
+    <name>project.try_change_again</name>
+    <message>
+        <source>try the whole change again</source>
+        <translation>versuchen Sie die ganze Änderung noch einmal</translation>
+    </message>
+</context>
+<context>
+    <name>project.type_name_anew</name>
+    <message>
+        <source>type the name anew</source>
+        <translation>tippen Sie den Namen neu</translation>
+    </message>
+</context>
+<context>
+    <name>project.type_text_anew</name>
+    <message>
+        <source>type the text anew</source>
+        <translation>tippen Sie den Text neu</translation>
+    </message>
+</context>
+<context>
+    <name>project.undo</name>
+    <message>
+        <source>undo</source>
+        <translation>rückgängig machen</translation>
+    </message>
+</context>
+<context>
+    <name>project.undo_of</name>
+    <message>
+        <source>undo &apos;%1&apos;</source>
+        <translation>&apos;%1&apos; rückgängig machen</translation>
+    </message>
+</context>
+<context>
+    <name>project.undo_something_first</name>
+    <message>
+        <source>undo something first</source>
+        <translation>nehmen Sie zuerst etwas zurück</translation>
+    </message>
+</context>
+<context>
+    <name>project.unknown_series_layout</name>
+    <message>
+        <source>its stored series has the unknown layout %1</source>
+        <translation>die gespeicherte Reihe hat den unbekannten Aufbau %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.unknown_setting</name>
+    <message>
+        <source>its stored setting &apos;%1&apos; is unknown</source>
+        <translation>die gespeicherte Einstellung &apos;%1&apos; ist unbekannt</translation>
+    </message>
+</context>
+<context>
+    <name>project.use_at_most</name>
+    <message>
+        <source>use at most %1</source>
+        <translation>verwenden Sie höchstens %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.use_one_line</name>
+    <message>
+        <source>use a name of one line</source>
+        <translation>verwenden Sie einen einzeiligen Namen</translation>
+    </message>
+</context>
+<context>
+    <name>project.value_too_large</name>
+    <message>
+        <source>a value is too large to be stored</source>
+        <translation>ein Wert ist zu groß zum Speichern</translation>
+    </message>
+</context>
+<context>
+    <name>project.views_differ</name>
+    <message>
+        <source>views and registrations differ in number</source>
+        <translation>Sichten und Einmessungen sind verschieden viele</translation>
+    </message>
+</context>
+<context>
+    <name>project.wait_until_ended</name>
+    <message>
+        <source>wait until that has ended</source>
+        <translation>warten Sie, bis das beendet ist</translation>
+    </message>
+</context>
+<context>
+    <name>project.writing_failed</name>
+    <message>
+        <source>writing it failed (%1)</source>
+        <translation>das Schreiben misslang (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>project.written_over</name>
+    <message>
+        <source>another program wrote over its file while it was open; nothing more was stored</source>
+        <translation>ein anderes Programm hat seine Datei überschrieben, während es offen war; danach wurde nichts mehr gespeichert</translation>
+    </message>
+</context>
+<context>
+    <name>project.zone</name>
+    <message>
+        <source>zone &apos;%1&apos;</source>
+        <translation>Zone &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.zone_cut_off</name>
+    <message>
+        <source>its zone &apos;%1&apos; ends within a point</source>
+        <translation>die Zone &apos;%1&apos; endet mitten in einem Punkt</translation>
+    </message>
+</context>
+<context>
+    <name>simulation.cannot_render</name>
+    <message>
+        <source>cannot render %1</source>
+        <translation>%1 kann nicht gerechnet werden</translation>
+    </message>
+</context>
+<context>
+    <name>simulation.lengthen_scene</name>
+    <message>
+        <source>give the scene a longer duration or start the camera earlier</source>
+        <translation>lassen Sie die Szene länger dauern, oder starten Sie die Kamera früher</translation>
+    </message>
+</context>
+<context>
+    <name>simulation.no_frame</name>
+    <message>
+        <source>camera %1 takes no frame while the scene lasts</source>
+        <translation>Kamera %1 nimmt kein Bild auf, solange die Szene dauert</translation>
+    </message>
+</context>
+<context>
+    <name>simulation.rendering</name>
+    <message>
+        <source>rendering %1</source>
+        <translation>Rechnen von %1</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.every_offset_fits</name>
+    <message>
+        <source>the robot stood still or ran straight at constant speed, so every offset fits</source>
+        <translation>der Roboter stand oder fuhr gleichmäßig geradeaus, darum passt jeder Versatz</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.flash_disagrees</name>
+    <message>
+        <source>the motion tells an offset of %1, which was taken, and the flash of light %2</source>
+        <translation>die Bewegung ergibt einen Versatz von %1, der genommen wurde, und der Lichtblitz %2</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.flash_lights</name>
+    <message>
+        <source>flash the room lights once while both cameras record, or give --sync SECONDS</source>
+        <translation>lassen Sie einmal das Raumlicht aufblitzen, während beide Kameras aufnehmen, oder geben Sie den Versatz an</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.flashes_fit_alike</name>
+    <message>
+        <source>the flashes of light fit alike at offsets of %1 and %2</source>
+        <translation>die Lichtblitze passen bei einem Versatz von %1 und von %2 gleich gut</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.from_flash</name>
+    <message>
+        <source>from a flash of light, to %1 only, for %2</source>
+        <translation>aus einem Lichtblitz, nur auf %1, denn %2</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.light_flickers</name>
+    <message>
+        <source>the light flickers</source>
+        <translation>das Licht flackert</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.motion_repeats</name>
+    <message>
+        <source>the motion repeats itself</source>
+        <translation>die Bewegung wiederholt sich</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.neither_tells</name>
+    <message>
+        <source>%1, and %2</source>
+        <translation>%1, und %2</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.no_flash</name>
+    <message>
+        <source>neither view shows a flash of light</source>
+        <translation>keine der Sichten zeigt einen Lichtblitz</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.no_offset_fits</name>
+    <message>
+        <source>the views&apos; tracks do not coincide at any offset looked at</source>
+        <translation>die Spuren der Sichten decken sich bei keinem untersuchten Versatz</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.of_clips</name>
+    <message>
+        <source>synchronisation of the clips</source>
+        <translation>Synchronisierung der Videos</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.offset</name>
+    <message>
+        <source>%1 ±%2</source>
+        <translation>%1 ±%2</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.offsets_fit_alike</name>
+    <message>
+        <source>offsets of %1 and %2 fit alike</source>
+        <translation>ein Versatz von %1 und von %2 passt gleich gut</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.one_flash</name>
+    <message>
+        <source>only one of the views shows a flash of light</source>
+        <translation>nur eine der Sichten zeigt einen Lichtblitz</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.other_flashes</name>
+    <message>
+        <source>the flashes of light in the views do not belong together</source>
+        <translation>die Lichtblitze der Sichten gehören nicht zusammen</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.robots_disagree</name>
+    <message>
+        <source>robot %1 tells an offset of %2, robot %3 %4, which was taken</source>
+        <translation>Roboter %1 ergibt einen Versatz von %2, Roboter %3 %4, der genommen wurde</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.seldom_seen</name>
+    <message>
+        <source>one view saw the robot in fewer than %1 pictures</source>
+        <translation>eine Sicht sah den Roboter in weniger als %1 Bildern</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.seldom_together</name>
+    <message>
+        <source>the views hardly ever saw the robot at the same time</source>
+        <translation>die Sichten sahen den Roboter fast nie zugleich</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.tracks_differ</name>
+    <message>
+        <source>the views&apos; tracks do not resemble one another</source>
+        <translation>die Spuren der Sichten ähneln einander nicht</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.add_robot</name>
+    <message>
+        <source>add a robot with its colour first</source>
+        <translation>fügen Sie zuerst einen Roboter mit seiner Farbe hinzu</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.add_without_colour</name>
+    <message>
+        <source>add the robot without a colour, so that it is found by how it differs from the floor</source>
+        <translation>fügen Sie den Roboter ohne Farbe hinzu, dann wird er daran erkannt, worin er sich vom Boden unterscheidet</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.box_is_grey</name>
+    <message>
+        <source>what differs from the floor around it is grey, black or white</source>
+        <translation>was sich vom Boden unterscheidet, ist grau, schwarz oder weiß</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.box_leaves_nothing</name>
+    <message>
+        <source>the box leaves nothing of the floor to compare with</source>
+        <translation>der Rahmen lässt nichts vom Boden zum Vergleichen übrig</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.box_too_small</name>
+    <message>
+        <source>the box is too small, or outside the picture</source>
+        <translation>der Rahmen ist zu klein oder außerhalb des Bildes</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.box_without_colour</name>
+    <message>
+        <source>it holds no colour that differs from the floor around it</source>
+        <translation>er enthält keine Farbe, die sich vom Boden ringsum unterscheidet</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.cannot_track</name>
+    <message>
+        <source>Cannot track</source>
+        <translation>Verfolgen nicht möglich</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.cannot_track_robot</name>
+    <message>
+        <source>Cannot track robot %1</source>
+        <translation>Roboter %1 kann nicht verfolgt werden</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.colour_in_box</name>
+    <message>
+        <source>colour in the box</source>
+        <translation>Farbe im Rahmen</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.colour_is_grey</name>
+    <message>
+        <source>its colour %1 is grey, and only hue tells a robot from the floor</source>
+        <translation>seine Farbe %1 ist grau, und nur der Farbton unterscheidet einen Roboter vom Boden</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.draw_box_closely</name>
+    <message>
+        <source>draw it closely round the robot</source>
+        <translation>ziehen Sie ihn eng um den Roboter</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.draw_box_larger</name>
+    <message>
+        <source>draw it round the robot, at least 8 pixels wide and high</source>
+        <translation>ziehen Sie ihn um den Roboter, mindestens 8 Pixel breit und hoch</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.no_robot_given</name>
+    <message>
+        <source>no robot is given</source>
+        <translation>es ist kein Roboter angegeben</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.put_plate_on_it</name>
+    <message>
+        <source>draw it closely round the robot, or put a plate of another colour on it</source>
+        <translation>ziehen Sie ihn eng um den Roboter, oder setzen Sie eine Platte anderer Farbe darauf</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.tell_no_colour</name>
+    <message>
+        <source>tell no colour, so that it is found by how it differs from the floor</source>
+        <translation>geben Sie keine Farbe an, dann wird er daran erkannt, worin er sich vom Boden unterscheidet</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.add_view</name>
+    <message>
+        <source>add a second view, or give the robot one height</source>
+        <translation>fügen Sie eine zweite Sicht hinzu, oder geben Sie dem Roboter eine Höhe</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.analysing_position</name>
+    <message>
+        <source>analysing position %1</source>
+        <translation>Position %1 wird ausgewertet</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.camera_not_registered</name>
+    <message>
+        <source>camera %1 is not registered to the floor</source>
+        <translation>Kamera %1 ist nicht eingemessen</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.cameras_not_registered</name>
+    <message>
+        <source>cameras %1 are not registered to the floor</source>
+        <translation>die Kameras %1 sind nicht eingemessen</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.centre_reference</name>
+    <message>
+        <source>give it the reference point 0,0 and track again</source>
+        <translation>geben Sie ihm den Bezugspunkt 0,0 und verfolgen Sie ihn erneut</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.check_robot_and_light</name>
+    <message>
+        <source>check that the robot moves in the pictures, that a colour that was told is the one it has there, and that the light is sufficient</source>
+        <translation>prüfen Sie, ob sich der Roboter in den Bildern bewegt, ob eine angegebene Farbe die dort sichtbare ist und ob das Licht ausreicht</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.choose_longer_track</name>
+    <message>
+        <source>choose a track with more positions</source>
+        <translation>wählen Sie eine Spur mit mehr Orten</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.choose_longer_video</name>
+    <message>
+        <source>choose a longer video, or check the robot&apos;s colour and the light</source>
+        <translation>wählen Sie ein längeres Video, oder prüfen Sie die Farbe des Roboters und das Licht</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.cut_by_edge</name>
+    <message>
+        <source>cut by the picture&apos;s edge</source>
+        <translation>vom Bildrand abgeschnitten</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.cut_by_frames_edge</name>
+    <message>
+        <source>cut by the frame&apos;s edge in view %1</source>
+        <translation>vom Bildrand abgeschnitten in Sicht %1</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.faster_than_limit</name>
+    <message>
+        <source>faster than the limit</source>
+        <translation>schneller als der Grenzwert</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.figures_of_seen</name>
+    <message>
+        <source>the figures are of the part that was seen</source>
+        <translation>die Kennwerte gelten für den Teil, der zu sehen war</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.frames_that_tell</name>
+    <message>
+        <source>of %1 frames %2 give a position that can be used</source>
+        <translation>von %1 Bildern ergeben %2 einen brauchbaren Ort</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.harder_than_limit</name>
+    <message>
+        <source>harder than the limit of acceleration</source>
+        <translation>stärker beschleunigt als der Grenzwert</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.heading_unknown</name>
+    <message>
+        <source>its reference point lies beside its centre, but its outlines do not tell its heading</source>
+        <translation>sein Bezugspunkt liegt neben seiner Mitte, aber seine Umrisse verraten seine Ausrichtung nicht</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.hidden_behind</name>
+    <message>
+        <source>hidden behind %1 in view %2</source>
+        <translation>verdeckt von %1 in Sicht %2</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.import_video</name>
+    <message>
+        <source>import at least one video for it</source>
+        <translation>importieren Sie mindestens ein Video dafür</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.jump</name>
+    <message>
+        <source>jump</source>
+        <translation>Sprung</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.jump_of</name>
+    <message>
+        <source>jump of %1</source>
+        <translation>Sprung von %1</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.look_and_register</name>
+    <message>
+        <source>look at the outlines, and register the cameras again</source>
+        <translation>sehen Sie sich die Umrisse an und messen Sie die Kameras neu ein</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.move_camera</name>
+    <message>
+        <source>move or add a camera so that the whole task is seen</source>
+        <translation>versetzen oder ergänzen Sie eine Kamera, so dass die ganze Aufgabe zu sehen ist</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.no_such_smoother</name>
+    <message>
+        <source>there is none of that name</source>
+        <translation>so heißt keine</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.no_view</name>
+    <message>
+        <source>the trial has no view</source>
+        <translation>der Versuch hat keine Sicht</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.no_view_trusted</name>
+    <message>
+        <source>none could be trusted</source>
+        <translation>keine war verlässlich</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.not_enough_data</name>
+    <message>
+        <source>not enough data</source>
+        <translation>nicht genug Daten</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.not_visible</name>
+    <message>
+        <source>not visible in view %1</source>
+        <translation>nicht sichtbar in Sicht %1</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.occlusion_span</name>
+    <message>
+        <source>%1 (%2 to %3)</source>
+        <translation>%1 (%2 bis %3)</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.one_outline</name>
+    <message>
+        <source>one outline with %1 in view %2</source>
+        <translation>ein Umriss mit %1 in Sicht %2</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.only_unregistered</name>
+    <message>
+        <source>only cameras that are not registered to the floor saw the robot</source>
+        <translation>nur nicht eingemessene Kameras sahen den Roboter</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.outline_larger</name>
+    <message>
+        <source>outline larger than usual in view %1</source>
+        <translation>Umriss größer als sonst in Sicht %1</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.outline_smaller</name>
+    <message>
+        <source>outline smaller than usual in view %1</source>
+        <translation>Umriss kleiner als sonst in Sicht %1</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.partly_hidden_behind</name>
+    <message>
+        <source>partly hidden behind %1 in view %2</source>
+        <translation>teilweise verdeckt von %1 in Sicht %2</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.path_not_measured</name>
+    <message>
+        <source>the robot&apos;s path cannot be measured</source>
+        <translation>die Bahn des Roboters kann nicht gemessen werden</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.register_one</name>
+    <message>
+        <source>run odograph register for at least one of them</source>
+        <translation>messen Sie mindestens eine davon ein</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.register_them</name>
+    <message>
+        <source>run odograph register for them</source>
+        <translation>messen Sie sie ein</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.robot_not_found</name>
+    <message>
+        <source>the robot was not found in any picture of %1</source>
+        <translation>der Roboter wurde in keinem Bild von %1 gefunden</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.seldom_together</name>
+    <message>
+        <source>its height is to be triangulated, but two registered views hardly ever saw it together</source>
+        <translation>seine Höhe soll trianguliert werden, aber zwei eingemessene Sichten sahen ihn fast nie zugleich</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.smoother</name>
+    <message>
+        <source>smoother %1</source>
+        <translation>Glättung %1</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.spike_by_hand</name>
+    <message>
+        <source>called a spike by hand</source>
+        <translation>von Hand als Ausreißer markiert</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.stands_out_in_both</name>
+    <message>
+        <source>stands out in position and speed</source>
+        <translation>fällt in Ort und Geschwindigkeit heraus</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.stands_out_in_position</name>
+    <message>
+        <source>stands out in position</source>
+        <translation>fällt im Ort heraus</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.stands_out_in_speed</name>
+    <message>
+        <source>stands out in speed</source>
+        <translation>fällt in der Geschwindigkeit heraus</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.track_first</name>
+    <message>
+        <source>track the trial&apos;s videos first</source>
+        <translation>verfolgen Sie zuerst die Videos des Versuchs</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.tracker_unsure</name>
+    <message>
+        <source>the tracker was not sure (score %1)</source>
+        <translation>die Verfolgung war unsicher (Güte %1)</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.unseen_after</name>
+    <message>
+        <source>no view sees it after %1 (it was at X %2, Y %3)</source>
+        <translation>keine Sicht sieht ihn nach %1 (er war bei X %2, Y %3)</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.unseen_between</name>
+    <message>
+        <source>no view sees it from %1 to %2 (it was at X %3, Y %4)</source>
+        <translation>keine Sicht sieht ihn von %1 bis %2 (er war bei X %3, Y %4)</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.use_smoother</name>
+    <message>
+        <source>use rts, savgol, tracker or none</source>
+        <translation>verwenden Sie rts, savgol, tracker oder none</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.view_left_out</name>
+    <message>
+        <source>one left out</source>
+        <translation>eine wurde weggelassen</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.view_without_frame</name>
+    <message>
+        <source>view %1 has no frame</source>
+        <translation>die Sicht %1 hat kein Bild</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.views_apart</name>
+    <message>
+        <source>the views put it %1 apart</source>
+        <translation>die Sichten setzen ihn %1 auseinander</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.views_disagree</name>
+    <message>
+        <source>views disagree by %1</source>
+        <translation>die Sichten weichen um %1 voneinander ab</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.why_views_apart</name>
+    <message>
+        <source>a camera was moved after it was registered, the videos belong to other cameras, or one view follows something else</source>
+        <translation>eine Kamera wurde nach dem Einmessen bewegt, die Videos gehören zu anderen Kameras, oder eine Sicht folgt etwas anderem</translation>
+    </message>
+</context>
+<context>
+    <name>ui.add_camera</name>
+    <message>
+        <source>add camera %1</source>
+        <translation>Kamera %1 hinzufügen</translation>
+    </message>
+</context>
+<context>
+    <name>ui.add_class</name>
+    <message>
+        <source>add class %1</source>
+        <translation>Klasse %1 anlegen</translation>
+    </message>
+</context>
+<context>
+    <name>ui.add_layout</name>
+    <message>
+        <source>add layout %1</source>
+        <translation>Markerplan %1 anlegen</translation>
+    </message>
+</context>
+<context>
+    <name>ui.add_robot</name>
+    <message>
+        <source>add robot %1</source>
+        <translation>Roboter %1 hinzufügen</translation>
+    </message>
+</context>
+<context>
+    <name>ui.add_task</name>
+    <message>
+        <source>add task %1</source>
+        <translation>Aufgabe %1 anlegen</translation>
+    </message>
+</context>
+<context>
+    <name>ui.add_team</name>
+    <message>
+        <source>add team %1</source>
+        <translation>Team %1 anlegen</translation>
+    </message>
+</context>
+<context>
+    <name>ui.adding_strays</name>
+    <message>
+        <source>Adding stray videos as trials</source>
+        <translation>Herrenlose Videos werden als Versuche hinzugefügt</translation>
+    </message>
+</context>
+<context>
+    <name>ui.and_more</name>
+    <message>
+        <source>and %1 more</source>
+        <translation>und noch %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.annotated_video</name>
+    <message>
+        <source>annotated video of &apos;%1&apos;</source>
+        <translation>Video mit Einblendungen von &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>ui.another_job_runs</name>
+    <message>
+        <source>another job is running</source>
+        <translation>ein anderer Vorgang läuft</translation>
+    </message>
+</context>
+<context>
+    <name>ui.archive_class</name>
+    <message>
+        <source>archive class %1</source>
+        <translation>Klasse %1 archivieren</translation>
+    </message>
+</context>
+<context>
+    <name>ui.archive_task</name>
+    <message>
+        <source>archive task %1</source>
+        <translation>Aufgabe %1 archivieren</translation>
+    </message>
+</context>
+<context>
+    <name>ui.archive_trial</name>
+    <message>
+        <source>archive %1</source>
+        <translation>%1 archivieren</translation>
+    </message>
+</context>
+<context>
+    <name>ui.archive_trials</name>
+    <message>
+        <source>archive %1 trials</source>
+        <translation>%1 Versuche archivieren</translation>
+    </message>
+</context>
+<context>
+    <name>ui.backup_is_sound</name>
+    <message>
+        <source>its backup of %1 is sound; what was done since is not in it</source>
+        <translation>seine Sicherungskopie vom %1 ist unversehrt; was seitdem getan wurde, ist nicht darin</translation>
+    </message>
+</context>
+<context>
+    <name>ui.board_has_corners</name>
+    <message>
+        <source>a board has 3 to 30 inner corners each way</source>
+        <translation>eine Tafel hat 3 bis 30 innere Ecken in jeder Richtung</translation>
+    </message>
+</context>
+<context>
+    <name>ui.bring_file_back</name>
+    <message>
+        <source>bring the file back to its place</source>
+        <translation>bringen Sie die Datei an ihren Platz zurück</translation>
+    </message>
+</context>
+<context>
+    <name>ui.calibrate_other_first</name>
+    <message>
+        <source>calibrate the other one, or import a trial with it, first</source>
+        <translation>kalibrieren Sie zuerst die andere, oder importieren Sie zuerst einen Versuch mit ihr</translation>
+    </message>
+</context>
+<context>
+    <name>ui.camera_named</name>
+    <message>
+        <source>camera %1</source>
+        <translation>Kamera %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.cameras</name>
+    <message>
+        <source>the cameras</source>
+        <translation>die Kameras</translation>
+    </message>
+</context>
+<context>
+    <name>ui.cannot_make_another</name>
+    <message>
+        <source>cannot make another project</source>
+        <translation>ein anderes Projekt lässt sich nicht anlegen</translation>
+    </message>
+</context>
+<context>
+    <name>ui.cannot_open_another</name>
+    <message>
+        <source>cannot open another project</source>
+        <translation>ein anderes Projekt lässt sich nicht öffnen</translation>
+    </message>
+</context>
+<context>
+    <name>ui.change_pseudonym</name>
+    <message>
+        <source>change the pseudonym of team %1</source>
+        <translation>Pseudonym von Team %1 ändern</translation>
+    </message>
+</context>
+<context>
+    <name>ui.change_robot</name>
+    <message>
+        <source>change robot %1</source>
+        <translation>Roboter %1 ändern</translation>
+    </message>
+</context>
+<context>
+    <name>ui.change_tags</name>
+    <message>
+        <source>change the tags of %1</source>
+        <translation>Schlagwörter von %1 ändern</translation>
+    </message>
+</context>
+<context>
+    <name>ui.change_task</name>
+    <message>
+        <source>change task %1</source>
+        <translation>Aufgabe %1 ändern</translation>
+    </message>
+</context>
+<context>
+    <name>ui.change_team</name>
+    <message>
+        <source>change members and robots of team %1</source>
+        <translation>Mitglieder und Roboter von Team %1 ändern</translation>
+    </message>
+</context>
+<context>
+    <name>ui.charuco_numbered_in_two_ways</name>
+    <message>
+        <source>a ChArUco board of %1 rows of squares is numbered in two ways by different programs</source>
+        <translation>eine ChArUco-Tafel mit %1 Quadratreihen wird von verschiedenen Programmen auf zweierlei Weise nummeriert</translation>
+    </message>
+</context>
+<context>
+    <name>ui.choose_logo</name>
+    <message>
+        <source>choose a PNG, JPEG or SVG picture</source>
+        <translation>wählen Sie ein PNG-, JPEG- oder SVG-Bild</translation>
+    </message>
+</context>
+<context>
+    <name>ui.choose_or_make_class</name>
+    <message>
+        <source>choose one of them, or make it in the workbench</source>
+        <translation>wählen Sie eine davon, oder legen Sie sie im Programmfenster an</translation>
+    </message>
+</context>
+<context>
+    <name>ui.choose_recorded</name>
+    <message>
+        <source>choose one that was recorded</source>
+        <translation>wählen Sie einen, der aufgenommen wurde</translation>
+    </message>
+</context>
+<context>
+    <name>ui.choose_trial_or_class</name>
+    <message>
+        <source>choose a trial or a class</source>
+        <translation>wählen Sie einen Versuch oder eine Klasse</translation>
+    </message>
+</context>
+<context>
+    <name>ui.choose_video_size</name>
+    <message>
+        <source>choose another, such as 1920x1080</source>
+        <translation>wählen Sie eine andere, etwa 1920x1080</translation>
+    </message>
+</context>
+<context>
+    <name>ui.choose_video_speed</name>
+    <message>
+        <source>choose another, such as 0.25</source>
+        <translation>wählen Sie eine andere, etwa 0.25</translation>
+    </message>
+</context>
+<context>
+    <name>ui.comparison</name>
+    <message>
+        <source>comparison</source>
+        <translation>Vergleich</translation>
+    </message>
+</context>
+<context>
+    <name>ui.completing_recording</name>
+    <message>
+        <source>Completing a recording that was cut off</source>
+        <translation>Abgebrochene Aufnahme wird vervollständigt</translation>
+    </message>
+</context>
+<context>
+    <name>ui.connect_camera</name>
+    <message>
+        <source>connect camera %1</source>
+        <translation>Kamera %1 verbinden</translation>
+    </message>
+</context>
+<context>
+    <name>ui.delete_class</name>
+    <message>
+        <source>delete class %1</source>
+        <translation>Klasse %1 löschen</translation>
+    </message>
+</context>
+<context>
+    <name>ui.delete_robot</name>
+    <message>
+        <source>delete robot %1</source>
+        <translation>Roboter %1 löschen</translation>
+    </message>
+</context>
+<context>
+    <name>ui.delete_task</name>
+    <message>
+        <source>delete task %1</source>
+        <translation>Aufgabe %1 löschen</translation>
+    </message>
+</context>
+<context>
+    <name>ui.delete_team</name>
+    <message>
+        <source>delete team %1</source>
+        <translation>Team %1 löschen</translation>
+    </message>
+</context>
+<context>
+    <name>ui.delete_trial</name>
+    <message>
+        <source>delete %1</source>
+        <translation>%1 löschen</translation>
+    </message>
+</context>
+<context>
+    <name>ui.delete_trials</name>
+    <message>
+        <source>delete %1 trials</source>
+        <translation>%1 Versuche löschen</translation>
+    </message>
+</context>
+<context>
+    <name>ui.does_not_fit_on</name>
+    <message>
+        <source>%1 by %2 do not fit on %3</source>
+        <translation>%1 mal %2 passen nicht auf %3</translation>
+    </message>
+</context>
+<context>
+    <name>ui.emptying_bin</name>
+    <message>
+        <source>Emptying the bin</source>
+        <translation>Papierkorb wird geleert</translation>
+    </message>
+</context>
+<context>
+    <name>ui.export_of</name>
+    <message>
+        <source>export of %1</source>
+        <translation>Export von %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.exported_trials</name>
+    <message>
+        <source>Exported trials: %1 of %2</source>
+        <translation>Exportierte Versuche: %1 von %2</translation>
+    </message>
+</context>
+<context>
+    <name>ui.exporting</name>
+    <message>
+        <source>Exporting %1 (%2 of %3)</source>
+        <translation>%1 wird exportiert (%2 von %3)</translation>
+    </message>
+</context>
+<context>
+    <name>ui.give_board_size</name>
+    <message>
+        <source>give a size as 9x6</source>
+        <translation>geben Sie eine Größe an, etwa 9x6</translation>
+    </message>
+</context>
+<context>
+    <name>ui.give_marker_size</name>
+    <message>
+        <source>give its size, as 150mm</source>
+        <translation>geben Sie seine Größe an, etwa 150mm</translation>
+    </message>
+</context>
+<context>
+    <name>ui.give_square_side</name>
+    <message>
+        <source>give the side of a square, as 25mm</source>
+        <translation>geben Sie die Seite eines Quadrats an, etwa 25mm</translation>
+    </message>
+</context>
+<context>
+    <name>ui.import_or_record_first</name>
+    <message>
+        <source>import or record one first</source>
+        <translation>zuerst einen importieren oder aufnehmen</translation>
+    </message>
+</context>
+<context>
+    <name>ui.importing</name>
+    <message>
+        <source>Importing %1</source>
+        <translation>%1 wird importiert</translation>
+    </message>
+</context>
+<context>
+    <name>ui.is_printer_ready</name>
+    <message>
+        <source>look whether the printer is ready</source>
+        <translation>sehen Sie nach, ob der Drucker bereit ist</translation>
+    </message>
+</context>
+<context>
+    <name>ui.job_runs_on_project</name>
+    <message>
+        <source>a job is running on the project</source>
+        <translation>ein Vorgang läuft am Projekt</translation>
+    </message>
+</context>
+<context>
+    <name>ui.lens_of_other_size</name>
+    <message>
+        <source>it is %1×%2, but the lens was measured at %3×%4</source>
+        <translation>es hat %1×%2, aber das Objektiv wurde bei %3×%4 gemessen</translation>
+    </message>
+</context>
+<context>
+    <name>ui.logo</name>
+    <message>
+        <source>logo &apos;%1&apos;</source>
+        <translation>Logo &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>ui.logo_too_large</name>
+    <message>
+        <source>it is larger than a hundred megapixels</source>
+        <translation>es ist größer als hundert Megapixel</translation>
+    </message>
+</context>
+<context>
+    <name>ui.look_at_printer</name>
+    <message>
+        <source>look at the printer and its queue, or save the report as PDF</source>
+        <translation>sehen Sie nach dem Drucker und seiner Warteschlange, oder speichern Sie den Bericht als PDF</translation>
+    </message>
+</context>
+<context>
+    <name>ui.looking_for_lost</name>
+    <message>
+        <source>Looking for lost videos</source>
+        <translation>Verlorene Videos werden gesucht</translation>
+    </message>
+</context>
+<context>
+    <name>ui.looking_for_markers</name>
+    <message>
+        <source>looking for the markers in %1</source>
+        <translation>Marker werden in %1 gesucht</translation>
+    </message>
+</context>
+<context>
+    <name>ui.looking_for_strays</name>
+    <message>
+        <source>Looking for stray files</source>
+        <translation>Herrenlose Dateien werden gesucht</translation>
+    </message>
+</context>
+<context>
+    <name>ui.make_marker_smaller</name>
+    <message>
+        <source>make it %1 at most, or take a larger paper</source>
+        <translation>machen Sie ihn höchstens %1 groß, oder nehmen Sie ein größeres Papier</translation>
+    </message>
+</context>
+<context>
+    <name>ui.make_smaller</name>
+    <message>
+        <source>make it smaller</source>
+        <translation>machen Sie es kleiner</translation>
+    </message>
+</context>
+<context>
+    <name>ui.make_squares_smaller</name>
+    <message>
+        <source>make the squares %1 at most, or take a larger paper</source>
+        <translation>machen Sie die Quadrate höchstens %1 groß, oder nehmen Sie ein größeres Papier</translation>
+    </message>
+</context>
+<context>
+    <name>ui.making_demo</name>
+    <message>
+        <source>Making the demo lesson</source>
+        <translation>Demo-Lektion wird angelegt</translation>
+    </message>
+</context>
+<context>
+    <name>ui.making_hashes</name>
+    <message>
+        <source>Making the hashes of new recordings</source>
+        <translation>Prüfsummen neuer Aufnahmen werden gebildet</translation>
+    </message>
+</context>
+<context>
+    <name>ui.making_report</name>
+    <message>
+        <source>Making the report</source>
+        <translation>Bericht wird erstellt</translation>
+    </message>
+</context>
+<context>
+    <name>ui.making_video</name>
+    <message>
+        <source>Making the video of %1</source>
+        <translation>Video von %1 wird erstellt</translation>
+    </message>
+</context>
+<context>
+    <name>ui.making_videos</name>
+    <message>
+        <source>Making the video of %1 (%2 of %3)</source>
+        <translation>Video von %1 wird erstellt (%2 von %3)</translation>
+    </message>
+</context>
+<context>
+    <name>ui.many_trials</name>
+    <message>
+        <source>many trials</source>
+        <translation>viele Versuche</translation>
+    </message>
+</context>
+<context>
+    <name>ui.measuring_again</name>
+    <message>
+        <source>Measuring %1 again</source>
+        <translation>%1 wird neu ausgewertet</translation>
+    </message>
+</context>
+<context>
+    <name>ui.measuring_trials_again</name>
+    <message>
+        <source>Measuring %1 again (%2 of %3)</source>
+        <translation>%1 wird neu ausgewertet (%2 von %3)</translation>
+    </message>
+</context>
+<context>
+    <name>ui.mend_and_choose_again</name>
+    <message>
+        <source>mend what stands there, and choose these trials again</source>
+        <translation>beheben, was dort steht, und diese Versuche erneut wählen</translation>
+    </message>
+</context>
+<context>
+    <name>ui.move_team</name>
+    <message>
+        <source>move team %1 to class %2</source>
+        <translation>Team %1 in Klasse %2 verschieben</translation>
+    </message>
+</context>
+<context>
+    <name>ui.name_one_marker</name>
+    <message>
+        <source>name at least one, as O</source>
+        <translation>nennen Sie mindestens einen, etwa O</translation>
+    </message>
+</context>
+<context>
+    <name>ui.no_camera_registered</name>
+    <message>
+        <source>no camera is registered yet</source>
+        <translation>noch keine Kamera ist eingemessen</translation>
+    </message>
+</context>
+<context>
+    <name>ui.no_further_page</name>
+    <message>
+        <source>it takes no further page</source>
+        <translation>er nimmt keine weitere Seite an</translation>
+    </message>
+</context>
+<context>
+    <name>ui.no_marker_to_print</name>
+    <message>
+        <source>there is no marker to print</source>
+        <translation>kein Marker ist zu drucken</translation>
+    </message>
+</context>
+<context>
+    <name>ui.no_page</name>
+    <message>
+        <source>it has no page</source>
+        <translation>er hat keine Seite</translation>
+    </message>
+</context>
+<context>
+    <name>ui.no_project_open</name>
+    <message>
+        <source>no project is open</source>
+        <translation>es ist kein Projekt geöffnet</translation>
+    </message>
+</context>
+<context>
+    <name>ui.no_run_with_figure</name>
+    <message>
+        <source>none of its teams has a run with the figure &apos;%1&apos;</source>
+        <translation>keines ihrer Teams hat eine Fahrt mit dem Kennwert &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>ui.no_run_with_figure_in_task</name>
+    <message>
+        <source>none of its teams has a run with the figure &apos;%1&apos; in the task &apos;%2&apos;</source>
+        <translation>keines ihrer Teams hat eine Fahrt mit dem Kennwert &apos;%1&apos; in der Aufgabe &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>ui.no_trial_yet</name>
+    <message>
+        <source>there is no trial yet</source>
+        <translation>es gibt noch keinen Versuch</translation>
+    </message>
+</context>
+<context>
+    <name>ui.not_printed</name>
+    <message>
+        <source>it could not be printed</source>
+        <translation>sie konnte nicht gedruckt werden</translation>
+    </message>
+</context>
+<context>
+    <name>ui.nothing_changed_here</name>
+    <message>
+        <source>nothing was changed here</source>
+        <translation>hier wurde nichts geändert</translation>
+    </message>
+</context>
+<context>
+    <name>ui.only_be_read</name>
+    <message>
+        <source>this project can only be read</source>
+        <translation>dieses Projekt ist nur lesbar</translation>
+    </message>
+</context>
+<context>
+    <name>ui.only_one_camera</name>
+    <message>
+        <source>there is only one camera</source>
+        <translation>es gibt nur eine Kamera</translation>
+    </message>
+</context>
+<context>
+    <name>ui.only_so_many_charuco_markers</name>
+    <message>
+        <source>there are only 250 markers for a ChArUco board</source>
+        <translation>für eine ChArUco-Tafel gibt es nur 250 Marker</translation>
+    </message>
+</context>
+<context>
+    <name>ui.only_so_many_tags</name>
+    <message>
+        <source>there are only %1 tags</source>
+        <translation>es gibt nur %1 Tags</translation>
+    </message>
+</context>
+<context>
+    <name>ui.open_its_project</name>
+    <message>
+        <source>open the project that it belongs to</source>
+        <translation>das zugehörige Projekt öffnen</translation>
+    </message>
+</context>
+<context>
+    <name>ui.open_project_first</name>
+    <message>
+        <source>open or make a project first</source>
+        <translation>zuerst ein Projekt öffnen oder anlegen</translation>
+    </message>
+</context>
+<context>
+    <name>ui.opening</name>
+    <message>
+        <source>Opening %1</source>
+        <translation>%1 wird geöffnet</translation>
+    </message>
+</context>
+<context>
+    <name>ui.packing</name>
+    <message>
+        <source>Packing the project</source>
+        <translation>Projekt wird gepackt</translation>
+    </message>
+</context>
+<context>
+    <name>ui.pages_not_taken</name>
+    <message>
+        <source>it did not take the pages</source>
+        <translation>er hat die Seiten nicht angenommen</translation>
+    </message>
+</context>
+<context>
+    <name>ui.painting_floor</name>
+    <message>
+        <source>painting the floor</source>
+        <translation>der Boden wird gezeichnet</translation>
+    </message>
+</context>
+<context>
+    <name>ui.picture</name>
+    <message>
+        <source>the picture</source>
+        <translation>das Bild</translation>
+    </message>
+</context>
+<context>
+    <name>ui.picture_of</name>
+    <message>
+        <source>picture %1 of %2</source>
+        <translation>Bild %1 von %2</translation>
+    </message>
+</context>
+<context>
+    <name>ui.preview</name>
+    <message>
+        <source>preview</source>
+        <translation>Vorschau</translation>
+    </message>
+</context>
+<context>
+    <name>ui.print_fewer_markers</name>
+    <message>
+        <source>print fewer markers</source>
+        <translation>drucken Sie weniger Marker</translation>
+    </message>
+</context>
+<context>
+    <name>ui.printer_not_reached</name>
+    <message>
+        <source>it cannot be reached</source>
+        <translation>er ist nicht erreichbar</translation>
+    </message>
+</context>
+<context>
+    <name>ui.printing_on</name>
+    <message>
+        <source>printing on &apos;%1&apos;</source>
+        <translation>Drucken auf „%1“</translation>
+    </message>
+</context>
+<context>
+    <name>ui.project_has_classes</name>
+    <message>
+        <source>the project has %1</source>
+        <translation>das Projekt hat %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.project_has_no_class</name>
+    <message>
+        <source>the project has none</source>
+        <translation>das Projekt hat keine</translation>
+    </message>
+</context>
+<context>
+    <name>ui.recording_not_there</name>
+    <message>
+        <source>the recording of camera %1 is not at &apos;%2&apos;</source>
+        <translation>die Aufnahme der Kamera %1 ist nicht unter &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>ui.redo</name>
+    <message>
+        <source>redo</source>
+        <translation>wiederholen</translation>
+    </message>
+</context>
+<context>
+    <name>ui.register_camera</name>
+    <message>
+        <source>register camera %1</source>
+        <translation>Kamera %1 einmessen</translation>
+    </message>
+</context>
+<context>
+    <name>ui.register_one_first</name>
+    <message>
+        <source>register one that sees the markers first</source>
+        <translation>messen Sie zuerst eine ein, die die Marker sieht</translation>
+    </message>
+</context>
+<context>
+    <name>ui.registration_through_another</name>
+    <message>
+        <source>registration through another camera</source>
+        <translation>Einmessung über eine andere Kamera</translation>
+    </message>
+</context>
+<context>
+    <name>ui.removing_strays</name>
+    <message>
+        <source>Removing stray files</source>
+        <translation>Herrenlose Dateien werden entfernt</translation>
+    </message>
+</context>
+<context>
+    <name>ui.rename_class</name>
+    <message>
+        <source>rename class %1 to %2</source>
+        <translation>Klasse %1 in %2 umbenennen</translation>
+    </message>
+</context>
+<context>
+    <name>ui.rename_task</name>
+    <message>
+        <source>rename task %1 to %2</source>
+        <translation>Aufgabe %1 in %2 umbenennen</translation>
+    </message>
+</context>
+<context>
+    <name>ui.rename_team</name>
+    <message>
+        <source>rename team %1 to %2</source>
+        <translation>Team %1 in %2 umbenennen</translation>
+    </message>
+</context>
+<context>
+    <name>ui.report</name>
+    <message>
+        <source>report</source>
+        <translation>Bericht</translation>
+    </message>
+</context>
+<context>
+    <name>ui.report_file</name>
+    <message>
+        <source>report &apos;%1&apos;</source>
+        <translation>Bericht „%1“</translation>
+    </message>
+</context>
+<context>
+    <name>ui.report_of_class</name>
+    <message>
+        <source>report of class &apos;%1&apos;</source>
+        <translation>Bericht der Klasse &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>ui.restoring_backup</name>
+    <message>
+        <source>Restoring the backup</source>
+        <translation>Sicherungskopie wird wiederhergestellt</translation>
+    </message>
+</context>
+<context>
+    <name>ui.save_copy</name>
+    <message>
+        <source>save a copy and work on that</source>
+        <translation>eine Kopie speichern und mit ihr arbeiten</translation>
+    </message>
+</context>
+<context>
+    <name>ui.saving_copy</name>
+    <message>
+        <source>Saving a copy</source>
+        <translation>Kopie wird gespeichert</translation>
+    </message>
+</context>
+<context>
+    <name>ui.size_is_no_length</name>
+    <message>
+        <source>its size is not a length</source>
+        <translation>die Größe ist keine Länge</translation>
+    </message>
+</context>
+<context>
+    <name>ui.star_trial</name>
+    <message>
+        <source>star %1</source>
+        <translation>%1 mit Stern versehen</translation>
+    </message>
+</context>
+<context>
+    <name>ui.star_trials</name>
+    <message>
+        <source>star %1 trials</source>
+        <translation>%1 Versuche mit Stern versehen</translation>
+    </message>
+</context>
+<context>
+    <name>ui.take_at_that_resolution</name>
+    <message>
+        <source>take it at that resolution, or measure the lens again</source>
+        <translation>nehmen Sie es in jener Auflösung auf, oder messen Sie das Objektiv neu</translation>
+    </message>
+</context>
+<context>
+    <name>ui.take_even_rows</name>
+    <message>
+        <source>take an even number of rows of inner corners, as 9x6</source>
+        <translation>nehmen Sie eine gerade Anzahl von Reihen innerer Ecken, etwa 9x6</translation>
+    </message>
+</context>
+<context>
+    <name>ui.take_fewer_squares</name>
+    <message>
+        <source>take fewer squares</source>
+        <translation>nehmen Sie weniger Quadrate</translation>
+    </message>
+</context>
+<context>
+    <name>ui.take_team_out</name>
+    <message>
+        <source>take team %1 out of its class</source>
+        <translation>Team %1 aus seiner Klasse nehmen</translation>
+    </message>
+</context>
+<context>
+    <name>ui.taking_over_setup</name>
+    <message>
+        <source>Taking over the set-up</source>
+        <translation>Der Aufbau wird übernommen</translation>
+    </message>
+</context>
+<context>
+    <name>ui.target</name>
+    <message>
+        <source>target</source>
+        <translation>Vorlage</translation>
+    </message>
+</context>
+<context>
+    <name>ui.the_sample</name>
+    <message>
+        <source>the sample</source>
+        <translation>der Messpunkt</translation>
+    </message>
+</context>
+<context>
+    <name>ui.the_trial</name>
+    <message>
+        <source>the trial</source>
+        <translation>der Versuch</translation>
+    </message>
+</context>
+<context>
+    <name>ui.track_or_choose_figure</name>
+    <message>
+        <source>track its trials, or choose another task or figure</source>
+        <translation>verfolgen Sie ihre Versuche, oder wählen Sie eine andere Aufgabe oder einen anderen Kennwert</translation>
+    </message>
+</context>
+<context>
+    <name>ui.tracking</name>
+    <message>
+        <source>Tracking %1</source>
+        <translation>%1 wird verfolgt</translation>
+    </message>
+</context>
+<context>
+    <name>ui.trial_without_recording</name>
+    <message>
+        <source>the trial has no recording</source>
+        <translation>der Versuch hat keine Aufnahme</translation>
+    </message>
+</context>
+<context>
+    <name>ui.trials_measured_again</name>
+    <message>
+        <source>Trials measured again: %1 of %2</source>
+        <translation>Neu ausgewertete Versuche: %1 von %2</translation>
+    </message>
+</context>
+<context>
+    <name>ui.unarchive_class</name>
+    <message>
+        <source>take class %1 out of the archive</source>
+        <translation>Klasse %1 aus dem Archiv holen</translation>
+    </message>
+</context>
+<context>
+    <name>ui.unarchive_task</name>
+    <message>
+        <source>take task %1 out of the archive</source>
+        <translation>Aufgabe %1 aus dem Archiv holen</translation>
+    </message>
+</context>
+<context>
+    <name>ui.unarchive_trial</name>
+    <message>
+        <source>take %1 out of the archive</source>
+        <translation>%1 aus dem Archiv holen</translation>
+    </message>
+</context>
+<context>
+    <name>ui.unarchive_trials</name>
+    <message>
+        <source>take %1 trials out of the archive</source>
+        <translation>%1 Versuche aus dem Archiv holen</translation>
+    </message>
+</context>
+<context>
+    <name>ui.undelete_trial</name>
+    <message>
+        <source>take %1 out of the bin</source>
+        <translation>%1 aus dem Papierkorb holen</translation>
+    </message>
+</context>
+<context>
+    <name>ui.undelete_trials</name>
+    <message>
+        <source>take %1 trials out of the bin</source>
+        <translation>%1 Versuche aus dem Papierkorb holen</translation>
+    </message>
+</context>
+<context>
+    <name>ui.undo</name>
+    <message>
+        <source>undo</source>
+        <translation>rückgängig machen</translation>
+    </message>
+</context>
+<context>
+    <name>ui.undo_in_menu</name>
+    <message>
+        <source>what was changed before is taken back in the window&apos;s menu Edit</source>
+        <translation>frühere Änderungen im Menü Bearbeiten des Fensters zurücknehmen</translation>
+    </message>
+</context>
+<context>
+    <name>ui.unpacking</name>
+    <message>
+        <source>Unpacking the project</source>
+        <translation>Projekt wird entpackt</translation>
+    </message>
+</context>
+<context>
+    <name>ui.unstar_trial</name>
+    <message>
+        <source>take the star off %1</source>
+        <translation>Stern von %1 entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>ui.unstar_trials</name>
+    <message>
+        <source>take the star off %1 trials</source>
+        <translation>Stern von %1 Versuchen entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>ui.video_size_wrong</name>
+    <message>
+        <source>its size of %1x%2 is odd, or not from 320x180 to 3840x2160</source>
+        <translation>die Größe %1x%2 ist ungerade, oder nicht zwischen 320x180 und 3840x2160</translation>
+    </message>
+</context>
+<context>
+    <name>ui.video_speed_wrong</name>
+    <message>
+        <source>its speed is not from 0.1 to 1</source>
+        <translation>die Geschwindigkeit liegt nicht zwischen 0.1 und 1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.videos_made</name>
+    <message>
+        <source>Videos made: %1 of %2</source>
+        <translation>Erstellte Videos: %1 von %2</translation>
+    </message>
+</context>
+<context>
+    <name>ui.wait_or_cancel</name>
+    <message>
+        <source>wait until it is done, or cancel it</source>
+        <translation>warten, bis er fertig ist, oder ihn abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>ui.write_notes</name>
+    <message>
+        <source>write notes of %1</source>
+        <translation>Notizen zu %1 schreiben</translation>
+    </message>
+</context>
+<context>
+    <name>ui.writing_back</name>
+    <message>
+        <source>writing back</source>
+        <translation>Zurückschreiben</translation>
+    </message>
+</context>
+<context>
+    <name>video.cannot_decode</name>
+    <message>
+        <source>cannot decode the video</source>
+        <translation>das Video kann nicht dekodiert werden</translation>
+    </message>
+</context>
+<context>
+    <name>video.cannot_decode_all</name>
+    <message>
+        <source>cannot decode all of a frame</source>
+        <translation>ein Bild kann nicht ganz dekodiert werden</translation>
+    </message>
+</context>
+<context>
+    <name>video.cannot_decode_frame</name>
+    <message>
+        <source>cannot decode frame %1 of %2</source>
+        <translation>Bild %1 von %2 kann nicht dekodiert werden</translation>
+    </message>
+</context>
+<context>
+    <name>video.cannot_encode</name>
+    <message>
+        <source>cannot encode the video</source>
+        <translation>das Video kann nicht kodiert werden</translation>
+    </message>
+</context>
+<context>
+    <name>video.cannot_finish</name>
+    <message>
+        <source>cannot finish the video %1</source>
+        <translation>das Video %1 kann nicht abgeschlossen werden</translation>
+    </message>
+</context>
+<context>
+    <name>video.cannot_open</name>
+    <message>
+        <source>cannot open the video %1</source>
+        <translation>das Video %1 kann nicht geöffnet werden</translation>
+    </message>
+</context>
+<context>
+    <name>video.cannot_read_picture</name>
+    <message>
+        <source>cannot read the picture %1</source>
+        <translation>das Bild %1 kann nicht gelesen werden</translation>
+    </message>
+</context>
+<context>
+    <name>video.cannot_show_frame</name>
+    <message>
+        <source>cannot show frame %1 of %2</source>
+        <translation>Bild %1 von %2 kann nicht gezeigt werden</translation>
+    </message>
+</context>
+<context>
+    <name>video.cannot_write</name>
+    <message>
+        <source>cannot write the video %1</source>
+        <translation>das Video %1 kann nicht geschrieben werden</translation>
+    </message>
+</context>
+<context>
+    <name>video.cannot_write_frame</name>
+    <message>
+        <source>cannot write a frame to the video %1</source>
+        <translation>in das Video %1 kann kein Bild geschrieben werden</translation>
+    </message>
+</context>
+<context>
+    <name>video.cannot_write_recording</name>
+    <message>
+        <source>cannot write the recording %1</source>
+        <translation>die Aufnahme %1 kann nicht geschrieben werden</translation>
+    </message>
+</context>
+<context>
+    <name>video.check_its_folder</name>
+    <message>
+        <source>check that its folder may be written to and has room</source>
+        <translation>prüfen Sie, ob sein Ordner beschreibbar ist und Platz hat</translation>
+    </message>
+</context>
+<context>
+    <name>video.check_picture_place</name>
+    <message>
+        <source>check the folder, the free space, and that the name ends in .png or .jpg</source>
+        <translation>prüfen Sie den Ordner, den freien Platz, und ob der Name auf .png oder .jpg endet</translation>
+    </message>
+</context>
+<context>
+    <name>video.check_room</name>
+    <message>
+        <source>check that there is room on the disk</source>
+        <translation>prüfen Sie, ob auf der Platte Platz ist</translation>
+    </message>
+</context>
+<context>
+    <name>video.check_the_folder</name>
+    <message>
+        <source>check that the folder exists, may be written to and has room</source>
+        <translation>prüfen Sie, ob es den Ordner gibt, ob er beschreibbar ist und Platz hat</translation>
+    </message>
+</context>
+<context>
+    <name>video.check_what_was_asked</name>
+    <message>
+        <source>check the size, the frame rate and the quality that were asked for</source>
+        <translation>prüfen Sie die verlangte Größe, Bildrate und Qualität</translation>
+    </message>
+</context>
+<context>
+    <name>video.choose_one_of_these</name>
+    <message>
+        <source>choose one of these</source>
+        <translation>wählen Sie eines davon</translation>
+    </message>
+</context>
+<context>
+    <name>video.convert_to_h264</name>
+    <message>
+        <source>convert it to H.264</source>
+        <translation>wandeln Sie es in H.264 um</translation>
+    </message>
+</context>
+<context>
+    <name>video.convert_to_png</name>
+    <message>
+        <source>convert it to PNG or JPEG</source>
+        <translation>wandeln Sie es in PNG oder JPEG um</translation>
+    </message>
+</context>
+<context>
+    <name>video.convert_to_smaller</name>
+    <message>
+        <source>convert it to a smaller size</source>
+        <translation>wandeln Sie es in eine kleinere Größe um</translation>
+    </message>
+</context>
+<context>
+    <name>video.convert_to_yuv</name>
+    <message>
+        <source>convert it to 8-bit YUV, e.g. ffmpeg -i FILE -pix_fmt yuv420p NEW.mp4</source>
+        <translation>wandeln Sie es in 8-Bit-YUV um, z. B. mit ffmpeg -i FILE -pix_fmt yuv420p NEW.mp4</translation>
+    </message>
+</context>
+<context>
+    <name>video.copy_again</name>
+    <message>
+        <source>copy it again</source>
+        <translation>kopieren Sie es noch einmal</translation>
+    </message>
+</context>
+<context>
+    <name>video.copy_from_camera</name>
+    <message>
+        <source>copy it from the camera again</source>
+        <translation>kopieren Sie noch einmal von der Kamera</translation>
+    </message>
+</context>
+<context>
+    <name>video.copy_if_cut_short</name>
+    <message>
+        <source>copy it from the camera again if it was cut short</source>
+        <translation>kopieren Sie noch einmal von der Kamera, wenn etwas abgeschnitten wurde</translation>
+    </message>
+</context>
+<context>
+    <name>video.data_damaged</name>
+    <message>
+        <source>its data are damaged</source>
+        <translation>die Daten sind beschädigt</translation>
+    </message>
+</context>
+<context>
+    <name>video.decoder_not_started</name>
+    <message>
+        <source>its decoder would not start (%1)</source>
+        <translation>der Decoder startet nicht (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>video.each_at_its_time</name>
+    <message>
+        <source>each counts at its own time</source>
+        <translation>jedes zählt zu seiner eigenen Zeit</translation>
+    </message>
+</context>
+<context>
+    <name>video.encoder_not_started</name>
+    <message>
+        <source>the encoder would not start (%1)</source>
+        <translation>der Encoder startet nicht (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>video.ends_early</name>
+    <message>
+        <source>ends early at %1</source>
+        <translation>endet vorzeitig bei %1</translation>
+    </message>
+</context>
+<context>
+    <name>video.even_rate_assumed</name>
+    <message>
+        <source>an even %1 is assumed</source>
+        <translation>gleichmäßige %1 werden angenommen</translation>
+    </message>
+</context>
+<context>
+    <name>video.failed_before</name>
+    <message>
+        <source>writing has failed before</source>
+        <translation>das Schreiben ist schon vorher misslungen</translation>
+    </message>
+</context>
+<context>
+    <name>video.file_is_empty</name>
+    <message>
+        <source>the file is empty</source>
+        <translation>die Datei ist leer</translation>
+    </message>
+</context>
+<context>
+    <name>video.file_not_read</name>
+    <message>
+        <source>the file could not be read</source>
+        <translation>die Datei konnte nicht gelesen werden</translation>
+    </message>
+</context>
+<context>
+    <name>video.format_differs</name>
+    <message>
+        <source>its format differs from the video&apos;s</source>
+        <translation>das Format ist ein anderes als das des Videos</translation>
+    </message>
+</context>
+<context>
+    <name>video.frame_left_out</name>
+    <message>
+        <source>it is left out</source>
+        <translation>wird weggelassen</translation>
+    </message>
+</context>
+<context>
+    <name>video.frames_it_has</name>
+    <message>
+        <source>it has frames 0 to %1</source>
+        <translation>es hat die Bilder 0 bis %1</translation>
+    </message>
+</context>
+<context>
+    <name>video.frames_left_out</name>
+    <message>
+        <source>%1 frames left out</source>
+        <translation>%1 Bilder weggelassen</translation>
+    </message>
+</context>
+<context>
+    <name>video.frames_not_encodable</name>
+    <message>
+        <source>frames of this size or chroma format cannot be encoded</source>
+        <translation>Bilder dieser Größe oder dieses Farbformats können nicht kodiert werden</translation>
+    </message>
+</context>
+<context>
+    <name>video.give_another_format</name>
+    <message>
+        <source>let the camera give another format</source>
+        <translation>lassen Sie die Kamera ein anderes Format liefern</translation>
+    </message>
+</context>
+<context>
+    <name>video.give_camera_file</name>
+    <message>
+        <source>give the file that the camera recorded</source>
+        <translation>geben Sie die Datei an, die die Kamera aufgenommen hat</translation>
+    </message>
+</context>
+<context>
+    <name>video.give_container</name>
+    <message>
+        <source>give an MP4, MOV, MKV or AVI file</source>
+        <translation>geben Sie eine MP4-, MOV-, MKV- oder AVI-Datei an</translation>
+    </message>
+</context>
+<context>
+    <name>video.give_known_ending</name>
+    <message>
+        <source>give it one of these endings</source>
+        <translation>geben Sie ihm eine dieser Endungen</translation>
+    </message>
+</context>
+<context>
+    <name>video.give_rate</name>
+    <message>
+        <source>give the frames per second, e.g. 30</source>
+        <translation>geben Sie die Bilder je Sekunde an, z. B. 30</translation>
+    </message>
+</context>
+<context>
+    <name>video.h264_needs_even</name>
+    <message>
+        <source>H.264 needs an even width and height, not %1</source>
+        <translation>H.264 braucht gerade Breite und Höhe, nicht %1</translation>
+    </message>
+</context>
+<context>
+    <name>video.header_not_rewritten</name>
+    <message>
+        <source>its header could not be rewritten</source>
+        <translation>die Kopfdaten konnten nicht neu geschrieben werden</translation>
+    </message>
+</context>
+<context>
+    <name>video.header_promises</name>
+    <message>
+        <source>its header promises %1</source>
+        <translation>die Kopfdaten versprechen %1</translation>
+    </message>
+</context>
+<context>
+    <name>video.install_libavcodec</name>
+    <message>
+        <source>install Debian&apos;s libavcodec</source>
+        <translation>installieren Sie Debians libavcodec</translation>
+    </message>
+</context>
+<context>
+    <name>video.install_libx264</name>
+    <message>
+        <source>install Debian&apos;s libavcodec with libx264</source>
+        <translation>installieren Sie Debians libavcodec mit libx264</translation>
+    </message>
+</context>
+<context>
+    <name>video.is_finished</name>
+    <message>
+        <source>it is finished</source>
+        <translation>es ist abgeschlossen</translation>
+    </message>
+</context>
+<context>
+    <name>video.largest_picture</name>
+    <message>
+        <source>more than 50 megapixels or 32000 pixels a side are not read</source>
+        <translation>mehr als 50 Megapixel oder 32000 Pixel je Seite werden nicht gelesen</translation>
+    </message>
+</context>
+<context>
+    <name>video.make_smaller</name>
+    <message>
+        <source>make it smaller</source>
+        <translation>machen Sie es kleiner</translation>
+    </message>
+</context>
+<context>
+    <name>video.name_a_picture</name>
+    <message>
+        <source>name a picture</source>
+        <translation>nennen Sie ein Bild</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_decoder</name>
+    <message>
+        <source>there is no decoder for %1</source>
+        <translation>es gibt keinen Decoder für %1</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_encoder</name>
+    <message>
+        <source>the installed libavcodec has no encoder for it</source>
+        <translation>das installierte libavcodec hat keinen Encoder dafür</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_ffv1_in_mp4</name>
+    <message>
+        <source>FFV1 does not go into MP4</source>
+        <translation>FFV1 passt nicht in MP4</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_frame_written</name>
+    <message>
+        <source>no frame was written to it</source>
+        <translation>kein Bild wurde hineingeschrieben</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_jpeg_layout</name>
+    <message>
+        <source>JPEG does not have its layout of colours</source>
+        <translation>diese Anordnung der Farben kennt JPEG nicht</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_known_ending</name>
+    <message>
+        <source>its name ends with neither .mkv nor .mp4</source>
+        <translation>der Name endet weder auf .mkv noch auf .mp4</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_picture_format</name>
+    <message>
+        <source>it is no PNG, JPEG, BMP, TIFF or PNM picture</source>
+        <translation>es ist kein PNG-, JPEG-, BMP-, TIFF- oder PNM-Bild</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_stream</name>
+    <message>
+        <source>it holds no video stream that can be read</source>
+        <translation>kein lesbarer Videostrom ist darin</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_time_scale</name>
+    <message>
+        <source>its time scale was not found where the muxer should have put it</source>
+        <translation>die Zeitskala fehlt an der Stelle, an die der Muxer sie schreiben sollte</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_time_stamps</name>
+    <message>
+        <source>the file has no time stamps</source>
+        <translation>die Datei hat keine Zeitstempel</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_video_kind</name>
+    <message>
+        <source>it is not a video of a kind that is read, or its header is damaged or missing (%1)</source>
+        <translation>es ist kein Video lesbarer Art, oder sein Kopf ist beschädigt oder fehlt (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_whole_frame</name>
+    <message>
+        <source>not one whole frame is in it</source>
+        <translation>darin ist kein einziges ganzes Bild</translation>
+    </message>
+</context>
+<context>
+    <name>video.packet_damaged</name>
+    <message>
+        <source>a packet there is damaged</source>
+        <translation>ein Paket dort ist beschädigt</translation>
+    </message>
+</context>
+<context>
+    <name>video.picture</name>
+    <message>
+        <source>picture</source>
+        <translation>Bild</translation>
+    </message>
+</context>
+<context>
+    <name>video.picture_claims_size</name>
+    <message>
+        <source>it says that it has %1 pixels</source>
+        <translation>darin steht, dass es %1 Pixel sind</translation>
+    </message>
+</context>
+<context>
+    <name>video.picture_damaged</name>
+    <message>
+        <source>its content is damaged or cut short</source>
+        <translation>der Inhalt ist beschädigt oder abgeschnitten</translation>
+    </message>
+</context>
+<context>
+    <name>video.picture_file_too_large</name>
+    <message>
+        <source>the file is larger than 200 MB</source>
+        <translation>die Datei ist größer als 200 MB</translation>
+    </message>
+</context>
+<context>
+    <name>video.picture_format_unknown</name>
+    <message>
+        <source>its format is not known</source>
+        <translation>das Format ist nicht bekannt</translation>
+    </message>
+</context>
+<context>
+    <name>video.picture_named</name>
+    <message>
+        <source>picture &apos;%1&apos;</source>
+        <translation>Bild &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>video.picture_not_coded</name>
+    <message>
+        <source>a picture cannot be coded</source>
+        <translation>ein Bild kann nicht kodiert werden</translation>
+    </message>
+</context>
+<context>
+    <name>video.picture_not_packed</name>
+    <message>
+        <source>it could not be packed</source>
+        <translation>das Bild konnte nicht gepackt werden</translation>
+    </message>
+</context>
+<context>
+    <name>video.pictures_too_large</name>
+    <message>
+        <source>its pictures have more than 100 megapixels or 32000 pixels a side</source>
+        <translation>die Bilder haben mehr als 100 Megapixel oder 32000 Pixel je Seite</translation>
+    </message>
+</context>
+<context>
+    <name>video.pixel_format_not_read</name>
+    <message>
+        <source>its pixel format %1 is not read</source>
+        <translation>das Pixelformat %1 wird nicht gelesen</translation>
+    </message>
+</context>
+<context>
+    <name>video.rate_not_positive</name>
+    <message>
+        <source>its frame rate is not positive</source>
+        <translation>die Bildrate ist nicht positiv</translation>
+    </message>
+</context>
+<context>
+    <name>video.rate_varies</name>
+    <message>
+        <source>its frame rate varies, pictures are %1 to %2 apart</source>
+        <translation>seine Bildrate schwankt, die Bilder liegen %1 bis %2 auseinander</translation>
+    </message>
+</context>
+<context>
+    <name>video.report_bug</name>
+    <message>
+        <source>report this as a bug</source>
+        <translation>melden Sie dies als Fehler</translation>
+    </message>
+</context>
+<context>
+    <name>video.siting_not_set</name>
+    <message>
+        <source>the chroma siting could not be set (%1)</source>
+        <translation>die Lage der Farbwerte konnte nicht gesetzt werden (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>video.size_not_found</name>
+    <message>
+        <source>the size of its pictures could not be found out</source>
+        <translation>die Größe der Bilder ließ sich nicht feststellen</translation>
+    </message>
+</context>
+<context>
+    <name>video.sound_part_used</name>
+    <message>
+        <source>its sound part is used</source>
+        <translation>verwendet wird der unbeschädigte Teil</translation>
+    </message>
+</context>
+<context>
+    <name>video.stamps_repeat</name>
+    <message>
+        <source>their time stamps repeat the frame before</source>
+        <translation>ihre Zeitstempel wiederholen den des Bilds davor</translation>
+    </message>
+</context>
+<context>
+    <name>video.stamps_span</name>
+    <message>
+        <source>its time stamps span %1</source>
+        <translation>die Zeitstempel umfassen %1</translation>
+    </message>
+</context>
+<context>
+    <name>video.start_it_again</name>
+    <message>
+        <source>start it again</source>
+        <translation>beginnen Sie es neu</translation>
+    </message>
+</context>
+<context>
+    <name>video.start_video_again</name>
+    <message>
+        <source>start the video again</source>
+        <translation>beginnen Sie das Video neu</translation>
+    </message>
+</context>
+<context>
+    <name>video.time_not_after</name>
+    <message>
+        <source>its time is not after the frame&apos;s before it</source>
+        <translation>die Zeit liegt nicht nach der des Bilds davor</translation>
+    </message>
+</context>
+<context>
+    <name>video.unknown_format_not_read</name>
+    <message>
+        <source>its pixel format (unknown) is not read</source>
+        <translation>das (unbekannte) Pixelformat wird nicht gelesen</translation>
+    </message>
+</context>
+<context>
+    <name>video.use_another_picture</name>
+    <message>
+        <source>use another picture</source>
+        <translation>verwenden Sie ein anderes Bild</translation>
+    </message>
+</context>
+<context>
+    <name>video.use_mjpeg</name>
+    <message>
+        <source>use MJPEG or FFV1, or another size</source>
+        <translation>verwenden Sie MJPEG oder FFV1, oder eine andere Größe</translation>
+    </message>
+</context>
+<context>
+    <name>video.use_mkv</name>
+    <message>
+        <source>use the ending .mkv</source>
+        <translation>verwenden Sie die Endung .mkv</translation>
+    </message>
+</context>
+<context>
+    <name>video.use_other_chroma</name>
+    <message>
+        <source>use 4:2:0, 4:2:2 or 4:4:4</source>
+        <translation>verwenden Sie 4:2:0, 4:2:2 oder 4:4:4</translation>
+    </message>
+</context>
+<context>
+    <name>video.write_at_least_one</name>
+    <message>
+        <source>write at least one</source>
+        <translation>schreiben Sie mindestens eines</translation>
+    </message>
+</context>
+<context>
+    <name>video.write_in_order</name>
+    <message>
+        <source>write the frames in order, at least a microsecond apart</source>
+        <translation>schreiben Sie die Bilder der Reihe nach, mindestens eine Mikrosekunde auseinander</translation>
+    </message>
+</context>
+<context>
+    <name>video.write_one_format</name>
+    <message>
+        <source>write one format to a file</source>
+        <translation>schreiben Sie in eine Datei ein Format</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.add_one_with</name>
+    <message>
+        <source>add one with</source>
+        <translation>fügen Sie einen hinzu mit</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.added_with_colour</name>
+    <message>
+        <source>it was added with the colour %1</source>
+        <translation>er wurde mit der Farbe %1 aufgenommen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.address_of_live_positions</name>
+    <message>
+        <source>address &apos;%1&apos; of live positions</source>
+        <translation>Adresse &apos;%1&apos; der Live-Orte</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.analyse_anew_with</name>
+    <message>
+        <source>analyse them anew with</source>
+        <translation>werten Sie sie neu aus mit</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.analysing</name>
+    <message>
+        <source>analysing</source>
+        <translation>Auswertung</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.analysing_robot</name>
+    <message>
+        <source>analysing %1</source>
+        <translation>%1 wird ausgewertet</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.another_picture_size</name>
+    <message>
+        <source>its pictures are %1 but the camera was calibrated at %2</source>
+        <translation>ihre Bilder haben %1, aber die Kamera wurde bei %2 kalibriert</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.beyond_limits</name>
+    <message>
+        <source>%1 of what was measured is beyond the limits of task &apos;%2&apos;, so that they were left out</source>
+        <translation>%1 des Gemessenen liegen jenseits der Grenzwerte der Aufgabe &apos;%2&apos;, darum blieben diese außer Betracht</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.board_in_no_picture</name>
+    <message>
+        <source>the board was found in none of %1 pictures (%2)</source>
+        <translation>die Tafel wurde in keinem von %1 Bildern gefunden (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.by_layout_and_lens</name>
+    <message>
+        <source>layout &apos;%1&apos;, lens of calibration %2</source>
+        <translation>Plan &apos;%1&apos;, Objektiv der Kalibrierung %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.by_layout_without_lens</name>
+    <message>
+        <source>layout &apos;%1&apos;, lens not calibrated</source>
+        <translation>Plan &apos;%1&apos;, Objektiv nicht kalibriert</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibrate_at_its_size</name>
+    <message>
+        <source>calibrate it at the size it records.</source>
+        <translation>kalibrieren Sie sie bei der Größe, in der sie aufnimmt.</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibrate_at_recorded_size</name>
+    <message>
+        <source>calibrate and register the camera at the size it records</source>
+        <translation>kalibrieren und messen Sie die Kamera bei der Größe ein, in der sie aufnimmt</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibrate_camera</name>
+    <message>
+        <source>calibrate camera %1</source>
+        <translation>Kamera %1 kalibrieren</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibrate_if_touched</name>
+    <message>
+        <source>if zoom, focus or the camera&apos;s settings were touched since, calibrate it again.</source>
+        <translation>wenn seither Zoom, Fokus oder Einstellungen der Kamera verändert wurden, kalibrieren Sie neu.</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibrate_it</name>
+    <message>
+        <source>calibrate it.</source>
+        <translation>kalibrieren Sie es.</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibrate_lens_first</name>
+    <message>
+        <source>calibrate the lens first, or put another calibration in force</source>
+        <translation>kalibrieren Sie zuerst das Objektiv, oder setzen Sie eine andere Kalibrierung in Kraft</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibrate_or_give_picture</name>
+    <message>
+        <source>calibrate it, import its intrinsics, or give --image or --video as well</source>
+        <translation>kalibrieren Sie sie, importieren Sie ihre Objektivdaten, oder geben Sie auch --image oder --video an</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibrate_or_import_trial</name>
+    <message>
+        <source>calibrate it, import its intrinsics, or import a trial with it first</source>
+        <translation>kalibrieren Sie sie, importieren Sie ihre Objektivdaten, oder importieren Sie zuerst einen Versuch mit ihr</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibrated_from_pictures</name>
+    <message>
+        <source>calibrated from %1 pictures</source>
+        <translation>kalibriert aus %1 Bildern</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibrating_camera</name>
+    <message>
+        <source>calibrating camera %1</source>
+        <translation>Kamera %1 wird kalibriert</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibration</name>
+    <message>
+        <source>calibration %1</source>
+        <translation>Kalibrierung %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibration_of_camera</name>
+    <message>
+        <source>calibration of camera &apos;%1&apos;</source>
+        <translation>Kalibrierung der Kamera &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibration_picture</name>
+    <message>
+        <source>calibration picture &apos;%1&apos;</source>
+        <translation>Kalibrierbild &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.camera_gave_no_picture</name>
+    <message>
+        <source>camera &apos;%1&apos; gave no picture</source>
+        <translation>Kamera &apos;%1&apos; lieferte kein Bild</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.camera_given_twice</name>
+    <message>
+        <source>camera &apos;%1&apos; or its address &apos;%2&apos; was given twice</source>
+        <translation>Kamera &apos;%1&apos; oder ihre Adresse &apos;%2&apos; wurde zweimal angegeben</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.camera_given_two_videos</name>
+    <message>
+        <source>camera &apos;%1&apos; was given two videos</source>
+        <translation>für Kamera &apos;%1&apos; wurden zwei Videos angegeben</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.camera_not_on_floor</name>
+    <message>
+        <source>camera &apos;%1&apos; is not registered to the floor</source>
+        <translation>Kamera &apos;%1&apos; ist nicht eingemessen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.camera_not_registered</name>
+    <message>
+        <source>camera &apos;%1&apos; is not registered</source>
+        <translation>Kamera &apos;%1&apos; ist nicht eingemessen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.cannot_be_looked_at</name>
+    <message>
+        <source>it cannot be looked at (%1)</source>
+        <translation>Zugriff nicht möglich (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.cannot_write</name>
+    <message>
+        <source>cannot write &apos;%1&apos;</source>
+        <translation>&apos;%1&apos; kann nicht geschrieben werden</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.changed_in_file</name>
+    <message>
+        <source>they were changed in the file</source>
+        <translation>sie wurden in der Datei geändert</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_cable_and_bandwidth</name>
+    <message>
+        <source>check cable, bandwidth and what else this machine does</source>
+        <translation>prüfen Sie Kabel, Bandbreite und was dieser Rechner sonst tut</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_files_and_offset</name>
+    <message>
+        <source>check the files and the --sync offset</source>
+        <translation>prüfen Sie die Dateien und den Versatz</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_folder_is_there</name>
+    <message>
+        <source>check that the folder is there and may be read</source>
+        <translation>prüfen Sie, ob der Ordner da ist und gelesen werden darf</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_it_is_connected</name>
+    <message>
+        <source>check that it is connected and not used by another program</source>
+        <translation>prüfen Sie, ob sie angeschlossen ist und kein anderes Programm sie benutzt</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_it_is_there</name>
+    <message>
+        <source>check that it is there and may be read</source>
+        <translation>prüfen Sie, ob sie da ist und gelesen werden darf</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_its_cable</name>
+    <message>
+        <source>check its cable, and whether another program uses it</source>
+        <translation>prüfen Sie ihr Kabel, und ob ein anderes Programm sie benutzt</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_or_analyse_again</name>
+    <message>
+        <source>run odograph check, or analyse the trial again</source>
+        <translation>führen Sie odograph check aus, oder werten Sie den Versuch noch einmal aus</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_or_register_again</name>
+    <message>
+        <source>check that the camera has not moved, or register it again.</source>
+        <translation>prüfen Sie, dass sich die Kamera nicht bewegt hat, oder messen Sie sie neu ein.</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_rate</name>
+    <message>
+        <source>the views are joined by time, check --rate if one is slow motion</source>
+        <translation>die Sichten werden über die Zeit verbunden; prüfen Sie --rate, falls eine in Zeitlupe ist</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_room_and_rights</name>
+    <message>
+        <source>check the free space and the rights of the project&apos;s folder</source>
+        <translation>prüfen Sie den freien Platz und die Rechte des Projektordners</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_they_are_connected</name>
+    <message>
+        <source>check that they are connected and not used by another program</source>
+        <translation>prüfen Sie, ob sie angeschlossen sind und kein anderes Programm sie benutzt</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_views_of_one_run</name>
+    <message>
+        <source>outside it only one view measures, so check that both belong to one run</source>
+        <translation>außerhalb misst nur eine Sicht; prüfen Sie, ob beide zu einer Fahrt gehören</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_whether_moved</name>
+    <message>
+        <source>check whether camera %1 has moved</source>
+        <translation>prüfen, ob sich Kamera %1 bewegt hat</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_another_name</name>
+    <message>
+        <source>choose another name</source>
+        <translation>wählen Sie einen anderen Namen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_another_one</name>
+    <message>
+        <source>choose another one</source>
+        <translation>wählen Sie einen anderen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_another_run</name>
+    <message>
+        <source>choose another run as well</source>
+        <translation>wählen Sie noch eine Fahrt</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_calibration</name>
+    <message>
+        <source>choose calibration %1 of camera %2</source>
+        <translation>Kalibrierung %1 der Kamera %2 wählen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_folder_for_demo</name>
+    <message>
+        <source>choose a folder you can write to, with 300 MB free</source>
+        <translation>wählen Sie einen beschreibbaren Ordner mit 300 MB Platz</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_folder_of_copies</name>
+    <message>
+        <source>choose the folder where they were copied to</source>
+        <translation>wählen Sie den Ordner, in den sie kopiert wurden</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_frame</name>
+    <message>
+        <source>choose one from %1 to %2</source>
+        <translation>wählen Sie eines von %1 bis %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_interface</name>
+    <message>
+        <source>choose one that `ip link` names, or lo to stay on this machine</source>
+        <translation>wählen Sie eine, die `ip link` nennt, oder lo, um auf diesem Rechner zu bleiben</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_measured_frame</name>
+    <message>
+        <source>choose a frame with a measurement</source>
+        <translation>wählen Sie ein Bild mit einer Messung</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_one_of_them</name>
+    <message>
+        <source>choose one of them</source>
+        <translation>wählen Sie einen davon</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_registration</name>
+    <message>
+        <source>choose registration %1 of camera %2</source>
+        <translation>Einmessung %1 der Kamera %2 wählen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_robot_of_trial</name>
+    <message>
+        <source>choose a robot of the trial</source>
+        <translation>wählen Sie einen Roboter des Versuchs</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_time</name>
+    <message>
+        <source>choose a time from %1 to %2</source>
+        <translation>wählen Sie eine Zeit von %1 bis %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_with_robot</name>
+    <message>
+        <source>choose one with --robot</source>
+        <translation>wählen Sie einen mit --robot</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_writable_folder</name>
+    <message>
+        <source>choose a folder that you may write to</source>
+        <translation>wählen Sie einen Ordner, in den Sie schreiben dürfen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.close_other_programs</name>
+    <message>
+        <source>close other programs and try again</source>
+        <translation>schließen Sie andere Programme und versuchen Sie es noch einmal</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.compared_with_itself</name>
+    <message>
+        <source>a run cannot be compared with itself</source>
+        <translation>eine Fahrt kann nicht mit sich selbst verglichen werden</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.comparison</name>
+    <message>
+        <source>comparison</source>
+        <translation>Vergleich</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.comparison_of_trial</name>
+    <message>
+        <source>comparison of trial &apos;%1&apos;</source>
+        <translation>Vergleich des Versuchs &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.complete_trial</name>
+    <message>
+        <source>complete %1, whose recording was cut off</source>
+        <translation>%1 vervollständigen, dessen Aufnahme abgebrochen wurde</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.completing_recording</name>
+    <message>
+        <source>completing a recording that was cut off</source>
+        <translation>eine abgebrochene Aufnahme wird vervollständigt</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.completing_recordings</name>
+    <message>
+        <source>completing the recordings</source>
+        <translation>Vervollständigen der Aufnahmen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.computing_intrinsics</name>
+    <message>
+        <source>computing the intrinsics</source>
+        <translation>Objektivdaten werden berechnet</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.copy</name>
+    <message>
+        <source>copy &apos;%1&apos;</source>
+        <translation>Kopie &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.copy_of</name>
+    <message>
+        <source>copy of &apos;%1&apos;</source>
+        <translation>Kopie von &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.copying_project</name>
+    <message>
+        <source>copying the project</source>
+        <translation>Projekt wird kopiert</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.demo</name>
+    <message>
+        <source>demo</source>
+        <translation>Demo</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.demo_in</name>
+    <message>
+        <source>demo in &apos;%1&apos;</source>
+        <translation>Demo in &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.demo_is_there</name>
+    <message>
+        <source>%1 is there already</source>
+        <translation>%1 gibt es schon</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.doubtful_name</name>
+    <message>
+        <source>from %1 to %2 it is doubtful whether this is %3 or %4</source>
+        <translation>von %1 bis %2 ist zweifelhaft, ob dies %3 oder %4 ist</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.doubtful_name_unknown</name>
+    <message>
+        <source>from %1 to %2 it is doubtful whether this is %3 or another robot of its look</source>
+        <translation>von %1 bis %2 ist zweifelhaft, ob dies %3 oder ein anderer Roboter dieses Aussehens ist</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.doubtful_names</name>
+    <message>
+        <source>from %1 to %2 (the first of %3 times) it is doubtful whether this is %4 or %5</source>
+        <translation>von %1 bis %2 (das erste von %3 Malen) ist zweifelhaft, ob dies %4 oder %5 ist</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.doubtful_names_unknown</name>
+    <message>
+        <source>from %1 to %2 (the first of %3 times) it is doubtful whether this is %4 or another robot of its look</source>
+        <translation>von %1 bis %2 (das erste von %3 Malen) ist zweifelhaft, ob dies %4 oder ein anderer Roboter dieses Aussehens ist</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.doubtful_step</name>
+    <message>
+        <source>it is in step to %1 only, which is %2 at 1 m/s</source>
+        <translation>sie ist nur auf %1 synchron, das sind %2 bei 1 m/s</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.end_recording_first</name>
+    <message>
+        <source>end its recording first</source>
+        <translation>beenden Sie zuerst seine Aufnahme</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.error_estimated</name>
+    <message>
+        <source>positions to %1, as estimated from them</source>
+        <translation>Orte auf %1, aus ihnen geschätzt</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.error_stated</name>
+    <message>
+        <source>positions to %1, as the file says</source>
+        <translation>Orte auf %1, wie die Datei sagt</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.export</name>
+    <message>
+        <source>export of &apos;%1&apos;</source>
+        <translation>Export von &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.faster_disk_or_fewer_cameras</name>
+    <message>
+        <source>record to a faster disk, or fewer cameras at once</source>
+        <translation>nehmen Sie auf eine schnellere Platte oder mit weniger Kameras zugleich auf</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.file_is_missing</name>
+    <message>
+        <source>%1 is missing</source>
+        <translation>%1 fehlt</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.file_without_picture</name>
+    <message>
+        <source>it has no picture</source>
+        <translation>kein Bild ist darin</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.fitting_cameras_together</name>
+    <message>
+        <source>fitting %1 cameras together</source>
+        <translation>%1 Kameras werden gemeinsam eingemessen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.floor_has_its_colour</name>
+    <message>
+        <source>its colour %1 is also that of the floor (%2 of view %3&apos;s picture)</source>
+        <translation>seine Farbe %1 ist auch die des Bodens (%2 des Bildes der Sicht %3)</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.folder</name>
+    <message>
+        <source>folder &apos;%1&apos;</source>
+        <translation>Ordner &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.found_by_colour</name>
+    <message>
+        <source>it is found by its colour</source>
+        <translation>er wird an seiner Farbe gefunden</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.frame_of_file</name>
+    <message>
+        <source>frame %1 of &apos;%2&apos;</source>
+        <translation>Bild %1 von &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.frame_of_trial</name>
+    <message>
+        <source>frame %1 of trial &apos;%2&apos;</source>
+        <translation>Bild %1 des Versuchs &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_another_file</name>
+    <message>
+        <source>give another file</source>
+        <translation>geben Sie eine andere Datei an</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_camera_rate</name>
+    <message>
+        <source>give the rate at which the camera took the frames</source>
+        <translation>geben Sie die Rate an, mit der die Kamera aufgenommen hat</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_cameras</name>
+    <message>
+        <source>give one or more, like --camera A=sim:A</source>
+        <translation>geben Sie eine oder mehr an, etwa --camera A=sim:A</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_each_robot_one</name>
+    <message>
+        <source>give each robot one</source>
+        <translation>geben Sie jedem Roboter eine</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_each_view_its_camera</name>
+    <message>
+        <source>give each view its own camera</source>
+        <translation>geben Sie jeder Sicht ihre eigene Kamera</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_limits_of_fastest</name>
+    <message>
+        <source>give the task the limits of its fastest robot</source>
+        <translation>geben Sie der Aufgabe die Grenzwerte ihres schnellsten Roboters</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_offset_for_each</name>
+    <message>
+        <source>give one offset for each view but the first, like --sync 0.1,0.2, or use --sync auto</source>
+        <translation>geben Sie für jede Sicht außer der ersten einen Versatz an, etwa --sync 0.1,0.2, oder nehmen Sie --sync auto</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_own_colours</name>
+    <message>
+        <source>give each a colour of its own</source>
+        <translation>geben Sie jedem eine eigene Farbe</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_picture_of_that_size</name>
+    <message>
+        <source>give a picture of that size</source>
+        <translation>geben Sie ein Bild dieser Größe an</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_pixels_or_picture</name>
+    <message>
+        <source>give --pixels pixels.csv, --image picture.png or --video clip.mp4</source>
+        <translation>geben Sie --pixels pixels.csv, --image picture.png oder --video clip.mp4 an</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_pre_roll</name>
+    <message>
+        <source>give a pre-roll of 0 to 10 seconds</source>
+        <translation>geben Sie einen Vorlauf von 0 bis 10 Sekunden an</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_seconds</name>
+    <message>
+        <source>give the seconds, like 10</source>
+        <translation>geben Sie die Sekunden an, etwa 10</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_task</name>
+    <message>
+        <source>give %1 the task %2</source>
+        <translation>%1 die Aufgabe %2 geben</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_tracks</name>
+    <message>
+        <source>give one or more, like --track R=run.csv</source>
+        <translation>geben Sie eine oder mehr an, etwa --track R=run.csv</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_views</name>
+    <message>
+        <source>give one view or more, like --video A=a.mp4</source>
+        <translation>geben Sie eine oder mehr Sichten an, etwa --video A=a.mp4</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.import_again_for_offset</name>
+    <message>
+        <source>import the videos again and let the offset be found, or tell it</source>
+        <translation>importieren Sie die Videos neu und lassen Sie den Versatz finden, oder geben Sie ihn an</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.import_lens</name>
+    <message>
+        <source>import the lens of camera %1 from %2</source>
+        <translation>Objektivdaten der Kamera %1 aus %2 importieren</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.import_of_trial</name>
+    <message>
+        <source>import of trial &apos;%1&apos;</source>
+        <translation>Import des Versuchs &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.import_roster</name>
+    <message>
+        <source>import the roster %1</source>
+        <translation>Klassenliste %1 importieren</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.import_trial</name>
+    <message>
+        <source>import trial %1</source>
+        <translation>Versuch %1 importieren</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.interface_of_live_positions</name>
+    <message>
+        <source>interface &apos;%1&apos; of live positions</source>
+        <translation>Schnittstelle &apos;%1&apos; der laufenden Orte</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.intrinsics_of_camera</name>
+    <message>
+        <source>intrinsics of camera &apos;%1&apos;</source>
+        <translation>Objektivdaten der Kamera &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.keeping_pictures</name>
+    <message>
+        <source>keeping the pictures</source>
+        <translation>Bilder werden abgelegt</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.leave_frame</name>
+    <message>
+        <source>leave frame %1 of %2 to the program</source>
+        <translation>Bild %1 von %2 dem Programm überlassen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.leave_out_trial</name>
+    <message>
+        <source>leave out %1, of which nothing was recorded</source>
+        <translation>%1 weglassen, von dem nichts aufgenommen wurde</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lens_imported_from</name>
+    <message>
+        <source>imported from %1</source>
+        <translation>importiert aus %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lens_never_calibrated</name>
+    <message>
+        <source>The lens of camera &apos;%1&apos; was never calibrated, its distortion is taken as none</source>
+        <translation>Das Objektiv der Kamera &apos;%1&apos; wurde nie kalibriert, seine Verzeichnung wird als null angenommen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.link_lost_video</name>
+    <message>
+        <source>link a lost video</source>
+        <translation>ein fehlendes Video verknüpfen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.link_lost_videos</name>
+    <message>
+        <source>link %1 lost videos</source>
+        <translation>%1 fehlende Videos verknüpfen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.little_common_time</name>
+    <message>
+        <source>%1 and %2 long, %3 in common</source>
+        <translation>%1 und %2 lang, %3 gemeinsam</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.live_positions_to</name>
+    <message>
+        <source>live positions to %1</source>
+        <translation>Live-Orte an %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.live_tracking</name>
+    <message>
+        <source>live tracking</source>
+        <translation>Verfolgung während der Aufnahme</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.look_at_outlines</name>
+    <message>
+        <source>look at the outlines, and tell the robot&apos;s colour or keep others out of the pictures</source>
+        <translation>sehen Sie sich die Umrisse an und geben Sie die Farbe des Roboters an, oder halten Sie andere aus den Bildern</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.look_for_lost_videos</name>
+    <message>
+        <source>look for lost videos</source>
+        <translation>Suche nach verlorenen Videos</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.look_for_strays</name>
+    <message>
+        <source>look for stray files</source>
+        <translation>Suche nach herrenlosen Dateien</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.look_in</name>
+    <message>
+        <source>look in &apos;%1&apos;</source>
+        <translation>Suche in &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.looking_for_board_in</name>
+    <message>
+        <source>looking for the board in %1</source>
+        <translation>die Tafel wird gesucht in %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.looking_for_files</name>
+    <message>
+        <source>looking for files</source>
+        <translation>Dateien werden gesucht</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.looking_for_markers_again</name>
+    <message>
+        <source>looking for the markers again</source>
+        <translation>Marker werden wieder gesucht</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.looking_for_markers_in</name>
+    <message>
+        <source>looking for the markers in %1</source>
+        <translation>Marker werden in %1 gesucht</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.looking_through_media</name>
+    <message>
+        <source>looking through the media folder</source>
+        <translation>der Medienordner wird durchsucht</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lost_not_packed</name>
+    <message>
+        <source>the video of camera %1 in trial &apos;%2&apos; is lost, and not in the packed project</source>
+        <translation>das Video der Kamera %1 im Versuch &apos;%2&apos; fehlt und ist nicht im gepackten Projekt</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lost_video_not_there</name>
+    <message>
+        <source>the lost video is not there</source>
+        <translation>das fehlende Video ist nicht dort</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lost_videos</name>
+    <message>
+        <source>lost videos</source>
+        <translation>fehlende Videos</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lost_videos_not_there</name>
+    <message>
+        <source>none of the %1 lost videos is there</source>
+        <translation>keins der %1 fehlenden Videos ist dort</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.made_through_registration</name>
+    <message>
+        <source>It was made through registration %1 of the project.</source>
+        <translation>Sie wurde über die Einmessung %1 des Projekts gemacht.</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.made_with_it_already</name>
+    <message>
+        <source>it was made with it already</source>
+        <translation>das ist schon damit gemacht</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.making_hash</name>
+    <message>
+        <source>making the hash of %1</source>
+        <translation>die Prüfsumme wird gebildet: %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.map_behind</name>
+    <message>
+        <source>the map is %1 behind, none skipped</source>
+        <translation>die Karte hinkt %1 nach, nichts übersprungen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.map_behind_and_skipping</name>
+    <message>
+        <source>the map is %1 behind, %2 skipped</source>
+        <translation>die Karte hinkt %1 nach, %2 übersprungen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.mark_spike</name>
+    <message>
+        <source>mark frame %1 of %2 as a spike</source>
+        <translation>Bild %1 von %2 als Ausreißer markieren</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.markers_for_camera</name>
+    <message>
+        <source>markers for camera &apos;%1&apos;</source>
+        <translation>Marker für Kamera &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.measure_again</name>
+    <message>
+        <source>measure %1 again</source>
+        <translation>%1 neu auswerten</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.measure_it_again</name>
+    <message>
+        <source>measure it again</source>
+        <translation>messen Sie ihn neu</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.moved_cannot_be_told</name>
+    <message>
+        <source>whether %1 has moved cannot be told</source>
+        <translation>ob sich %1 bewegt hat, ist nicht zu sagen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.name_another_camera</name>
+    <message>
+        <source>name another camera that is registered</source>
+        <translation>nennen Sie eine andere, eingemessene Kamera</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.name_its_camera</name>
+    <message>
+        <source>name one of its cameras</source>
+        <translation>nennen Sie eine seiner Kameras</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.name_its_robot</name>
+    <message>
+        <source>name one of its robots</source>
+        <translation>nennen Sie einen seiner Roboter</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.name_place_in_pixels</name>
+    <message>
+        <source>name it in pixels from the picture&apos;s top left corner</source>
+        <translation>nennen Sie sie in Pixeln von der linken oberen Ecke des Bildes</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.name_robot_after_track</name>
+    <message>
+        <source>give the robot the name of one of them</source>
+        <translation>geben Sie dem Roboter den Namen einer davon</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.name_time_within_trial</name>
+    <message>
+        <source>name a time within the trial, in seconds</source>
+        <translation>nennen Sie eine Zeit innerhalb des Versuchs, in Sekunden</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.nearly_all_beyond_limits</name>
+    <message>
+        <source>nearly all that was measured is beyond the limits of task &apos;%1&apos;, so that they were left out</source>
+        <translation>fast alles Gemessene liegt jenseits der Grenzwerte der Aufgabe &apos;%1&apos;, darum blieben diese außer Betracht</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.neither_lens_nor_recording</name>
+    <message>
+        <source>it has no intrinsics and no recording</source>
+        <translation>sie hat keine Objektivdaten und keine Aufnahme</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.never_calibrated</name>
+    <message>
+        <source>it was never calibrated</source>
+        <translation>sie wurde nie kalibriert</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.new_project</name>
+    <message>
+        <source>new project</source>
+        <translation>neues Projekt</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_address_with_port</name>
+    <message>
+        <source>it is no IPv4 address with a port</source>
+        <translation>es ist keine IPv4-Adresse mit Port</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_camera_gave_picture</name>
+    <message>
+        <source>no camera gave a picture</source>
+        <translation>keine Kamera lieferte ein Bild</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_camera_given</name>
+    <message>
+        <source>no camera was given</source>
+        <translation>keine Kamera wurde angegeben</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_common_place</name>
+    <message>
+        <source>No place was measured by both analyses.</source>
+        <translation>Kein Ort wurde von beiden Auswertungen gemessen.</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_common_time</name>
+    <message>
+        <source>views &apos;%1&apos; and &apos;%2&apos; have no time in common with an offset of %3</source>
+        <translation>die Sichten &apos;%1&apos; und &apos;%2&apos; haben bei einem Versatz von %3 keine gemeinsame Zeit</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_live_positions</name>
+    <message>
+        <source>none of its cameras is registered to the floor, so there are no live positions to send</source>
+        <translation>keine der Kameras ist eingemessen, darum gibt es keine Orte zu senden</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_multicast</name>
+    <message>
+        <source>interface &apos;%1&apos; takes no multicast</source>
+        <translation>Schnittstelle &apos;%1&apos; kann kein Multicast</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_picture_read</name>
+    <message>
+        <source>no picture could be read</source>
+        <translation>kein Bild konnte gelesen werden</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_picture_then</name>
+    <message>
+        <source>the view has no picture at that time</source>
+        <translation>die Sicht hat zu dieser Zeit kein Bild</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_pixels_no_picture</name>
+    <message>
+        <source>neither their pixels nor a picture to look in was given</source>
+        <translation>weder ihre Pixel noch ein Bild zum Suchen wurde angegeben</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_robot</name>
+    <message>
+        <source>the project has no robot to look for</source>
+        <translation>das Projekt hat keinen Roboter, nach dem zu suchen wäre</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_sample</name>
+    <message>
+        <source>the analysis has no sample</source>
+        <translation>die Auswertung hat keinen Messpunkt</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_socket</name>
+    <message>
+        <source>this machine gives no socket</source>
+        <translation>dieser Rechner gibt keinen Socket frei</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_such_frame</name>
+    <message>
+        <source>there is no such frame</source>
+        <translation>dieses Bild gibt es nicht</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_such_interface</name>
+    <message>
+        <source>this machine has none of that name</source>
+        <translation>dieser Rechner hat keine dieses Namens</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_such_view</name>
+    <message>
+        <source>the trial has no such view</source>
+        <translation>der Versuch hat keine solche Sicht</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_track_given</name>
+    <message>
+        <source>no track was given</source>
+        <translation>keine Spur wurde angegeben</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_track_imported</name>
+    <message>
+        <source>no track of it was imported</source>
+        <translation>von ihm wurde keine Spur importiert</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_track_of_that_name</name>
+    <message>
+        <source>none of its tracks is called &apos;%1&apos;; it has %2</source>
+        <translation>keine der Spuren heißt &apos;%1&apos;; vorhanden: %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_video_given</name>
+    <message>
+        <source>no video was given</source>
+        <translation>kein Video wurde angegeben</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_video_lost</name>
+    <message>
+        <source>no video of this project is lost</source>
+        <translation>kein Video dieses Projekts fehlt</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.none_of_that_number</name>
+    <message>
+        <source>camera &apos;%1&apos; has none of that number</source>
+        <translation>Kamera &apos;%1&apos; hat keine mit dieser Nummer</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.not_measured_there</name>
+    <message>
+        <source>the robot was not measured there, so there is nothing to judge</source>
+        <translation>der Roboter wurde dort nicht gemessen, es gibt nichts zu beurteilen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.not_registered_to_floor</name>
+    <message>
+        <source>it is not registered to the floor</source>
+        <translation>sie ist nicht eingemessen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.not_synchronised</name>
+    <message>
+        <source>it is not synchronised but taken as begun together with the first view, so that a moving robot is not where the two views put it</source>
+        <translation>sie ist nicht synchronisiert, sondern gilt als mit der ersten Sicht begonnen, so dass ein fahrender Roboter nicht dort ist, wo ihn die beiden Sichten sehen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.not_tracked_in_trial</name>
+    <message>
+        <source>it is not tracked in trial &apos;%1&apos;</source>
+        <translation>er wird im Versuch &apos;%1&apos; nicht verfolgt</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.not_tracked_yet</name>
+    <message>
+        <source>it has not been tracked yet</source>
+        <translation>er wurde noch nicht verfolgt</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.nothing_came</name>
+    <message>
+        <source>nothing came for %1, because %2</source>
+        <translation>%1 lang kam nichts, denn %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.nothing_recorded</name>
+    <message>
+        <source>nothing was recorded</source>
+        <translation>nichts wurde aufgenommen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.nothing_said_there</name>
+    <message>
+        <source>nothing was said by hand there</source>
+        <translation>dort wurde nichts von Hand festgelegt</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.nothing_stands_out</name>
+    <message>
+        <source>nothing stands out from the floor at %1,%2 at %3 for some frames</source>
+        <translation>bei %1,%2 hebt sich zur Zeit %3 einige Bilder lang nichts vom Boden ab</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.nothing_to_analyse_again</name>
+    <message>
+        <source>it has not been tracked yet, so there is nothing to analyse again</source>
+        <translation>er wurde noch nicht verfolgt, es gibt also nichts neu auszuwerten</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.nothing_to_do</name>
+    <message>
+        <source>there is nothing to do</source>
+        <translation>es gibt nichts zu tun</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.offsets_of_other_count</name>
+    <message>
+        <source>%1 views were given and the offsets of %2</source>
+        <translation>angegeben sind %1 Sichten und der Versatz von %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.old_calibration</name>
+    <message>
+        <source>The lens calibration of camera &apos;%1&apos; is %2 days old</source>
+        <translation>Die Objektivkalibrierung der Kamera &apos;%1&apos; ist %2 Tage alt</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.old_registration</name>
+    <message>
+        <source>The floor registration of camera &apos;%1&apos; is %2 days old</source>
+        <translation>Die Einmessung der Kamera &apos;%1&apos; ist %2 Tage alt</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.one_follows_something_else</name>
+    <message>
+        <source>one of them follows something else, or is not where it was registered</source>
+        <translation>eine von ihnen folgt etwas anderem oder steht nicht dort, wo sie eingemessen wurde</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.only_frame</name>
+    <message>
+        <source>its only one is frame 0</source>
+        <translation>das einzige ist Bild 0</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.open_it_or_elsewhere</name>
+    <message>
+        <source>open it, or choose another folder</source>
+        <translation>öffnen Sie es, oder wählen Sie einen anderen Ordner</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.other_sample_judged</name>
+    <message>
+        <source>another sample was judged by hand while this one was analysed</source>
+        <translation>ein anderer Messpunkt wurde von Hand beurteilt, während dieser ausgewertet wurde</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.outside_picture</name>
+    <message>
+        <source>the place lies outside the picture</source>
+        <translation>die Stelle liegt außerhalb des Bildes</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.pack</name>
+    <message>
+        <source>pack &apos;%1&apos;</source>
+        <translation>&apos;%1&apos; packen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.pick_or_take_colour</name>
+    <message>
+        <source>pick its colour again, or take the colour from it</source>
+        <translation>nehmen Sie seine Farbe neu auf, oder nehmen Sie sie ihm</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.picture_lost_here</name>
+    <message>
+        <source>1 picture was lost because this computer or its disk was too slow</source>
+        <translation>1 Bild ging verloren, weil dieser Rechner oder seine Platte zu langsam war</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.picture_lost_on_wire</name>
+    <message>
+        <source>1 picture was lost between the camera and this program</source>
+        <translation>1 Bild ging zwischen Kamera und Programm verloren</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.picture_made_too_late</name>
+    <message>
+        <source>1 picture was lost because this machine was too slow to make them in time</source>
+        <translation>1 Bild ging verloren, weil dieser Rechner zu langsam war, es rechtzeitig zu erzeugen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.picture_size_not_known</name>
+    <message>
+        <source>the size of its pictures is not known</source>
+        <translation>die Größe ihrer Bilder ist nicht bekannt</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.pictures_lost_here</name>
+    <message>
+        <source>%1 pictures were lost because this computer or its disk was too slow</source>
+        <translation>%1 Bilder gingen verloren, weil dieser Rechner oder seine Platte zu langsam war</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.pictures_lost_on_wire</name>
+    <message>
+        <source>%1 pictures were lost between the camera and this program</source>
+        <translation>%1 Bilder gingen zwischen Kamera und Programm verloren</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.pictures_made_too_late</name>
+    <message>
+        <source>%1 pictures were lost because this machine was too slow to make them in time</source>
+        <translation>%1 Bilder gingen verloren, weil dieser Rechner zu langsam war, sie rechtzeitig zu erzeugen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.point_out_whole_robot</name>
+    <message>
+        <source>point it out where all of it is seen and it moves</source>
+        <translation>zeigen Sie ihn dort, wo er ganz zu sehen ist und sich bewegt</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.positions_change</name>
+    <message>
+        <source>Positions change by %1 RMS, at most by %2 (at %3).</source>
+        <translation>Die Orte ändern sich um %1 RMS, höchstens um %2 (bei %3).</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.project</name>
+    <message>
+        <source>project &apos;%1&apos;</source>
+        <translation>Projekt &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.project_file_gone</name>
+    <message>
+        <source>the project&apos;s file is no longer there</source>
+        <translation>die Datei des Projekts ist nicht mehr da</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.project_lost</name>
+    <message>
+        <source>the project&apos;s file was deleted, renamed or replaced; recording goes on, and what is in it is rescued at the end</source>
+        <translation>die Datei des Projekts wurde gelöscht, umbenannt oder ersetzt; die Aufnahme geht weiter, und am Ende wird ihr Inhalt gerettet</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.project_rescued</name>
+    <message>
+        <source>the project&apos;s file was deleted, renamed or replaced meanwhile; what was in it is rescued in &apos;%1&apos;, which is the project from now on</source>
+        <translation>die Datei des Projekts wurde inzwischen gelöscht, umbenannt oder ersetzt; ihr Inhalt ist in &apos;%1&apos; gerettet, das von nun an das Projekt ist</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.put_axes_elsewhere</name>
+    <message>
+        <source>put the axes of layout %1 elsewhere</source>
+        <translation>Achsen des Plans %1 verlegen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.put_disk_back</name>
+    <message>
+        <source>put its disk or folder back where it was</source>
+        <translation>bringen Sie den Datenträger oder Ordner wieder dorthin, wo er war</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.put_file_back</name>
+    <message>
+        <source>put the file back in its place, and open the project again</source>
+        <translation>legen Sie die Datei an ihren Ort zurück, und öffnen Sie das Projekt noch einmal</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.put_plate_on_it</name>
+    <message>
+        <source>put a plate of another colour on it, or tell the colour it really has</source>
+        <translation>setzen Sie eine Platte anderer Farbe darauf, oder geben Sie seine wirkliche Farbe an</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.reading_file</name>
+    <message>
+        <source>reading %1</source>
+        <translation>gelesen wird: %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.record</name>
+    <message>
+        <source>record %1</source>
+        <translation>%1 aufnehmen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.record_it_again</name>
+    <message>
+        <source>record it again</source>
+        <translation>nehmen Sie ihn neu auf</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.record_to_faster_disk</name>
+    <message>
+        <source>record to a faster disk</source>
+        <translation>nehmen Sie auf eine schnellere Platte auf</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.recorded_at_another_size</name>
+    <message>
+        <source>The newest recording of camera &apos;%1&apos; is %2, its lens was calibrated at %3</source>
+        <translation>Die neueste Aufnahme der Kamera &apos;%1&apos; hat %2, ihr Objektiv wurde bei %3 kalibriert</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.recording</name>
+    <message>
+        <source>recording</source>
+        <translation>Aufnahme</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.recording_cut_off</name>
+    <message>
+        <source>its recording was cut off</source>
+        <translation>seine Aufnahme wurde abgebrochen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.recording_of_trial</name>
+    <message>
+        <source>recording of trial &apos;%1&apos;</source>
+        <translation>Aufnahme des Versuchs &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_camera</name>
+    <message>
+        <source>register camera %1</source>
+        <translation>Kamera %1 einmessen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_camera_again</name>
+    <message>
+        <source>register camera %1 again</source>
+        <translation>Kamera %1 neu einmessen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_camera_through</name>
+    <message>
+        <source>register camera %1 through camera %2</source>
+        <translation>Kamera %1 über Kamera %2 einmessen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_cameras_again</name>
+    <message>
+        <source>register the cameras again</source>
+        <translation>messen Sie die Kameras neu ein</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_cameras_together</name>
+    <message>
+        <source>register the cameras of layout %1 together</source>
+        <translation>Kameras des Plans %1 gemeinsam einmessen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_it_again</name>
+    <message>
+        <source>register it again.</source>
+        <translation>messen Sie sie neu ein.</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_it_first</name>
+    <message>
+        <source>register it first, by markers or through another camera</source>
+        <translation>messen Sie sie zuerst ein, über Marker oder über eine andere Kamera</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_or_do_not_send</name>
+    <message>
+        <source>run odograph register for one of them, or leave --ssl-vision out</source>
+        <translation>messen Sie eine davon ein, oder lassen Sie --ssl-vision weg</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_through_it_again</name>
+    <message>
+        <source>register it through that camera again</source>
+        <translation>messen Sie sie über jene Kamera neu ein</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registered_at_another_size</name>
+    <message>
+        <source>the picture is %1, the camera was registered at %2</source>
+        <translation>das Bild hat %1, die Kamera wurde bei %2 eingemessen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registered_before_calibration</name>
+    <message>
+        <source>The floor registration of camera &apos;%1&apos; was made before its lens was calibrated</source>
+        <translation>Die Einmessung der Kamera &apos;%1&apos; wurde gemacht, bevor ihr Objektiv kalibriert war</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registered_through_another</name>
+    <message>
+        <source>it was registered through another camera</source>
+        <translation>sie wurde über eine andere Kamera eingemessen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registered_with_other_lens</name>
+    <message>
+        <source>The floor registration of camera &apos;%1&apos; was made with another calibration of its lens than the one in force</source>
+        <translation>Die Einmessung der Kamera &apos;%1&apos; wurde mit einer anderen Kalibrierung als der gültigen gemacht</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registration</name>
+    <message>
+        <source>registration %1</source>
+        <translation>Einmessung %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registration_of_camera</name>
+    <message>
+        <source>registration of camera &apos;%1&apos;</source>
+        <translation>Einmessung der Kamera &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registration_through</name>
+    <message>
+        <source>registration of camera &apos;%1&apos; through &apos;%2&apos;</source>
+        <translation>Einmessung der Kamera &apos;%1&apos; über &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registration_with_lens_in_force</name>
+    <message>
+        <source>registration of camera &apos;%1&apos; with the lens in force</source>
+        <translation>Einmessung der Kamera &apos;%1&apos; mit dem gültigen Objektiv</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.remove_for_good</name>
+    <message>
+        <source>remove %1 for good</source>
+        <translation>%1 endgültig löschen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.remove_strays</name>
+    <message>
+        <source>remove stray files</source>
+        <translation>Entfernen herrenloser Dateien</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.removing</name>
+    <message>
+        <source>removing %1</source>
+        <translation>entfernt wird: %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.replaced_not_packed</name>
+    <message>
+        <source>the video of camera %1 in trial &apos;%2&apos; lies elsewhere and is another file than it was, and not in the packed project</source>
+        <translation>das Video der Kamera %1 im Versuch &apos;%2&apos; liegt anderswo und ist eine andere Datei als früher, und nicht im gepackten Projekt</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.results_changed</name>
+    <message>
+        <source>its results are not those that its analysis gave</source>
+        <translation>seine Ergebnisse sind nicht die, die seine Auswertung ergeben hat</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.robot_given_two_tracks</name>
+    <message>
+        <source>robot &apos;%1&apos; was given two tracks</source>
+        <translation>für Roboter &apos;%1&apos; wurden zwei Spuren angegeben</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.robot_in_view</name>
+    <message>
+        <source>robot &apos;%1&apos; in view &apos;%2&apos;</source>
+        <translation>Roboter &apos;%1&apos; in Sicht &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.robot_is_new</name>
+    <message>
+        <source>robot &apos;%1&apos; is new</source>
+        <translation>Roboter &apos;%1&apos; ist neu</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.robot_not_tracked</name>
+    <message>
+        <source>robot &apos;%1&apos; was not tracked in it, but %2</source>
+        <translation>Roboter &apos;%1&apos; wurde darin nicht verfolgt, wohl aber %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.robot_pointed_out</name>
+    <message>
+        <source>robot &apos;%1&apos; pointed out in view &apos;%2&apos;</source>
+        <translation>Roboter &apos;%1&apos;, gezeigt in Sicht &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.roster_line</name>
+    <message>
+        <source>line %1</source>
+        <translation>Zeile %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.run_calibrate</name>
+    <message>
+        <source>run odograph calibrate, or odograph intrinsics import</source>
+        <translation>kalibrieren Sie sie, oder importieren Sie ihre Objektivdaten</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.run_track_first</name>
+    <message>
+        <source>run odograph track first</source>
+        <translation>verfolgen Sie zuerst</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.run_track_without_again</name>
+    <message>
+        <source>run odograph track without --again first</source>
+        <translation>verfolgen Sie zuerst ohne --again</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.say_it_again</name>
+    <message>
+        <source>say it again for frame %1</source>
+        <translation>geben Sie es für Bild %1 noch einmal an</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.see_flags_by_hand</name>
+    <message>
+        <source>see the flags by_hand in odograph export</source>
+        <translation>siehe die Kennzeichen by_hand in odograph export</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.see_revisions</name>
+    <message>
+        <source>see its revisions for those there are</source>
+        <translation>die Liste ihrer Revisionen zeigt, welche es gibt</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.settling_names</name>
+    <message>
+        <source>settling which robot is which</source>
+        <translation>Roboter werden zugeordnet</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.several_robots</name>
+    <message>
+        <source>it has several robots</source>
+        <translation>er hat mehrere Roboter</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.show_whole_board</name>
+    <message>
+        <source>show the whole board, flat, sharp and evenly lit, and check --pattern and --board</source>
+        <translation>zeigen Sie die ganze Tafel, flach, scharf und gleichmäßig beleuchtet, und prüfen Sie Muster und Größe</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.spikes_change</name>
+    <message>
+        <source>Spikes: %1 instead of %2.</source>
+        <translation>Ausreißer: %1 statt %2.</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.synchronisation_of_view</name>
+    <message>
+        <source>synchronisation of view &apos;%1&apos;</source>
+        <translation>Synchronisierung der Sicht &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.take_fewer_cameras</name>
+    <message>
+        <source>close other programs, or take fewer such cameras at once</source>
+        <translation>schließen Sie andere Programme, oder nehmen Sie weniger solche Kameras zugleich</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.take_over_set_up</name>
+    <message>
+        <source>take over the set-up of %1</source>
+        <translation>Aufbau von %1 übernehmen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.taken_as_begun_together</name>
+    <message>
+        <source>%1, so it is taken as begun together</source>
+        <translation>%1, darum gilt sie als gemeinsam begonnen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.takes_two_runs</name>
+    <message>
+        <source>it takes two runs</source>
+        <translation>es braucht zwei Fahrten</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.taking_over_set_up</name>
+    <message>
+        <source>taking over the set-up</source>
+        <translation>Aufbau wird übernommen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.task_was_changed</name>
+    <message>
+        <source>its task was changed while it was measured</source>
+        <translation>seine Aufgabe wurde während der Auswertung geändert</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.through_itself</name>
+    <message>
+        <source>a camera cannot be registered through itself</source>
+        <translation>eine Kamera kann nicht über sich selbst eingemessen werden</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.time_of_trial</name>
+    <message>
+        <source>%1 of trial &apos;%2&apos;</source>
+        <translation>%1 des Versuchs &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.times_count_from</name>
+    <message>
+        <source>its times count from %1</source>
+        <translation>die Zeiten zählen ab %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.too_many_views</name>
+    <message>
+        <source>it has %1 views</source>
+        <translation>er hat %1 Sichten</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.track</name>
+    <message>
+        <source>track %1</source>
+        <translation>%1 verfolgen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.track_it_first</name>
+    <message>
+        <source>track it first</source>
+        <translation>verfolgen Sie ihn zuerst</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.track_of_file</name>
+    <message>
+        <source>the file&apos;s track &apos;%1&apos;</source>
+        <translation>Spur &apos;%1&apos; der Datei</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.track_or_choose_another</name>
+    <message>
+        <source>track it, or choose another</source>
+        <translation>verfolgen Sie ihn, oder wählen Sie einen anderen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.track_or_choose_with_robot</name>
+    <message>
+        <source>track it, or choose another with --robot</source>
+        <translation>verfolgen Sie ihn, oder wählen Sie mit --robot einen anderen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.track_those_seen</name>
+    <message>
+        <source>track only the robots that are in the pictures (--robot)</source>
+        <translation>messen Sie nur die Roboter, die in den Bildern sind (--robot)</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.track_trial_again</name>
+    <message>
+        <source>track the trial again</source>
+        <translation>verfolgen Sie den Versuch noch einmal</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.tracking</name>
+    <message>
+        <source>tracking</source>
+        <translation>Verfolgung</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.tracking_picture</name>
+    <message>
+        <source>tracking, picture %1 of %2</source>
+        <translation>Verfolgung, Bild %1 von %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.tracks_were_imported</name>
+    <message>
+        <source>its tracks were imported, so there is no video to track in</source>
+        <translation>seine Spuren wurden importiert, es gibt kein Video zum Verfolgen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.trial_being_recorded</name>
+    <message>
+        <source>trial &apos;%1&apos; is being recorded</source>
+        <translation>Versuch &apos;%1&apos; wird gerade aufgenommen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.trial_is_there</name>
+    <message>
+        <source>the project has a trial of that name</source>
+        <translation>das Projekt hat einen Versuch dieses Namens</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.trial_left_out</name>
+    <message>
+        <source>nothing of it had reached the disk, and it is left out</source>
+        <translation>nichts davon war auf der Platte, er wird weggelassen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.turn_or_flash</name>
+    <message>
+        <source>let the robot turn, or flash the room&apos;s light, where both cameras see it</source>
+        <translation>lassen Sie den Roboter wenden oder das Raumlicht aufblitzen, wo es beide Kameras sehen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.two_views</name>
+    <message>
+        <source>views &apos;%1&apos; and &apos;%2&apos;</source>
+        <translation>Sichten &apos;%1&apos; und &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.unequal_rates</name>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 und %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.unlike_first_picture</name>
+    <message>
+        <source>it is %1×%2, the first picture %3×%4</source>
+        <translation>dieses Bild hat %1×%2, das erste %3×%4</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.unusual_frame_rate</name>
+    <message>
+        <source>its frame rate is not between 0.1 and 100,000 frames a second</source>
+        <translation>die Bildrate liegt nicht zwischen 0,1 und 100.000 Bildern pro Sekunde</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.unusual_length</name>
+    <message>
+        <source>it would take no time, or more than a day</source>
+        <translation>die Dauer ist null, oder mehr als ein Tag</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.unusual_pre_roll</name>
+    <message>
+        <source>what is kept from before is no time, or more than 10 s</source>
+        <translation>was von vorher behalten wird, ist keine Zeit, oder mehr als 10 s</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.use_at_most</name>
+    <message>
+        <source>use at most %1</source>
+        <translation>verwenden Sie höchstens %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.use_frame</name>
+    <message>
+        <source>use frame %1 of %2</source>
+        <translation>Bild %1 von %2 verwenden</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.video</name>
+    <message>
+        <source>video &apos;%1&apos;</source>
+        <translation>Video &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.video_without_picture</name>
+    <message>
+        <source>the video has no picture</source>
+        <translation>das Video hat kein Bild</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.view</name>
+    <message>
+        <source>view &apos;%1&apos;</source>
+        <translation>Sicht &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.view_ended_early</name>
+    <message>
+        <source>it ended early, because %1</source>
+        <translation>sie endete vorzeitig, denn %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.view_is_kept</name>
+    <message>
+        <source>%1 of %2 view are kept, all but the last second at most</source>
+        <translation>%1 von %2 Sicht sind erhalten, alles bis auf höchstens die letzte Sekunde</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.view_left_out</name>
+    <message>
+        <source>it is left out, because nothing was recorded of it</source>
+        <translation>sie wird weggelassen, weil nichts von ihr aufgenommen wurde</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.view_of_trial</name>
+    <message>
+        <source>view &apos;%1&apos; of trial &apos;%2&apos;</source>
+        <translation>Sicht &apos;%1&apos; des Versuchs &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.views_are_kept</name>
+    <message>
+        <source>%1 of %2 views are kept, all but the last second at most</source>
+        <translation>%1 von %2 Sichten sind erhalten, alles bis auf höchstens die letzte Sekunde</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.views_contradict</name>
+    <message>
+        <source>in %1 of %2 pictures the views contradict one another</source>
+        <translation>in %1 von %2 Bildern widersprechen sich die Sichten</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.views_far_apart</name>
+    <message>
+        <source>in %1 of %2 pictures the views have it at places far apart</source>
+        <translation>in %1 von %2 Bildern sehen ihn die Sichten an weit entfernten Orten</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.views_put_it_apart</name>
+    <message>
+        <source>they put it %1 apart</source>
+        <translation>sie setzen ihn %1 auseinander</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.wait_until_ended</name>
+    <message>
+        <source>wait until that has ended</source>
+        <translation>warten Sie, bis das beendet ist</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.waited_for_disk</name>
+    <message>
+        <source>pictures waited up to %1 for the disk, and none was lost</source>
+        <translation>Bilder warteten bis zu %1 auf die Platte, keines ging verloren</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.why_views_contradict</name>
+    <message>
+        <source>a camera was moved after it was registered, the views are out of step, or the robot&apos;s height is not what was told</source>
+        <translation>eine Kamera wurde nach dem Einmessen bewegt, die Sichten laufen nicht synchron, oder der Roboter ist nicht so hoch wie angegeben</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.write_address</name>
+    <message>
+        <source>write it like 224.5.23.2:10006</source>
+        <translation>schreiben Sie etwa 224.5.23.2:10006</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.writing_last_pictures</name>
+    <message>
+        <source>writing the last pictures</source>
+        <translation>die letzten Bilder werden geschrieben</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.written_just_now</name>
+    <message>
+        <source>another program is writing or removing it just now</source>
+        <translation>gerade schreibt oder entfernt es ein anderes Programm</translation>
     </message>
 </context>
 </TS>

@@ -426,6309 +426,6 @@
     </message>
 </context>
 <context>
-    <name>CoreWords</name>
-    <message>
-        <source>The lens of camera &apos;%1&apos; was never calibrated, its distortion is taken as none</source>
-        <translation>La lente de la cámara &apos;%1&apos; nunca se calibró, su distorsión se toma como nula</translation>
-    </message>
-    <message>
-        <source>calibrate it</source>
-        <translation>calíbrela</translation>
-    </message>
-    <message>
-        <source>The lens calibration of camera &apos;%1&apos; is %2 days old</source>
-        <translation>La calibración de la lente de la cámara &apos;%1&apos; tiene %2 días</translation>
-    </message>
-    <message>
-        <source>if zoom, focus or the camera&apos;s settings were touched since, calibrate it again</source>
-        <translation>si desde entonces se tocaron el zoom, el enfoque o los ajustes de la cámara, calíbrela de nuevo</translation>
-    </message>
-    <message>
-        <source>The newest recording of camera &apos;%1&apos; is %2, its lens was calibrated at %3</source>
-        <translation>La grabación más reciente de la cámara &apos;%1&apos; es de %2, su lente se calibró a %3</translation>
-    </message>
-    <message>
-        <source>calibrate it at the size it records</source>
-        <translation>calíbrela con el tamaño con que graba</translation>
-    </message>
-    <message>
-        <source>The floor registration of camera &apos;%1&apos; is %2 days old</source>
-        <translation>El registro al suelo de la cámara &apos;%1&apos; tiene %2 días</translation>
-    </message>
-    <message>
-        <source>check that the camera has not moved, or register it again</source>
-        <translation>compruebe que la cámara no se haya movido, o regístrela de nuevo</translation>
-    </message>
-    <message>
-        <source>The floor registration of camera &apos;%1&apos; was made before its lens was calibrated</source>
-        <translation>El registro al suelo de la cámara &apos;%1&apos; se hizo antes de calibrar su lente</translation>
-    </message>
-    <message>
-        <source>The floor registration of camera &apos;%1&apos; was made with another calibration of its lens than the one in force</source>
-        <translation>El registro al suelo de la cámara &apos;%1&apos; se hizo con otra calibración de su lente que la vigente</translation>
-    </message>
-    <message>
-        <source>register it again</source>
-        <translation>regístrela de nuevo</translation>
-    </message>
-    <message>
-        <source>robot &apos;%1&apos; in trial &apos;%2&apos;</source>
-        <translation>robot &apos;%1&apos; en el ensayo &apos;%2&apos;</translation>
-    </message>
-    <message>
-        <source>view &apos;%1&apos; in trial &apos;%2&apos;</source>
-        <translation>vista &apos;%1&apos; en el ensayo &apos;%2&apos;</translation>
-    </message>
-    <message>
-        <source>view &apos;%1&apos;</source>
-        <translation>vista &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>views &apos;%1&apos; and &apos;%2&apos;</source>
-        <translation>vistas &apos;%1&apos; y &apos;%2&apos;</translation>
-    </message>
-    <message>
-        <source>no view sees it from %1 s to %2 s (it was at X %3 m, Y %4 m)</source>
-        <translation>ninguna vista lo ve de %1 s a %2 s (estaba en X %3 m, Y %4 m)</translation>
-    </message>
-    <message>
-        <source>no view sees it after %1 s (it was at X %2 m, Y %3 m)</source>
-        <translation>ninguna vista lo ve después de %1 s (estaba en X %2 m, Y %3 m)</translation>
-    </message>
-    <message>
-        <source>move or add a camera so that the whole task is seen</source>
-        <translation>mueva o añada una cámara para que se vea toda la tarea</translation>
-    </message>
-    <message>
-        <source>the figures are of the part that was seen</source>
-        <translation>los indicadores son de la parte que se vio</translation>
-    </message>
-    <message>
-        <source>it is not synchronised but taken as begun together with the first view, so that a moving robot is not where the two views put it</source>
-        <translation>no está sincronizada sino tomada como iniciada con la primera vista, de modo que un robot en movimiento no está donde lo sitúan las dos vistas</translation>
-    </message>
-    <message>
-        <source>import the videos again and let the offset be found, or tell it</source>
-        <translation>importe de nuevo los videos y deje que se encuentre el desfase, o indíquelo</translation>
-    </message>
-    <message>
-        <source>it is in step to %1 ms only, which is %2 mm at 1 m/s</source>
-        <translation>está sincronizada solo a %1 ms, que son %2 mm a 1 m/s</translation>
-    </message>
-    <message>
-        <source>let the robot turn, or flash the room&apos;s light, where both cameras see it</source>
-        <translation>haga girar el robot, o destelle la luz de la sala, donde lo vean ambas cámaras</translation>
-    </message>
-    <message>
-        <source>its colour %1 is also that of the floor (%2 % of view %3&apos;s picture)</source>
-        <translation>su color %1 es también el del suelo (%2 % de la imagen de la vista %3)</translation>
-    </message>
-    <message>
-        <source>put a plate of another colour on it, or tell the colour it really has</source>
-        <translation>póngale una placa de otro color, o indique el color que tiene en realidad</translation>
-    </message>
-    <message>
-        <source>robot &apos;%1&apos; is new</source>
-        <translation>el robot &apos;%1&apos; es nuevo</translation>
-    </message>
-    <message>
-        <source>it was added with the colour %1</source>
-        <translation>se añadió con el color %1</translation>
-    </message>
-    <message>
-        <source>video &apos;%1&apos;</source>
-        <translation>video &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>synchronisation of view &apos;%1&apos;</source>
-        <translation>sincronización de la vista &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>camera &apos;%1&apos; is not registered to the floor, so it is taken as begun together</source>
-        <translation>la cámara &apos;%1&apos; no está registrada respecto al suelo, así que se toma como iniciada a la vez</translation>
-    </message>
-    <message>
-        <source>the project has no robot to look for, so it is taken as begun together</source>
-        <translation>el proyecto no tiene ningún robot que buscar, así que se toma como iniciada a la vez</translation>
-    </message>
-    <message>
-        <source>robot %1 tells an offset of %2, robot %3 %4, which was taken</source>
-        <translation>el robot %1 indica un desfase de %2, el robot %3 %4, que fue el tomado</translation>
-    </message>
-    <message>
-        <source>the motion tells an offset of %1, which was taken, and the flash of light %2</source>
-        <translation>el movimiento indica un desfase de %1, que fue el tomado, y el destello de luz %2</translation>
-    </message>
-    <message>
-        <source>%1 s and %2 s long, %3 s in common</source>
-        <translation>%1 s y %2 s de duración, %3 s en común</translation>
-    </message>
-    <message>
-        <source>outside it only one view measures, so check that both belong to one run</source>
-        <translation>fuera de eso solo mide una vista, así que compruebe que ambas sean de un mismo recorrido</translation>
-    </message>
-    <message>
-        <source>%1 and %2 frames/s</source>
-        <translation>%1 y %2 fotogramas/s</translation>
-    </message>
-    <message>
-        <source>the views are joined by time, check --rate if one is slow motion</source>
-        <translation>las vistas se unen por el tiempo; compruebe --rate si una está en cámara lenta</translation>
-    </message>
-    <message>
-        <source>it is left out, because nothing was recorded of it</source>
-        <translation>se omite, porque no se grabó nada de ella</translation>
-    </message>
-    <message>
-        <source>check its cable, and whether another program uses it</source>
-        <translation>compruebe su cable y si otro programa la usa</translation>
-    </message>
-    <message>
-        <source>it ended early, because %1</source>
-        <translation>terminó antes de tiempo, porque %1</translation>
-    </message>
-    <message>
-        <source>nothing came for %1 s, because %2</source>
-        <translation>no llegó nada durante %1 s, porque %2</translation>
-    </message>
-    <message>
-        <source>pictures waited up to %1 s for the disk, and none was lost</source>
-        <translation>las imágenes esperaron hasta %1 s al disco y ninguna se perdió</translation>
-    </message>
-    <message>
-        <source>record to a faster disk</source>
-        <translation>grabe en un disco más rápido</translation>
-    </message>
-    <message>
-        <source>1 picture was lost because this computer or its disk was too slow</source>
-        <translation>se perdió 1 imagen porque esta computadora o su disco eran demasiado lentos</translation>
-    </message>
-    <message>
-        <source>%1 pictures were lost because this computer or its disk was too slow</source>
-        <translation>se perdieron %1 imágenes porque esta computadora o su disco eran demasiado lentos</translation>
-    </message>
-    <message>
-        <source>record to a faster disk, or fewer cameras at once</source>
-        <translation>grabe en un disco más rápido, o con menos cámaras a la vez</translation>
-    </message>
-    <message>
-        <source>1 picture was lost between the camera and this program</source>
-        <translation>se perdió 1 imagen entre la cámara y este programa</translation>
-    </message>
-    <message>
-        <source>%1 pictures were lost between the camera and this program</source>
-        <translation>se perdieron %1 imágenes entre la cámara y este programa</translation>
-    </message>
-    <message>
-        <source>check cable, bandwidth and what else this machine does</source>
-        <translation>compruebe el cable, el ancho de banda y qué más hace esta computadora</translation>
-    </message>
-    <message>
-        <source>1 picture was lost because this machine was too slow to make them in time</source>
-        <translation>se perdió 1 imagen porque esta computadora era demasiado lenta para generarla a tiempo</translation>
-    </message>
-    <message>
-        <source>%1 pictures were lost because this machine was too slow to make them in time</source>
-        <translation>se perdieron %1 imágenes porque esta computadora era demasiado lenta para generarlas a tiempo</translation>
-    </message>
-    <message>
-        <source>close other programs, or take fewer such cameras at once</source>
-        <translation>cierre otros programas, o use menos cámaras de este tipo a la vez</translation>
-    </message>
-    <message>
-        <source>the video of camera %1 in trial &apos;%2&apos; is lost, and not in the packed project</source>
-        <translation>el video de la cámara %1 en el ensayo &apos;%2&apos; se perdió y no está en el proyecto empaquetado</translation>
-    </message>
-    <message>
-        <source>trial &apos;%1&apos;</source>
-        <translation>ensayo &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>its recording was cut off</source>
-        <translation>su grabación se interrumpió</translation>
-    </message>
-    <message>
-        <source>nothing of it had reached the disk, and it is left out</source>
-        <translation>nada había llegado al disco, y se omite</translation>
-    </message>
-    <message>
-        <source>record it again</source>
-        <translation>grábelo de nuevo</translation>
-    </message>
-    <message>
-        <source>%1 s of %2 view are kept, all but the last second at most</source>
-        <translation>se conservan %1 s de %2 vista, todo salvo como mucho el último segundo</translation>
-    </message>
-    <message>
-        <source>%1 s of %2 views are kept, all but the last second at most</source>
-        <translation>se conservan %1 s de %2 vistas, todo salvo como mucho el último segundo</translation>
-    </message>
-    <message>
-        <source>Good: %1</source>
-        <translation>Bueno: %1</translation>
-    </message>
-    <message>
-        <source>Usable: %1</source>
-        <translation>Utilizable: %1</translation>
-    </message>
-    <message>
-        <source>Poor: %1</source>
-        <translation>Deficiente: %1</translation>
-    </message>
-    <message>
-        <source>no figure in millimetres, since this lens holds only for a part of the picture</source>
-        <translation>sin valor en milímetros, porque esta lente solo vale para una parte de la imagen</translation>
-    </message>
-    <message>
-        <source>±%1 mm in the middle and ±%2 mm at worst (%3) on %4, as far as the lens is concerned</source>
-        <translation>±%1 mm en el centro y ±%2 mm en el peor caso (%3) en %4, en lo que respecta a la lente</translation>
-    </message>
-    <message>
-        <source>in the far left corner</source>
-        <translation>en la esquina izquierda lejana</translation>
-    </message>
-    <message>
-        <source>in the far right corner</source>
-        <translation>en la esquina derecha lejana</translation>
-    </message>
-    <message>
-        <source>in the near left corner</source>
-        <translation>en la esquina izquierda cercana</translation>
-    </message>
-    <message>
-        <source>in the near right corner</source>
-        <translation>en la esquina derecha cercana</translation>
-    </message>
-    <message>
-        <source>at the far edge</source>
-        <translation>en el borde lejano</translation>
-    </message>
-    <message>
-        <source>at the near edge</source>
-        <translation>en el borde cercano</translation>
-    </message>
-    <message>
-        <source>at the left edge</source>
-        <translation>en el borde izquierdo</translation>
-    </message>
-    <message>
-        <source>at the right edge</source>
-        <translation>en el borde derecho</translation>
-    </message>
-    <message>
-        <source>inside</source>
-        <translation>en el interior</translation>
-    </message>
-    <message>
-        <source>a %1 m × %2 m floor seen from %3 m above</source>
-        <translation>un suelo de %1 m × %2 m visto desde %3 m de altura</translation>
-    </message>
-    <message>
-        <source>%1 pictures fit to %2 px, focal length %3 px ± %4 %</source>
-        <translation>%1 imágenes se ajustan a %2 px, distancia focal %3 px ± %4 %</translation>
-    </message>
-    <message>
-        <source>each half of them foretells the other to %1 px, %2 mm apart at worst on that floor</source>
-        <translation>cada mitad predice la otra a %1 px, con %2 mm de separación como máximo en ese suelo</translation>
-    </message>
-    <message>
-        <source>each half of them foretells the other to %1 px</source>
-        <translation>cada mitad predice la otra a %1 px</translation>
-    </message>
-    <message>
-        <source>%1 pictures fit to %2 px, focal length %3 px ± %4 %, %5 mm apart at worst on that floor</source>
-        <translation>%1 imágenes se ajustan a %2 px, distancia focal %3 px ± %4 %, con %5 mm de separación como máximo en ese suelo</translation>
-    </message>
-    <message>
-        <source>Standard lens</source>
-        <translation>Lente estándar</translation>
-    </message>
-    <message>
-        <source>Rational lens</source>
-        <translation>Lente racional</translation>
-    </message>
-    <message>
-        <source>Fisheye lens</source>
-        <translation>Lente ojo de pez</translation>
-    </message>
-    <message>
-        <source>standard</source>
-        <translation>estándar</translation>
-    </message>
-    <message>
-        <source>rational</source>
-        <translation>racional</translation>
-    </message>
-    <message>
-        <source>fisheye</source>
-        <translation>ojo de pez</translation>
-    </message>
-    <message>
-        <source>told</source>
-        <translation>indicado</translation>
-    </message>
-    <message>
-        <source>no other model fits</source>
-        <translation>ningún otro modelo se ajusta</translation>
-    </message>
-    <message>
-        <source>not all</source>
-        <translation>no todas</translation>
-    </message>
-    <message>
-        <source>%1 px</source>
-        <translation>%1 px</translation>
-    </message>
-    <message>
-        <source>it foretells pictures held out to %1, the %2 one to %3, which may be chance</source>
-        <translation>predice imágenes reservadas a %1, el modelo %2 a %3, lo que puede ser casualidad</translation>
-    </message>
-    <message>
-        <source>it foretells pictures held out to %1, the %2 one no better (%3)</source>
-        <translation>predice imágenes reservadas a %1, el modelo %2 no lo hace mejor (%3)</translation>
-    </message>
-    <message>
-        <source>it foretells pictures held out to %1, the %2 one only to %3</source>
-        <translation>predice imágenes reservadas a %1, el modelo %2 solo a %3</translation>
-    </message>
-    <message>
-        <source>%1 % of the corners disagree, in %2</source>
-        <translation>el %1 % de las esquinas discrepan, en %2</translation>
-    </message>
-    <message>
-        <source>%1 % of the corners disagree, most in %2</source>
-        <translation>el %1 % de las esquinas discrepan, la mayoría en %2</translation>
-    </message>
-    <message>
-        <source>they were kept</source>
-        <translation>se conservaron</translation>
-    </message>
-    <message>
-        <source>look at these pictures and leave out those that are blurred, bent or of another board</source>
-        <translation>mire estas imágenes y omita las borrosas, dobladas o de otro tablero</translation>
-    </message>
-    <message>
-        <source>1 corner that stands out was left out, in %1</source>
-        <translation>se omitió 1 esquina que se aparta, en %1</translation>
-    </message>
-    <message>
-        <source>%1 corners that stand out were left out, in %2</source>
-        <translation>se omitieron %1 esquinas que se apartan, en %2</translation>
-    </message>
-    <message>
-        <source>%1 corners that stand out were left out, most in %2</source>
-        <translation>se omitieron %1 esquinas que se apartan, la mayoría en %2</translation>
-    </message>
-    <message>
-        <source>%1 corners that stand out side by side were kept, in %2</source>
-        <translation>se conservaron %1 esquinas contiguas que se apartan, en %2</translation>
-    </message>
-    <message>
-        <source>%1 corners that stand out side by side were kept, most in %2</source>
-        <translation>se conservaron %1 esquinas contiguas que se apartan, la mayoría en %2</translation>
-    </message>
-    <message>
-        <source>leave out these pictures if the board is bent, cut or covered there</source>
-        <translation>omita estas imágenes si el tablero está doblado, cortado o tapado ahí</translation>
-    </message>
-    <message>
-        <source>More pictures (%1 or more) would make it surer</source>
-        <translation>Más imágenes (%1 o más) lo harían más seguro</translation>
-    </message>
-    <message>
-        <source>Only %1 % of the picture was covered</source>
-        <translation>Solo se cubrió el %1 % de la imagen</translation>
-    </message>
-    <message>
-        <source>show the board near its edges too</source>
-        <translation>muestre el tablero también cerca de los bordes</translation>
-    </message>
-    <message>
-        <source>Look at %1</source>
-        <translation>Mire %1</translation>
-    </message>
-    <message>
-        <source>its %1 px stand out</source>
-        <translation>sus %1 px se apartan</translation>
-    </message>
-    <message>
-        <source>mark frame %1 of %2 as a spike</source>
-        <translation>marcar el fotograma %1 de %2 como atípico</translation>
-    </message>
-    <message>
-        <source>use frame %1 of %2</source>
-        <translation>usar el fotograma %1 de %2</translation>
-    </message>
-    <message>
-        <source>leave frame %1 of %2 to the program</source>
-        <translation>dejar el fotograma %1 de %2 al programa</translation>
-    </message>
-    <message>
-        <source>import the roster %1</source>
-        <translation>importar la lista de clase %1</translation>
-    </message>
-    <message>
-        <source>put the axes of layout %1 elsewhere</source>
-        <translation>poner los ejes del plano %1 en otro lugar</translation>
-    </message>
-    <message>
-        <source>choose calibration %1 of camera %2</source>
-        <translation>elegir la calibración %1 de la cámara %2</translation>
-    </message>
-    <message>
-        <source>choose registration %1 of camera %2</source>
-        <translation>elegir el registro %1 de la cámara %2</translation>
-    </message>
-    <message>
-        <source>link a lost video</source>
-        <translation>vincular un video perdido</translation>
-    </message>
-    <message>
-        <source>link %1 lost videos</source>
-        <translation>vincular %1 videos perdidos</translation>
-    </message>
-    <message>
-        <source>give %1 the task %2</source>
-        <translation>dar a %1 la tarea %2</translation>
-    </message>
-    <message>
-        <source>import trial %1</source>
-        <translation>importar el ensayo %1</translation>
-    </message>
-    <message>
-        <source>leave out %1, of which nothing was recorded</source>
-        <translation>omitir %1, del que no se grabó nada</translation>
-    </message>
-    <message>
-        <source>complete %1, whose recording was cut off</source>
-        <translation>completar %1, cuya grabación se interrumpió</translation>
-    </message>
-    <message>
-        <source>calibrated from %1 pictures</source>
-        <translation>calibrada con %1 imágenes</translation>
-    </message>
-    <message>
-        <source>imported from %1</source>
-        <translation>importada de %1</translation>
-    </message>
-    <message>
-        <source>layout &apos;%1&apos;, lens not calibrated</source>
-        <translation>plano &apos;%1&apos;, lente sin calibrar</translation>
-    </message>
-    <message>
-        <source>layout &apos;%1&apos;, lens of calibration %2</source>
-        <translation>plano &apos;%1&apos;, lente de la calibración %2</translation>
-    </message>
-    <message>
-        <source>register camera %1</source>
-        <translation>registrar la cámara %1</translation>
-    </message>
-    <message>
-        <source>register camera %1 again</source>
-        <translation>registrar de nuevo la cámara %1</translation>
-    </message>
-    <message>
-        <source>register camera %1 through camera %2</source>
-        <translation>registrar la cámara %1 mediante la cámara %2</translation>
-    </message>
-    <message>
-        <source>register the cameras of layout %1 together</source>
-        <translation>registrar juntas las cámaras del plano %1</translation>
-    </message>
-    <message>
-        <source>calibrate camera %1</source>
-        <translation>calibrar la cámara %1</translation>
-    </message>
-    <message>
-        <source>import the lens of camera %1 from %2</source>
-        <translation>importar la lente de la cámara %1 de %2</translation>
-    </message>
-    <message>
-        <source>check whether camera %1 has moved</source>
-        <translation>comprobar si la cámara %1 se ha movido</translation>
-    </message>
-    <message>
-        <source>remove %1 for good</source>
-        <translation>eliminar %1 definitivamente</translation>
-    </message>
-    <message>
-        <source>track %1</source>
-        <translation>rastrear %1</translation>
-    </message>
-    <message>
-        <source>measure %1 again</source>
-        <translation>volver a medir %1</translation>
-    </message>
-    <message>
-        <source>record %1</source>
-        <translation>grabar %1</translation>
-    </message>
-    <message>
-        <source>connect camera %1</source>
-        <translation>conectar la cámara %1</translation>
-    </message>
-    <message>
-        <source>waiting for the first picture</source>
-        <translation>esperando la primera imagen</translation>
-    </message>
-    <message>
-        <source>%1 frames/s, none lost</source>
-        <translation>%1 fotogramas/s, ninguno perdido</translation>
-    </message>
-    <message>
-        <source>%1 frames/s (too slow), none lost</source>
-        <translation>%1 fotogramas/s (demasiado lento), ninguno perdido</translation>
-    </message>
-    <message>
-        <source>%1 frames/s, %2 lost</source>
-        <translation>%1 fotogramas/s, %2 perdidos</translation>
-    </message>
-    <message>
-        <source>%1 frames/s (too slow), %2 lost</source>
-        <translation>%1 fotogramas/s (demasiado lento), %2 perdidos</translation>
-    </message>
-    <message>
-        <source>%1 frames/s, %2 lost because this machine is too slow</source>
-        <translation>%1 fotogramas/s, %2 perdidos porque esta computadora es demasiado lenta</translation>
-    </message>
-    <message>
-        <source>%1 frames/s (too slow), %2 lost because this machine is too slow</source>
-        <translation>%1 fotogramas/s (demasiado lento), %2 perdidos porque esta computadora es demasiado lenta</translation>
-    </message>
-    <message>
-        <source>%1 frames/s, %2 lost (%3 on the wire, %4 here)</source>
-        <translation>%1 fotogramas/s, %2 perdidos (%3 en el cable, %4 aquí)</translation>
-    </message>
-    <message>
-        <source>%1 frames/s (too slow), %2 lost (%3 on the wire, %4 here)</source>
-        <translation>%1 fotogramas/s (demasiado lento), %2 perdidos (%3 en el cable, %4 aquí)</translation>
-    </message>
-    <message>
-        <source>%1 frames/s, %2 lost on the wire</source>
-        <translation>%1 fotogramas/s, %2 perdidos en el cable</translation>
-    </message>
-    <message>
-        <source>%1 frames/s (too slow), %2 lost on the wire</source>
-        <translation>%1 fotogramas/s (demasiado lento), %2 perdidos en el cable</translation>
-    </message>
-    <message>
-        <source>%1 frames/s, %2 lost here</source>
-        <translation>%1 fotogramas/s, %2 perdidos aquí</translation>
-    </message>
-    <message>
-        <source>%1 frames/s (too slow), %2 lost here</source>
-        <translation>%1 fotogramas/s (demasiado lento), %2 perdidos aquí</translation>
-    </message>
-    <message>
-        <source>in step to %1 ms</source>
-        <translation>sincronizada a %1 ms</translation>
-    </message>
-    <message>
-        <source>at %1 m/s that is %2 mm</source>
-        <translation>a %1 m/s son %2 mm</translation>
-    </message>
-    <message>
-        <source>room for %1 s</source>
-        <translation>espacio para %1 s</translation>
-    </message>
-    <message>
-        <source>room for %1 min</source>
-        <translation>espacio para %1 min</translation>
-    </message>
-    <message>
-        <source>room for %1 h</source>
-        <translation>espacio para %1 h</translation>
-    </message>
-    <message>
-        <source>the map is %1 ms behind, none skipped</source>
-        <translation>el mapa va %1 ms por detrás, nada omitido</translation>
-    </message>
-    <message>
-        <source>the map is %1 ms behind, %2 skipped</source>
-        <translation>el mapa va %1 ms por detrás, %2 omitidos</translation>
-    </message>
-    <message>
-        <source>analysing %1</source>
-        <translation>analizando %1</translation>
-    </message>
-    <message>
-        <source>analysing</source>
-        <translation>analizando</translation>
-    </message>
-    <message>
-        <source>copying the project</source>
-        <translation>copiando el proyecto</translation>
-    </message>
-    <message>
-        <source>looking for the markers in %1</source>
-        <translation>buscando los marcadores en %1</translation>
-    </message>
-    <message>
-        <source>looking for the markers again</source>
-        <translation>buscando los marcadores de nuevo</translation>
-    </message>
-    <message>
-        <source>looking for files</source>
-        <translation>buscando archivos</translation>
-    </message>
-    <message>
-        <source>computing the intrinsics</source>
-        <translation>calculando los parámetros intrínsecos</translation>
-    </message>
-    <message>
-        <source>keeping the pictures</source>
-        <translation>guardando las imágenes</translation>
-    </message>
-    <message>
-        <source>recording</source>
-        <translation>grabando</translation>
-    </message>
-    <message>
-        <source>writing the last pictures</source>
-        <translation>escribiendo las últimas imágenes</translation>
-    </message>
-    <message>
-        <source>calibrating camera %1</source>
-        <translation>calibrando la cámara %1</translation>
-    </message>
-    <message>
-        <source>settling which robot is which</source>
-        <translation>determinando qué robot es cuál</translation>
-    </message>
-    <message>
-        <source>fitting %1 cameras together</source>
-        <translation>ajustando %1 cámaras juntas</translation>
-    </message>
-    <message>
-        <source>Poor, measure the markers again: %1</source>
-        <translation>Deficiente, mida de nuevo los marcadores: %1</translation>
-    </message>
-    <message>
-        <source>%1 markers fit to %2 mm RMS (worst %3, %4 mm), and the floor among them is known to ±%5 mm</source>
-        <translation>%1 marcadores se ajustan a %2 mm RMS (el peor %3, %4 mm), y el suelo entre ellos se conoce a ±%5 mm</translation>
-    </message>
-    <message>
-        <source>Four markers hardly check one another</source>
-        <translation>Cuatro marcadores apenas se comprueban entre sí</translation>
-    </message>
-    <message>
-        <source>Four points hardly check one another</source>
-        <translation>Cuatro puntos apenas se comprueban entre sí</translation>
-    </message>
-    <message>
-        <source>a fifth would</source>
-        <translation>un quinto sí lo haría</translation>
-    </message>
-    <message>
-        <source>The camera was taken as free of distortion, its focal length estimated from the markers (%1 px ± %2)</source>
-        <translation>La cámara se tomó como libre de distorsión y su distancia focal se estimó a partir de los marcadores (%1 px ± %2)</translation>
-    </message>
-    <message>
-        <source>The camera was taken as free of distortion, its focal length guessed (%1 px), since this view does not determine it</source>
-        <translation>La cámara se tomó como libre de distorsión y su distancia focal se supuso (%1 px), porque esta vista no la determina</translation>
-    </message>
-    <message>
-        <source>The camera was taken as free of distortion, its focal length as %1 px</source>
-        <translation>La cámara se tomó como libre de distorsión y su distancia focal como %1 px</translation>
-    </message>
-    <message>
-        <source>Calibrate it for positions to rely on</source>
-        <translation>Calíbrela para obtener posiciones fiables</translation>
-    </message>
-    <message>
-        <source>The camera would stand only %1 mm above the floor</source>
-        <translation>La cámara estaría a solo %1 mm del suelo</translation>
-    </message>
-    <message>
-        <source>if that is wrong, the layout&apos;s numbers are no mm</source>
-        <translation>si no es así, los números del plano no son mm</translation>
-    </message>
-    <message>
-        <source>convert its unit</source>
-        <translation>convierta su unidad</translation>
-    </message>
-    <message>
-        <source>through %1 %2 points of the floor fit to %3 mm RMS (worst %4, %5 mm), and the floor among them is known to ±%6 mm, of which ±%7 mm come from %8</source>
-        <translation>mediante %1, %2 puntos del suelo se ajustan a %3 mm RMS (el peor %4, %5 mm), y el suelo entre ellos se conoce a ±%6 mm, de los que ±%7 mm vienen de %8</translation>
-    </message>
-    <message>
-        <source>with %1 together %2 markers fit to %3 mm RMS, and the floor among them is known to ±%4 mm</source>
-        <translation>junto con %1, %2 marcadores se ajustan a %3 mm RMS, y el suelo entre ellos se conoce a ±%4 mm</translation>
-    </message>
-    <message>
-        <source>The markers and the cameras agree with one another</source>
-        <translation>Los marcadores y las cámaras concuerdan entre sí</translation>
-    </message>
-    <message>
-        <source>%1 is %2 mm off by all cameras</source>
-        <translation>%1 está desviado %2 mm según todas las cámaras</translation>
-    </message>
-    <message>
-        <source>measure it again</source>
-        <translation>mídalo de nuevo</translation>
-    </message>
-    <message>
-        <source>%1 is %2 mm off by the one camera that sees it</source>
-        <translation>%1 está desviado %2 mm según la única cámara que lo ve</translation>
-    </message>
-    <message>
-        <source>measure it, or mark it in the picture, again</source>
-        <translation>mídalo de nuevo, o márquelo de nuevo en la imagen</translation>
-    </message>
-    <message>
-        <source>%1 sees %2 %3 px from where the others do</source>
-        <translation>%1 ve %2 a %3 px de donde lo ven las demás</translation>
-    </message>
-    <message>
-        <source>mark it there again</source>
-        <translation>márquelo ahí de nuevo</translation>
-    </message>
-    <message>
-        <source>None of the floor among the markers is seen</source>
-        <translation>No se ve nada del suelo entre los marcadores</translation>
-    </message>
-    <message>
-        <source>±%1 mm in the middle, ±%2 mm in the corner near %3</source>
-        <translation>±%1 mm en el centro, ±%2 mm en la esquina cercana a %3</translation>
-    </message>
-    <message>
-        <source>±%1 mm in the middle, ±%2 mm at the edge near %3</source>
-        <translation>±%1 mm en el centro, ±%2 mm en el borde cercano a %3</translation>
-    </message>
-    <message>
-        <source>±%1 mm in the middle, ±%2 mm near %3</source>
-        <translation>±%1 mm en el centro, ±%2 mm cerca de %3</translation>
-    </message>
-    <message>
-        <source>The middle is not seen, ±%1 mm in the corner near %2</source>
-        <translation>El centro no se ve, ±%1 mm en la esquina cercana a %2</translation>
-    </message>
-    <message>
-        <source>The middle is not seen, ±%1 mm at the edge near %2</source>
-        <translation>El centro no se ve, ±%1 mm en el borde cercano a %2</translation>
-    </message>
-    <message>
-        <source>The middle is not seen, ±%1 mm near %2</source>
-        <translation>El centro no se ve, ±%1 mm cerca de %2</translation>
-    </message>
-    <message>
-        <source>%1 % of the floor among the markers is not seen</source>
-        <translation>No se ve el %1 % del suelo entre los marcadores</translation>
-    </message>
-    <message>
-        <source>%1 stands where it was registered</source>
-        <translation>%1 está donde se registró</translation>
-    </message>
-    <message>
-        <source>%1 markers lie within %2 px = %3 mm of their places</source>
-        <translation>%1 marcadores están a menos de %2 px = %3 mm de su sitio</translation>
-    </message>
-    <message>
-        <source>%1 has moved %2 px = %3 mm</source>
-        <translation>%1 se ha movido %2 px = %3 mm</translation>
-    </message>
-    <message>
-        <source>register it again before you record</source>
-        <translation>regístrela de nuevo antes de grabar</translation>
-    </message>
-    <message>
-        <source>Marker %1 has moved %2 px = %3 mm, %4 has not</source>
-        <translation>El marcador %1 se ha movido %2 px = %3 mm, %4 no</translation>
-    </message>
-    <message>
-        <source>Markers %1 have moved %2 px = %3 mm, %4 has not</source>
-        <translation>Los marcadores %1 se han movido %2 px = %3 mm, %4 no</translation>
-    </message>
-    <message>
-        <source>put it back, or measure again and register all cameras</source>
-        <translation>vuelva a ponerlo en su sitio, o mida de nuevo y registre todas las cámaras</translation>
-    </message>
-    <message>
-        <source>put them back, or measure again and register all cameras</source>
-        <translation>vuelva a ponerlos en su sitio, o mida de nuevo y registre todas las cámaras</translation>
-    </message>
-    <message>
-        <source>Not found again: %1</source>
-        <translation>No encontrados de nuevo: %1</translation>
-    </message>
-    <message>
-        <source>The length is %1 mm ± %2 mm</source>
-        <translation>La longitud es %1 mm ± %2 mm</translation>
-    </message>
-    <message>
-        <source>It is %1 mm shorter than the %2 mm told</source>
-        <translation>Es %1 mm más corta que los %2 mm indicados</translation>
-    </message>
-    <message>
-        <source>It is %1 mm longer than the %2 mm told</source>
-        <translation>Es %1 mm más larga que los %2 mm indicados</translation>
-    </message>
-    <message>
-        <source>inside the expected error of %1 mm</source>
-        <translation>dentro del error esperado de %1 mm</translation>
-    </message>
-    <message>
-        <source>outside the expected error of %1 mm</source>
-        <translation>fuera del error esperado de %1 mm</translation>
-    </message>
-    <message>
-        <source>Check the length itself, whether it lies on the floor, and the places of the markers</source>
-        <translation>Compruebe la longitud misma, si está en el suelo y los lugares de los marcadores</translation>
-    </message>
-    <message>
-        <source>Camera &apos;%1&apos; alone says %2 mm</source>
-        <translation>La cámara &apos;%1&apos; por sí sola indica %2 mm</translation>
-    </message>
-    <message>
-        <source>look whether the same ends are marked in each picture, and register it again if they are</source>
-        <translation>mire si están marcados los mismos extremos en cada imagen y, si lo están, regístrela de nuevo</translation>
-    </message>
-    <message>
-        <source>No place was measured by both analyses</source>
-        <translation>Ningún lugar fue medido por ambos análisis</translation>
-    </message>
-    <message>
-        <source>Positions change by %1 mm RMS, at most by %2 mm (at %3 s)</source>
-        <translation>Las posiciones cambian %1 mm RMS, como máximo %2 mm (a los %3 s)</translation>
-    </message>
-    <message>
-        <source>Spikes: %1 instead of %2</source>
-        <translation>Valores atípicos: %1 en lugar de %2</translation>
-    </message>
-    <message>
-        <source>USB buses</source>
-        <translation>Buses USB</translation>
-    </message>
-    <message>
-        <source>each USB camera has a bus of its own</source>
-        <translation>cada cámara USB tiene un bus propio</translation>
-    </message>
-    <message>
-        <source>no USB camera is used</source>
-        <translation>no se usa ninguna cámara USB</translation>
-    </message>
-    <message>
-        <source>cameras %1 share the bus %2, of %3 Mbit/s</source>
-        <translation>las cámaras %1 comparten el bus %2, de %3 Mbit/s</translation>
-    </message>
-    <message>
-        <source>cameras %1 share the bus %2</source>
-        <translation>las cámaras %1 comparten el bus %2</translation>
-    </message>
-    <message>
-        <source>plug one into a port on the other side of the computer, or a card of its own</source>
-        <translation>conecte una a un puerto del otro lado de la computadora, o a una tarjeta propia</translation>
-    </message>
-    <message>
-        <source>or let both send MJPEG, or smaller pictures</source>
-        <translation>o haga que ambas envíen MJPEG, o imágenes más pequeñas</translation>
-    </message>
-    <message>
-        <source>Access to cameras</source>
-        <translation>Acceso a las cámaras</translation>
-    </message>
-    <message>
-        <source>you may not use %1</source>
-        <translation>no tiene permiso para usar %1</translation>
-    </message>
-    <message>
-        <source>add yourself to the group video (sudo usermod -aG video $USER), then log out and in again</source>
-        <translation>añádase al grupo video (sudo usermod -aG video $USER), luego cierre la sesión y vuelva a entrar</translation>
-    </message>
-    <message>
-        <source>this machine shows no USB or built-in camera (/dev/video*)</source>
-        <translation>esta computadora no muestra ninguna cámara USB ni integrada (/dev/video*)</translation>
-    </message>
-    <message>
-        <source>if one is connected, try another cable and port, without a hub</source>
-        <translation>si hay una conectada, pruebe otro cable y otro puerto, sin concentrador</translation>
-    </message>
-    <message>
-        <source>you may use all %1 video devices</source>
-        <translation>puede usar los %1 dispositivos de video</translation>
-    </message>
-    <message>
-        <source>Receive buffer</source>
-        <translation>Búfer de recepción</translation>
-    </message>
-    <message>
-        <source>the system does not say how large it may be (net.core.rmem_max)</source>
-        <translation>el sistema no dice qué tamaño puede tener (net.core.rmem_max)</translation>
-    </message>
-    <message>
-        <source>up to %1 MiB, enough for network cameras</source>
-        <translation>hasta %1 MiB, suficiente para cámaras de red</translation>
-    </message>
-    <message>
-        <source>%1 MiB, which only network cameras would find too small</source>
-        <translation>%1 MiB, que solo sería poco para cámaras de red</translation>
-    </message>
-    <message>
-        <source>only %1 MiB</source>
-        <translation>solo %1 MiB</translation>
-    </message>
-    <message>
-        <source>%1 will lose pictures</source>
-        <translation>%1 perderá imágenes</translation>
-    </message>
-    <message>
-        <source>sudo sysctl -w net.core.rmem_max=%1, and put the same into /etc/sysctl.d/ to keep it</source>
-        <translation>sudo sysctl -w net.core.rmem_max=%1, y ponga lo mismo en /etc/sysctl.d/ para conservarlo</translation>
-    </message>
-    <message>
-        <source>Packet size</source>
-        <translation>Tamaño de paquete</translation>
-    </message>
-    <message>
-        <source>no network camera is used</source>
-        <translation>no se usa ninguna cámara de red</translation>
-    </message>
-    <message>
-        <source>large packets are allowed</source>
-        <translation>se permiten paquetes grandes</translation>
-    </message>
-    <message>
-        <source>small packets on %1</source>
-        <translation>paquetes pequeños en %1</translation>
-    </message>
-    <message>
-        <source>give the port that the camera is on an MTU of 9000 (sudo ip link set dev NAME mtu 9000), if camera and switch can take it</source>
-        <translation>dé al puerto de la cámara una MTU de 9000 (sudo ip link set dev NAME mtu 9000), si la cámara y el conmutador lo admiten</translation>
-    </message>
-    <message>
-        <source>Lamps&apos; flicker, camera %1</source>
-        <translation>Parpadeo de lámparas, cámara %1</translation>
-    </message>
-    <message>
-        <source>filtered by the camera (%1)</source>
-        <translation>filtrado por la cámara (%1)</translation>
-    </message>
-    <message>
-        <source>its filter is off</source>
-        <translation>su filtro está desactivado</translation>
-    </message>
-    <message>
-        <source>pictures may pulse under lamps</source>
-        <translation>las imágenes pueden pulsar bajo lámparas</translation>
-    </message>
-    <message>
-        <source>set &apos;%1&apos; to your mains</source>
-        <translation>ajuste &apos;%1&apos; a su red eléctrica</translation>
-    </message>
-    <message>
-        <source>50 Hz in most countries, 60 Hz in the Americas</source>
-        <translation>50 Hz en la mayoría de los países, 60 Hz en América</translation>
-    </message>
-    <message>
-        <source>it does not tell its exposure</source>
-        <translation>no indica su exposición</translation>
-    </message>
-    <message>
-        <source>exposed for %1 ms, which suits lamps</source>
-        <translation>expuesta %1 ms, adecuado para lámparas</translation>
-    </message>
-    <message>
-        <source>exposed for %1 ms</source>
-        <translation>expuesta %1 ms</translation>
-    </message>
-    <message>
-        <source>expose for 10 or 20 ms with mains of 50 Hz, 8.3 or 16.7 ms with 60 Hz</source>
-        <translation>exponga 10 o 20 ms con red de 50 Hz, 8,3 o 16,7 ms con 60 Hz</translation>
-    </message>
-    <message>
-        <source>or use daylight</source>
-        <translation>o use luz natural</translation>
-    </message>
-    <message>
-        <source>Automatics, camera %1</source>
-        <translation>Automatismos, cámara %1</translation>
-    </message>
-    <message>
-        <source>%1 go on changing by themselves</source>
-        <translation>%1 siguen cambiando por sí mismos</translation>
-    </message>
-    <message>
-        <source>%1 goes on changing by itself</source>
-        <translation>%1 sigue cambiando por sí mismo</translation>
-    </message>
-    <message>
-        <source>turn it off in the camera&apos;s own program, or keep the light steady while robots run</source>
-        <translation>desactívelo en el programa de la cámara, o mantenga la luz constante mientras corren los robots</translation>
-    </message>
-    <message>
-        <source>exposure, gain, white balance and focus are held</source>
-        <translation>exposición, ganancia, balance de blancos y enfoque están fijos</translation>
-    </message>
-    <message>
-        <source>it has none</source>
-        <translation>no tiene ninguno</translation>
-    </message>
-    <message>
-        <source>they are held while recording</source>
-        <translation>se mantienen fijos al grabar</translation>
-    </message>
-    <message>
-        <source>Step</source>
-        <translation>Sincronía</translation>
-    </message>
-    <message>
-        <source>one camera is always in step</source>
-        <translation>una sola cámara siempre está sincronizada</translation>
-    </message>
-    <message>
-        <source>a camera does not deliver</source>
-        <translation>una cámara no entrega imágenes</translation>
-    </message>
-    <message>
-        <source>see its own line</source>
-        <translation>vea su propia línea</translation>
-    </message>
-    <message>
-        <source>the cameras run at %1 and %2 frames/s</source>
-        <translation>las cámaras van a %1 y %2 fotogramas/s</translation>
-    </message>
-    <message>
-        <source>set both to one rate</source>
-        <translation>ponga ambas a la misma frecuencia</translation>
-    </message>
-    <message>
-        <source>in dim light a camera halves its rate by itself, unless its automatic exposure is off</source>
-        <translation>con poca luz una cámara reduce sola su frecuencia a la mitad, salvo que la exposición automática esté desactivada</translation>
-    </message>
-    <message>
-        <source>no two pictures have been taken together yet</source>
-        <translation>aún no se han tomado dos imágenes a la vez</translation>
-    </message>
-    <message>
-        <source>wait a few seconds, and look again</source>
-        <translation>espere unos segundos y vuelva a mirar</translation>
-    </message>
-    <message>
-        <source>set both to one rate, or trigger them together</source>
-        <translation>ponga ambas a la misma frecuencia, o dispárelas juntas</translation>
-    </message>
-    <message>
-        <source>Picture size, camera %1</source>
-        <translation>Tamaño de imagen, cámara %1</translation>
-    </message>
-    <message>
-        <source>it is not registered to the floor</source>
-        <translation>no está registrada respecto al suelo</translation>
-    </message>
-    <message>
-        <source>register it in Testbed, or its pictures cannot tell where a robot is</source>
-        <translation>regístrela en Banco, o sus imágenes no podrán decir dónde está un robot</translation>
-    </message>
-    <message>
-        <source>%1, as it was registered</source>
-        <translation>%1, como se registró</translation>
-    </message>
-    <message>
-        <source>%1, but registered at %2</source>
-        <translation>%1, pero registrada a %2</translation>
-    </message>
-    <message>
-        <source>let it send the size it was registered at, or calibrate and register it anew</source>
-        <translation>haga que envíe el tamaño con que se registró, o calíbrela y regístrela de nuevo</translation>
-    </message>
-    <message>
-        <source>views disagree by %1 mm</source>
-        <translation>las vistas discrepan en %1 mm</translation>
-    </message>
-    <message>
-        <source>none could be trusted</source>
-        <translation>ninguna era fiable</translation>
-    </message>
-    <message>
-        <source>one left out</source>
-        <translation>se omitió una</translation>
-    </message>
-    <message>
-        <source>jump of %1 mm</source>
-        <translation>salto de %1 mm</translation>
-    </message>
-    <message>
-        <source>jump</source>
-        <translation>salto</translation>
-    </message>
-    <message>
-        <source>stands out in position and speed</source>
-        <translation>se aparta en posición y velocidad</translation>
-    </message>
-    <message>
-        <source>stands out in position</source>
-        <translation>se aparta en posición</translation>
-    </message>
-    <message>
-        <source>stands out in speed</source>
-        <translation>se aparta en velocidad</translation>
-    </message>
-    <message>
-        <source>faster than the limit</source>
-        <translation>más rápido que el límite</translation>
-    </message>
-    <message>
-        <source>harder than the limit of acceleration</source>
-        <translation>aceleración mayor que el límite</translation>
-    </message>
-    <message>
-        <source>called a spike by hand</source>
-        <translation>marcado como atípico a mano</translation>
-    </message>
-    <message>
-        <source>cut by the picture&apos;s edge</source>
-        <translation>cortado por el borde de la imagen</translation>
-    </message>
-    <message>
-        <source>the tracker was not sure (score %1 %)</source>
-        <translation>el rastreador no estaba seguro (puntuación %1 %)</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>ninguno</translation>
-    </message>
-    <message>
-        <source>%1 and %2</source>
-        <translation>%1 y %2</translation>
-    </message>
-    <message>
-        <source>%1; %2</source>
-        <translation>%1; %2</translation>
-    </message>
-    <message>
-        <source>%1 %2</source>
-        <translation>%1 %2</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>%1.</source>
-        <translation>%1.</translation>
-    </message>
-    <message>
-        <source>the picture is too small to hold a board</source>
-        <translation>la imagen es demasiado pequeña para un tablero</translation>
-    </message>
-    <message>
-        <source>use a picture of the camera</source>
-        <translation>use una imagen de la cámara</translation>
-    </message>
-    <message>
-        <source>use pictures of the camera</source>
-        <translation>use imágenes de la cámara</translation>
-    </message>
-    <message>
-        <source>use another picture</source>
-        <translation>use otra imagen</translation>
-    </message>
-    <message>
-        <source>the picture is too small</source>
-        <translation>la imagen es demasiado pequeña</translation>
-    </message>
-    <message>
-        <source>the picture has no size</source>
-        <translation>la imagen no tiene tamaño</translation>
-    </message>
-    <message>
-        <source>the board is blurred</source>
-        <translation>el tablero está borroso</translation>
-    </message>
-    <message>
-        <source>its edges are %1 pixels wide</source>
-        <translation>sus bordes tienen %1 píxeles de ancho</translation>
-    </message>
-    <message>
-        <source>hold it still, and focus the camera</source>
-        <translation>manténgalo quieto y enfoque la cámara</translation>
-    </message>
-    <message>
-        <source>a corner of the board cannot be made out</source>
-        <translation>no se distingue una esquina del tablero</translation>
-    </message>
-    <message>
-        <source>keep the board clear and well lit</source>
-        <translation>mantenga el tablero despejado y bien iluminado</translation>
-    </message>
-    <message>
-        <source>this board has %1 inner corners, %2 was asked for</source>
-        <translation>este tablero tiene %1 esquinas interiores, se pidió %2</translation>
-    </message>
-    <message>
-        <source>count the inner corners, or leave the size out</source>
-        <translation>cuente las esquinas interiores, u omita el tamaño</translation>
-    </message>
-    <message>
-        <source>the board is cut off</source>
-        <translation>el tablero está cortado</translation>
-    </message>
-    <message>
-        <source>only %1 of its %2 inner corners are seen</source>
-        <translation>solo se ven %1 de sus %2 esquinas interiores</translation>
-    </message>
-    <message>
-        <source>keep the whole board in the picture</source>
-        <translation>mantenga todo el tablero en la imagen</translation>
-    </message>
-    <message>
-        <source>no board found</source>
-        <translation>no se encontró ningún tablero</translation>
-    </message>
-    <message>
-        <source>%1 of its markers could be read</source>
-        <translation>se pudieron leer %1 de sus marcadores</translation>
-    </message>
-    <message>
-        <source>show the whole board, flat, sharp and well lit</source>
-        <translation>muestre todo el tablero, plano, nítido y bien iluminado</translation>
-    </message>
-    <message>
-        <source>show the board larger, sharp and well lit</source>
-        <translation>muestre el tablero más grande, nítido y bien iluminado</translation>
-    </message>
-    <message>
-        <source>only %1 corners of the board are seen</source>
-        <translation>solo se ven %1 esquinas del tablero</translation>
-    </message>
-    <message>
-        <source>show more of the board</source>
-        <translation>muestre más del tablero</translation>
-    </message>
-    <message>
-        <source>show one ChArUco board</source>
-        <translation>muestre un tablero ChArUco</translation>
-    </message>
-    <message>
-        <source>the camera cannot be calibrated</source>
-        <translation>la cámara no se puede calibrar</translation>
-    </message>
-    <message>
-        <source>calibration of camera &apos;%1&apos;</source>
-        <translation>calibración de la cámara &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>three pictures of the board are needed, %1 can be used</source>
-        <translation>se necesitan tres imágenes del tablero, %1 sirven</translation>
-    </message>
-    <message>
-        <source>take ten or more, the board tilted differently in each</source>
-        <translation>tome diez o más, con el tablero inclinado de otra forma en cada una</translation>
-    </message>
-    <message>
-        <source>%1 % of the corners do not agree with the others</source>
-        <translation>el %1 % de las esquinas no concuerda con las demás</translation>
-    </message>
-    <message>
-        <source>check that all pictures are sharp, of one flat board and of one camera at one zoom and focus</source>
-        <translation>compruebe que todas las imágenes son nítidas, de un mismo tablero plano y de una cámara con un mismo zoom y enfoque</translation>
-    </message>
-    <message>
-        <source>no lens fits these pictures</source>
-        <translation>ninguna lente se ajusta a estas imágenes</translation>
-    </message>
-    <message>
-        <source>check that all are of one camera, at one zoom and focus</source>
-        <translation>compruebe que todas son de una cámara, con un mismo zoom y enfoque</translation>
-    </message>
-    <message>
-        <source>choose others</source>
-        <translation>elija otras</translation>
-    </message>
-    <message>
-        <source>use pictures of one camera at one zoom and focus</source>
-        <translation>use imágenes de una cámara con un mismo zoom y enfoque</translation>
-    </message>
-    <message>
-        <source>all %1 pictures show the board in one place, the %2 %3 % of the picture</source>
-        <translation>las %1 imágenes muestran el tablero en un mismo lugar (%2, %3 % de la imagen)</translation>
-    </message>
-    <message>
-        <source>how the lens bends elsewhere stays unknown</source>
-        <translation>se desconoce cómo deforma la lente en otros lugares</translation>
-    </message>
-    <message>
-        <source>show the board in the middle and near each corner of the picture, and closer</source>
-        <translation>muestre el tablero en el centro y cerca de cada esquina de la imagen, y más cerca</translation>
-    </message>
-    <message>
-        <source>all %1 pictures show the board in nearly the same attitude, which does not determine the focal length</source>
-        <translation>las %1 imágenes muestran el tablero casi en la misma postura, lo que no determina la distancia focal</translation>
-    </message>
-    <message>
-        <source>take pictures with the board tilted by 30 to 45 degrees, to each side</source>
-        <translation>tome imágenes con el tablero inclinado de 30 a 45 grados, hacia cada lado</translation>
-    </message>
-    <message>
-        <source>the pictures determine the focal length only to %1 %</source>
-        <translation>las imágenes determinan la distancia focal solo al %1 %</translation>
-    </message>
-    <message>
-        <source>the board is seen too nearly frontal</source>
-        <translation>el tablero se ve demasiado de frente</translation>
-    </message>
-    <message>
-        <source>two halves of the pictures give focal lengths that differ by %1 %</source>
-        <translation>dos mitades de las imágenes dan distancias focales que difieren en un %1 %</translation>
-    </message>
-    <message>
-        <source>the floor cannot be registered</source>
-        <translation>no se puede registrar el suelo</translation>
-    </message>
-    <message>
-        <source>the camera cannot be registered through another</source>
-        <translation>la cámara no se puede registrar mediante otra</translation>
-    </message>
-    <message>
-        <source>the cameras cannot be registered together</source>
-        <translation>las cámaras no se pueden registrar juntas</translation>
-    </message>
-    <message>
-        <source>the length cannot be measured</source>
-        <translation>no se puede medir la longitud</translation>
-    </message>
-    <message>
-        <source>registration of camera &apos;%1&apos;</source>
-        <translation>registro de la cámara &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>marker %1 stands twice in the layout</source>
-        <translation>el marcador %1 está dos veces en el plano</translation>
-    </message>
-    <message>
-        <source>marker %1 stands twice in the picture</source>
-        <translation>el marcador %1 está dos veces en la imagen</translation>
-    </message>
-    <message>
-        <source>give each marker a name of its own</source>
-        <translation>dé a cada marcador un nombre propio</translation>
-    </message>
-    <message>
-        <source>markers %1 and %2 lie at one place of the floor</source>
-        <translation>los marcadores %1 y %2 están en un mismo lugar del suelo</translation>
-    </message>
-    <message>
-        <source>correct the layout</source>
-        <translation>corrija el plano</translation>
-    </message>
-    <message>
-        <source>markers %1 and %2 lie on one pixel</source>
-        <translation>los marcadores %1 y %2 están en un mismo píxel</translation>
-    </message>
-    <message>
-        <source>points %1 and %2 lie on one pixel</source>
-        <translation>los puntos %1 y %2 están en un mismo píxel</translation>
-    </message>
-    <message>
-        <source>mark each of them where it is seen</source>
-        <translation>marque cada uno donde se ve</translation>
-    </message>
-    <message>
-        <source>markers %1 and %2 lie only %3 mm apart, too close for two of four</source>
-        <translation>los marcadores %1 y %2 están a solo %3 mm, demasiado cerca para ser dos de cuatro</translation>
-    </message>
-    <message>
-        <source>spread the markers over the floor</source>
-        <translation>reparta los marcadores por el suelo</translation>
-    </message>
-    <message>
-        <source>spread the points over the floor</source>
-        <translation>reparta los puntos por el suelo</translation>
-    </message>
-    <message>
-        <source>spread them over the floor</source>
-        <translation>repártalos por el suelo</translation>
-    </message>
-    <message>
-        <source>four markers are needed that the layout and the picture have in common</source>
-        <translation>se necesitan cuatro marcadores comunes al plano y a la imagen</translation>
-    </message>
-    <message>
-        <source>there are %1 (%2)</source>
-        <translation>hay %1 (%2)</translation>
-    </message>
-    <message>
-        <source>there are %1 (%2), and the layout does not know %3</source>
-        <translation>hay %1 (%2), y el plano no conoce %3</translation>
-    </message>
-    <message>
-        <source>there are %1</source>
-        <translation>hay %1</translation>
-    </message>
-    <message>
-        <source>mark more of the layout&apos;s markers, under the layout&apos;s names</source>
-        <translation>marque más marcadores del plano, con los nombres del plano</translation>
-    </message>
-    <message>
-        <source>the markers are mirrored</source>
-        <translation>los marcadores están en espejo</translation>
-    </message>
-    <message>
-        <source>seen in this order the camera would be below the floor</source>
-        <translation>en este orden la cámara estaría bajo el suelo</translation>
-    </message>
-    <message>
-        <source>seen from above, Y must point to the left of X</source>
-        <translation>visto desde arriba, Y debe apuntar a la izquierda de X</translation>
-    </message>
-    <message>
-        <source>check the signs of the layout</source>
-        <translation>compruebe los signos del plano</translation>
-    </message>
-    <message>
-        <source>check these labels</source>
-        <translation>compruebe estos rótulos</translation>
-    </message>
-    <message>
-        <source>the camera would stand only %1 mm above the floor</source>
-        <translation>la cámara estaría a solo %1 mm del suelo</translation>
-    </message>
-    <message>
-        <source>the camera would stand %1 m above the floor</source>
-        <translation>la cámara estaría a %1 m del suelo</translation>
-    </message>
-    <message>
-        <source>marker %1 would lie at or beyond the horizon</source>
-        <translation>el marcador %1 estaría en el horizonte o más allá</translation>
-    </message>
-    <message>
-        <source>check its place and its pixel</source>
-        <translation>compruebe su lugar y su píxel</translation>
-    </message>
-    <message>
-        <source>the markers do not fit a flat floor</source>
-        <translation>los marcadores no se ajustan a un suelo plano</translation>
-    </message>
-    <message>
-        <source>%1 px RMS, most at %2 (%3 px)</source>
-        <translation>%1 px RMS, sobre todo en %2 (%3 px)</translation>
-    </message>
-    <message>
-        <source>check the layout, the labels and the intrinsics</source>
-        <translation>compruebe el plano, los rótulos y los parámetros intrínsecos</translation>
-    </message>
-    <message>
-        <source>the markers lie so nearly on one line (%1 the most) that the floor is known only to ±%2 mm</source>
-        <translation>los marcadores están casi en una línea (%1 los que más), de modo que el suelo solo se conoce a ±%2 mm</translation>
-    </message>
-    <message>
-        <source>mark and measure them again, or add another</source>
-        <translation>márquelos y mídalos de nuevo, o añada otro</translation>
-    </message>
-    <message>
-        <source>the markers do not determine where the cameras stand</source>
-        <translation>los marcadores no determinan dónde están las cámaras</translation>
-    </message>
-    <message>
-        <source>the points do not determine where the camera stands</source>
-        <translation>los puntos no determinan dónde está la cámara</translation>
-    </message>
-    <message>
-        <source>four points are needed that both cameras see</source>
-        <translation>se necesitan cuatro puntos que vean ambas cámaras</translation>
-    </message>
-    <message>
-        <source>add points of the floor, such as corners of tiles</source>
-        <translation>añada puntos del suelo, como esquinas de baldosas</translation>
-    </message>
-    <message>
-        <source>%1 of %2 were found, four are needed</source>
-        <translation>se encontraron %1 de %2, hacen falta cuatro</translation>
-    </message>
-    <message>
-        <source>missing: %1</source>
-        <translation>faltan: %1</translation>
-    </message>
-    <message>
-        <source>show the missing tags (AprilTag 36h11, numbered from 0 in the layout&apos;s order) or rings, or mark the markers by hand</source>
-        <translation>muestre los tags que faltan (AprilTag 36h11, numerados desde 0 en el orden del plano) o anillos, o marque los marcadores a mano</translation>
-    </message>
-    <message>
-        <source>%1 rings or dots were found, four are needed</source>
-        <translation>se encontraron %1 anillos o puntos, hacen falta cuatro</translation>
-    </message>
-    <message>
-        <source>show more of them, larger or in better light, or mark the markers by hand</source>
-        <translation>muestre más, más grandes o con mejor luz, o marque los marcadores a mano</translation>
-    </message>
-    <message>
-        <source>tell by hand which of them is %1</source>
-        <translation>indique a mano cuál de ellos es %1</translation>
-    </message>
-    <message>
-        <source>whether %1 has moved cannot be told</source>
-        <translation>no se puede saber si %1 se ha movido</translation>
-    </message>
-    <message>
-        <source>%1 of its %2 markers were found again, two are needed</source>
-        <translation>se encontraron de nuevo %1 de sus %2 marcadores, hacen falta dos</translation>
-    </message>
-    <message>
-        <source>clear the view of the markers</source>
-        <translation>despeje la vista de los marcadores</translation>
-    </message>
-    <message>
-        <source>if they are gone or the camera looks elsewhere, register it again</source>
-        <translation>si ya no están o la cámara mira a otro lado, regístrela de nuevo</translation>
-    </message>
-    <message>
-        <source>these intrinsics cannot be used</source>
-        <translation>estos parámetros intrínsecos no se pueden usar</translation>
-    </message>
-    <message>
-        <source>calibrate the camera again, or import another file</source>
-        <translation>calibre la cámara de nuevo, o importe otro archivo</translation>
-    </message>
-    <message>
-        <source>register it first, by markers or through another camera</source>
-        <translation>regístrela antes, con marcadores o mediante otra cámara</translation>
-    </message>
-    <message>
-        <source>camera &apos;%1&apos; is not registered</source>
-        <translation>la cámara &apos;%1&apos; no está registrada</translation>
-    </message>
-    <message>
-        <source>a camera cannot be registered through itself</source>
-        <translation>una cámara no se puede registrar mediante sí misma</translation>
-    </message>
-    <message>
-        <source>name another camera that is registered</source>
-        <translation>indique otra cámara que esté registrada</translation>
-    </message>
-    <message>
-        <source>both ends lie on one pixel of camera &apos;%1&apos;</source>
-        <translation>ambos extremos están en un mismo píxel de la cámara &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>mark the two ends where they are seen</source>
-        <translation>marque los dos extremos donde se ven</translation>
-    </message>
-    <message>
-        <source>no camera was given that sees it</source>
-        <translation>no se dio ninguna cámara que la vea</translation>
-    </message>
-    <message>
-        <source>mark its ends in one picture at least</source>
-        <translation>marque sus extremos en al menos una imagen</translation>
-    </message>
-    <message>
-        <source>the told length is not above 0</source>
-        <translation>la longitud indicada no es mayor que 0</translation>
-    </message>
-    <message>
-        <source>give the length as it was measured with a tape</source>
-        <translation>dé la longitud medida con una cinta métrica</translation>
-    </message>
-    <message>
-        <source>the picture is %1, the camera was registered at %2</source>
-        <translation>la imagen es de %1, la cámara se registró a %2</translation>
-    </message>
-    <message>
-        <source>give a picture of that size</source>
-        <translation>dé una imagen de ese tamaño</translation>
-    </message>
-    <message>
-        <source>this computer</source>
-        <translation>esta computadora</translation>
-    </message>
-    <message>
-        <source>it slept for %1, and nothing was recorded meanwhile</source>
-        <translation>estuvo suspendida %1 y entretanto no se grabó nada</translation>
-    </message>
-    <message>
-        <source>what came before is kept</source>
-        <translation>lo anterior se conserva</translation>
-    </message>
-    <message>
-        <source>keep it awake while it records</source>
-        <translation>manténgala despierta mientras graba</translation>
-    </message>
-    <message>
-        <source>camera %1</source>
-        <translation>cámara %1</translation>
-    </message>
-    <message>
-        <source>it takes only %1 pictures a second of the %2 it was asked for</source>
-        <translation>solo toma %1 imágenes por segundo de las %2 pedidas</translation>
-    </message>
-    <message>
-        <source>give it more light or a shorter exposure, or ask for a lower rate</source>
-        <translation>dele más luz o una exposición más corta, o pida una frecuencia menor</translation>
-    </message>
-    <message>
-        <source>it is not there</source>
-        <translation>no está</translation>
-    </message>
-    <message>
-        <source>plug it in, or choose one of those that odograph cameras lists</source>
-        <translation>conéctela, o elija una de las que muestra odograph cameras</translation>
-    </message>
-    <message>
-        <source>choose one of those that odograph cameras lists</source>
-        <translation>elija una de las que muestra odograph cameras</translation>
-    </message>
-    <message>
-        <source>you may not use it</source>
-        <translation>no tiene permiso para usarla</translation>
-    </message>
-    <message>
-        <source>join the group video (sudo usermod -aG video YOUR-NAME) and log in again</source>
-        <translation>únase al grupo video (sudo usermod -aG video YOUR-NAME) y vuelva a entrar</translation>
-    </message>
-    <message>
-        <source>another program uses it</source>
-        <translation>otro programa la usa</translation>
-    </message>
-    <message>
-        <source>close that program</source>
-        <translation>cierre ese programa</translation>
-    </message>
-    <message>
-        <source>it was unplugged</source>
-        <translation>se desconectó</translation>
-    </message>
-    <message>
-        <source>plug it in again</source>
-        <translation>conéctela de nuevo</translation>
-    </message>
-    <message>
-        <source>plug %1 in again</source>
-        <translation>conecte de nuevo %1</translation>
-    </message>
-    <message>
-        <source>plug it in where it shares no bus with another camera, or choose MJPEG, a smaller picture or a lower rate (?format=MJPG&amp;size=640x480&amp;rate=30)</source>
-        <translation>conéctela donde no comparta bus con otra cámara, o elija MJPEG, una imagen menor o una frecuencia menor (?format=MJPG&amp;size=640x480&amp;rate=30)</translation>
-    </message>
-    <message>
-        <source>it cannot be opened (%1)</source>
-        <translation>no se puede abrir (%1)</translation>
-    </message>
-    <message>
-        <source>check its cable and address</source>
-        <translation>compruebe su cable y su dirección</translation>
-    </message>
-    <message>
-        <source>check that you may use it (a udev rule), and that no other program does</source>
-        <translation>compruebe que puede usarla (una regla de udev) y que ningún otro programa la usa</translation>
-    </message>
-    <message>
-        <source>no picture came for half a second</source>
-        <translation>no llegó ninguna imagen durante medio segundo</translation>
-    </message>
-    <message>
-        <source>wait, or check its cable</source>
-        <translation>espere, o compruebe su cable</translation>
-    </message>
-    <message>
-        <source>it does not answer</source>
-        <translation>no responde</translation>
-    </message>
-    <message>
-        <source>check its power and cable</source>
-        <translation>compruebe su alimentación y su cable</translation>
-    </message>
-    <message>
-        <source>it does not start (%1)</source>
-        <translation>no arranca (%1)</translation>
-    </message>
-    <message>
-        <source>check its cable, and that no other program uses it</source>
-        <translation>compruebe su cable y que ningún otro programa la use</translation>
-    </message>
-    <message>
-        <source>another camera (%1) is in its place</source>
-        <translation>otra cámara (%1) está en su lugar</translation>
-    </message>
-    <message>
-        <source>another camera (%1) is in the place of camera %2</source>
-        <translation>otra cámara (%1) está en el lugar de la cámara %2</translation>
-    </message>
-    <message>
-        <source>connect the one that belongs there, or begin anew with this one</source>
-        <translation>conecte la que corresponde, o empiece de nuevo con esta</translation>
-    </message>
-    <message>
-        <source>it came back with pictures of another size or format</source>
-        <translation>volvió con imágenes de otro tamaño o formato</translation>
-    </message>
-    <message>
-        <source>set it as before, or begin anew with size and format in its address</source>
-        <translation>ajústela como antes, o empiece de nuevo con tamaño y formato en su dirección</translation>
-    </message>
-    <message>
-        <source>it has nothing named &apos;%1&apos; that could be set</source>
-        <translation>no tiene nada llamado &apos;%1&apos; que se pueda ajustar</translation>
-    </message>
-    <message>
-        <source>leave it out</source>
-        <translation>omítalo</translation>
-    </message>
-    <message>
-        <source>it refuses this value of %1</source>
-        <translation>rechaza este valor de %1</translation>
-    </message>
-    <message>
-        <source>choose another one</source>
-        <translation>elija otro</translation>
-    </message>
-    <message>
-        <source>%1 cannot be set as the camera stands now</source>
-        <translation>%1 no se puede ajustar con la cámara como está ahora</translation>
-    </message>
-    <message>
-        <source>turn off the automatic that moves it first</source>
-        <translation>desactive antes el automatismo que lo mueve</translation>
-    </message>
-    <message>
-        <source>%1 goes from %2 to %3</source>
-        <translation>%1 va de %2 a %3</translation>
-    </message>
-    <message>
-        <source>choose a value between</source>
-        <translation>elija un valor intermedio</translation>
-    </message>
-    <message>
-        <source>%1 gives no pictures</source>
-        <translation>%1 no da imágenes</translation>
-    </message>
-    <message>
-        <source>it has no format that can be read</source>
-        <translation>no tiene ningún formato legible</translation>
-    </message>
-    <message>
-        <source>take another camera</source>
-        <translation>use otra cámara</translation>
-    </message>
-    <message>
-        <source>it does not offer what was asked for</source>
-        <translation>no ofrece lo que se pidió</translation>
-    </message>
-    <message>
-        <source>choose of what it offers</source>
-        <translation>elija de lo que ofrece</translation>
-    </message>
-    <message>
-        <source>it does not take %1</source>
-        <translation>no admite %1</translation>
-    </message>
-    <message>
-        <source>ask for another size or format</source>
-        <translation>pida otro tamaño o formato</translation>
-    </message>
-    <message>
-        <source>it does not take this size</source>
-        <translation>no admite este tamaño</translation>
-    </message>
-    <message>
-        <source>it does not take this rate</source>
-        <translation>no admite esta frecuencia</translation>
-    </message>
-    <message>
-        <source>it does not take this exposure</source>
-        <translation>no admite esta exposición</translation>
-    </message>
-    <message>
-        <source>it does not take this gain</source>
-        <translation>no admite esta ganancia</translation>
-    </message>
-    <message>
-        <source>ask it for something else, or leave that to the camera</source>
-        <translation>pida otra cosa, o déjelo a la cámara</translation>
-    </message>
-    <message>
-        <source>no camera has such an address</source>
-        <translation>ninguna cámara tiene esa dirección</translation>
-    </message>
-    <message>
-        <source>give one as v4l2:/dev/video0, aravis:192.168.1.20, sim:A or file:PATH</source>
-        <translation>dé una como v4l2:/dev/video0, aravis:192.168.1.20, sim:A o file:PATH</translation>
-    </message>
-    <message>
-        <source>the video has ended</source>
-        <translation>el video ha terminado</translation>
-    </message>
-    <message>
-        <source>open it again to see it from the start</source>
-        <translation>ábralo de nuevo para verlo desde el principio</translation>
-    </message>
-    <message>
-        <source>the recording %1</source>
-        <translation>la grabación %1</translation>
-    </message>
-    <message>
-        <source>make room, or move the project to another disk</source>
-        <translation>libere espacio, o mueva el proyecto a otro disco</translation>
-    </message>
-    <message>
-        <source>what was recorded so far is kept</source>
-        <translation>lo grabado hasta ahora se conserva</translation>
-    </message>
-    <message>
-        <source>recording of trial &apos;%1&apos;</source>
-        <translation>grabación del ensayo &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>check that they are connected and not used by another program</source>
-        <translation>compruebe que están conectadas y que otro programa no las usa</translation>
-    </message>
-    <message>
-        <source>check that it is connected and not used by another program</source>
-        <translation>compruebe que está conectada y que otro programa no la usa</translation>
-    </message>
-    <message>
-        <source>camera &apos;%1&apos; gave no picture</source>
-        <translation>la cámara &apos;%1&apos; no dio ninguna imagen</translation>
-    </message>
-    <message>
-        <source>no camera was given</source>
-        <translation>no se dio ninguna cámara</translation>
-    </message>
-    <message>
-        <source>address &apos;%1&apos; of live positions</source>
-        <translation>dirección &apos;%1&apos; de posiciones en vivo</translation>
-    </message>
-    <message>
-        <source>it is no IPv4 address with a port</source>
-        <translation>no es una dirección IPv4 con puerto</translation>
-    </message>
-    <message>
-        <source>write it like 224.5.23.2:10006</source>
-        <translation>escríbala como 224.5.23.2:10006</translation>
-    </message>
-    <message>
-        <source>live positions to %1</source>
-        <translation>posiciones en vivo a %1</translation>
-    </message>
-    <message>
-        <source>interface &apos;%1&apos; takes no multicast</source>
-        <translation>la interfaz &apos;%1&apos; no admite multidifusión</translation>
-    </message>
-    <message>
-        <source>this machine has none of that name</source>
-        <translation>esta computadora no tiene ninguna con ese nombre</translation>
-    </message>
-    <message>
-        <source>close other programs and try again</source>
-        <translation>cierre otros programas e inténtelo de nuevo</translation>
-    </message>
-    <message>
-        <source>cancelled</source>
-        <translation>cancelado</translation>
-    </message>
-    <message>
-        <source>nothing was changed</source>
-        <translation>no se cambió nada</translation>
-    </message>
-    <message>
-        <source>another program is writing to it</source>
-        <translation>otro programa está escribiendo en él</translation>
-    </message>
-    <message>
-        <source>close the other program and try again</source>
-        <translation>cierre el otro programa e inténtelo de nuevo</translation>
-    </message>
-    <message>
-        <source>it cannot be written to</source>
-        <translation>no se puede escribir en él</translation>
-    </message>
-    <message>
-        <source>its folder cannot be written to</source>
-        <translation>no se puede escribir en su carpeta</translation>
-    </message>
-    <message>
-        <source>copy it to a folder that you may write to, and open the copy</source>
-        <translation>cópielo a una carpeta en la que pueda escribir y abra la copia</translation>
-    </message>
-    <message>
-        <source>copy it with its videos to a folder that you may write to, and open the copy</source>
-        <translation>cópielo con sus videos a una carpeta en la que pueda escribir y abra la copia</translation>
-    </message>
-    <message>
-        <source>the disk is full, the change was not saved</source>
-        <translation>el disco está lleno, el cambio no se guardó</translation>
-    </message>
-    <message>
-        <source>the disk is full</source>
-        <translation>el disco está lleno</translation>
-    </message>
-    <message>
-        <source>make room on the disk and try again</source>
-        <translation>libere espacio en el disco e inténtelo de nuevo</translation>
-    </message>
-    <message>
-        <source>the disk reported an error, the change was not saved</source>
-        <translation>el disco comunicó un error, el cambio no se guardó</translation>
-    </message>
-    <message>
-        <source>check the disk, and copy the project to another one</source>
-        <translation>compruebe el disco y copie el proyecto a otro</translation>
-    </message>
-    <message>
-        <source>check the disk and try again</source>
-        <translation>compruebe el disco e inténtelo de nuevo</translation>
-    </message>
-    <message>
-        <source>check the disk</source>
-        <translation>compruebe el disco</translation>
-    </message>
-    <message>
-        <source>the file is damaged</source>
-        <translation>el archivo está dañado</translation>
-    </message>
-    <message>
-        <source>its tables are not those of a project</source>
-        <translation>sus tablas no son las de un proyecto</translation>
-    </message>
-    <message>
-        <source>restore it from a backup copy</source>
-        <translation>restáurelo desde una copia de seguridad</translation>
-    </message>
-    <message>
-        <source>the project file is damaged</source>
-        <translation>el archivo del proyecto está dañado</translation>
-    </message>
-    <message>
-        <source>it is not a project file</source>
-        <translation>no es un archivo de proyecto</translation>
-    </message>
-    <message>
-        <source>it is a database of another program</source>
-        <translation>es una base de datos de otro programa</translation>
-    </message>
-    <message>
-        <source>the journal beside it names another file</source>
-        <translation>el diario que está a su lado nombra otro archivo</translation>
-    </message>
-    <message>
-        <source>choose a file that Odograph has written</source>
-        <translation>elija un archivo escrito por Odograph</translation>
-    </message>
-    <message>
-        <source>it refers to something that is not in the project, or a value is missing</source>
-        <translation>se refiere a algo que no está en el proyecto, o falta un valor</translation>
-    </message>
-    <message>
-        <source>add what it refers to first</source>
-        <translation>añada primero aquello a lo que se refiere</translation>
-    </message>
-    <message>
-        <source>the database refused</source>
-        <translation>la base de datos lo rechazó</translation>
-    </message>
-    <message>
-        <source>run a check of the project</source>
-        <translation>ejecute una comprobación del proyecto</translation>
-    </message>
-    <message>
-        <source>there is no such file</source>
-        <translation>no existe ese archivo</translation>
-    </message>
-    <message>
-        <source>check the name, or make a new project</source>
-        <translation>compruebe el nombre, o cree un proyecto nuevo</translation>
-    </message>
-    <message>
-        <source>check the name and the folder</source>
-        <translation>compruebe el nombre y la carpeta</translation>
-    </message>
-    <message>
-        <source>it is a folder</source>
-        <translation>es una carpeta</translation>
-    </message>
-    <message>
-        <source>it cannot be read</source>
-        <translation>no se puede leer</translation>
-    </message>
-    <message>
-        <source>it cannot be read (%1)</source>
-        <translation>no se puede leer (%1)</translation>
-    </message>
-    <message>
-        <source>check that you may read the file</source>
-        <translation>compruebe que puede leer el archivo</translation>
-    </message>
-    <message>
-        <source>check that the file is there and may be read</source>
-        <translation>compruebe que el archivo está ahí y se puede leer</translation>
-    </message>
-    <message>
-        <source>check that it is there and may be read</source>
-        <translation>compruebe que está ahí y se puede leer</translation>
-    </message>
-    <message>
-        <source>the file is empty</source>
-        <translation>el archivo está vacío</translation>
-    </message>
-    <message>
-        <source>the file is cut off</source>
-        <translation>el archivo está truncado</translation>
-    </message>
-    <message>
-        <source>it has %1 of %2 bytes</source>
-        <translation>tiene %1 de %2 bytes</translation>
-    </message>
-    <message>
-        <source>copy it again from where it came, or restore a backup copy</source>
-        <translation>cópielo de nuevo desde su origen, o restaure una copia de seguridad</translation>
-    </message>
-    <message>
-        <source>it was written by a newer Odograph (format %1, this one knows formats up to %2)</source>
-        <translation>lo escribió un Odograph más reciente (formato %1, este conoce formatos hasta %2)</translation>
-    </message>
-    <message>
-        <source>open it with that Odograph, or update this one</source>
-        <translation>ábralo con ese Odograph, o actualice este</translation>
-    </message>
-    <message>
-        <source>open the project with a newer Odograph</source>
-        <translation>abra el proyecto con un Odograph más reciente</translation>
-    </message>
-    <message>
-        <source>it is open in another window</source>
-        <translation>está abierto en otra ventana</translation>
-    </message>
-    <message>
-        <source>it is open in another window (%1)</source>
-        <translation>está abierto en otra ventana (%1)</translation>
-    </message>
-    <message>
-        <source>close it there first</source>
-        <translation>ciérrelo allí primero</translation>
-    </message>
-    <message>
-        <source>a trial is being recorded into it just now</source>
-        <translation>se está grabando un ensayo en él ahora mismo</translation>
-    </message>
-    <message>
-        <source>wait until that has ended</source>
-        <translation>espere a que termine</translation>
-    </message>
-    <message>
-        <source>check the free space and the rights of the project&apos;s folder</source>
-        <translation>compruebe el espacio libre y los permisos de la carpeta del proyecto</translation>
-    </message>
-    <message>
-        <source>check the free space and the rights of its folder</source>
-        <translation>compruebe el espacio libre y los permisos de su carpeta</translation>
-    </message>
-    <message>
-        <source>a file of that name is there already</source>
-        <translation>ya existe un archivo con ese nombre</translation>
-    </message>
-    <message>
-        <source>choose another name, or remove that file first</source>
-        <translation>elija otro nombre, o elimine antes ese archivo</translation>
-    </message>
-    <message>
-        <source>there is no folder &apos;%1&apos;</source>
-        <translation>no existe la carpeta &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>make the folder first, or choose another one</source>
-        <translation>cree antes la carpeta, o elija otra</translation>
-    </message>
-    <message>
-        <source>it has no file name</source>
-        <translation>no tiene nombre de archivo</translation>
-    </message>
-    <message>
-        <source>give the file a name</source>
-        <translation>dé un nombre al archivo</translation>
-    </message>
-    <message>
-        <source>its name is too long</source>
-        <translation>su nombre es demasiado largo</translation>
-    </message>
-    <message>
-        <source>choose a shorter name</source>
-        <translation>elija un nombre más corto</translation>
-    </message>
-    <message>
-        <source>the folder &apos;%1&apos; cannot be written to (%2)</source>
-        <translation>no se puede escribir en la carpeta &apos;%1&apos; (%2)</translation>
-    </message>
-    <message>
-        <source>choose a folder that you may write to</source>
-        <translation>elija una carpeta en la que pueda escribir</translation>
-    </message>
-    <message>
-        <source>choose a folder that you may write to and that has room</source>
-        <translation>elija una carpeta con espacio en la que pueda escribir</translation>
-    </message>
-    <message>
-        <source>choose a folder that can be written to and has room</source>
-        <translation>elija una carpeta con espacio en la que se pueda escribir</translation>
-    </message>
-    <message>
-        <source>writing it failed (%1)</source>
-        <translation>falló la escritura (%1)</translation>
-    </message>
-    <message>
-        <source>it cannot be written (%1)</source>
-        <translation>no se puede escribir (%1)</translation>
-    </message>
-    <message>
-        <source>what it concerns has been changed or used since</source>
-        <translation>aquello a lo que afecta se ha cambiado o usado desde entonces</translation>
-    </message>
-    <message>
-        <source>take the later change back first, or leave it</source>
-        <translation>deshaga primero el cambio posterior, o déjelo</translation>
-    </message>
-    <message>
-        <source>nothing has been changed since the project was opened</source>
-        <translation>no se ha cambiado nada desde que se abrió el proyecto</translation>
-    </message>
-    <message>
-        <source>change something first</source>
-        <translation>cambie algo antes</translation>
-    </message>
-    <message>
-        <source>nothing has been undone</source>
-        <translation>no se ha deshecho nada</translation>
-    </message>
-    <message>
-        <source>undo something first</source>
-        <translation>deshaga algo antes</translation>
-    </message>
-    <message>
-        <source>the project has a %1 of that name already</source>
-        <translation>el proyecto ya tiene un elemento «%1» con ese nombre</translation>
-    </message>
-    <message>
-        <source>the project has a trial of that name</source>
-        <translation>el proyecto tiene un ensayo con ese nombre</translation>
-    </message>
-    <message>
-        <source>choose another name</source>
-        <translation>elija otro nombre</translation>
-    </message>
-    <message>
-        <source>there is no such %1 in the project</source>
-        <translation>no existe en el proyecto: %1</translation>
-    </message>
-    <message>
-        <source>class</source>
-        <translation>clase</translation>
-    </message>
-    <message>
-        <source>team</source>
-        <translation>equipo</translation>
-    </message>
-    <message>
-        <source>robot</source>
-        <translation>robot</translation>
-    </message>
-    <message>
-        <source>camera</source>
-        <translation>cámara</translation>
-    </message>
-    <message>
-        <source>task</source>
-        <translation>tarea</translation>
-    </message>
-    <message>
-        <source>trial</source>
-        <translation>ensayo</translation>
-    </message>
-    <message>
-        <source>layout</source>
-        <translation>plano</translation>
-    </message>
-    <message>
-        <source>name of a %1</source>
-        <translation>nombre (%1)</translation>
-    </message>
-    <message>
-        <source>it is empty</source>
-        <translation>está vacío</translation>
-    </message>
-    <message>
-        <source>give the %1 a name</source>
-        <translation>dé un nombre (%1)</translation>
-    </message>
-    <message>
-        <source>it has %1 characters</source>
-        <translation>tiene %1 caracteres</translation>
-    </message>
-    <message>
-        <source>use at most %1</source>
-        <translation>use como máximo %1</translation>
-    </message>
-    <message>
-        <source>it holds a line break or another control character</source>
-        <translation>contiene un salto de línea u otro carácter de control</translation>
-    </message>
-    <message>
-        <source>use a name of one line</source>
-        <translation>use un nombre de una línea</translation>
-    </message>
-    <message>
-        <source>it is not valid UTF-8 text</source>
-        <translation>no es texto UTF-8 válido</translation>
-    </message>
-    <message>
-        <source>class &apos;%1&apos;</source>
-        <translation>clase &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>team &apos;%1&apos;</source>
-        <translation>equipo &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>robot &apos;%1&apos;</source>
-        <translation>robot &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>camera &apos;%1&apos;</source>
-        <translation>cámara &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>task &apos;%1&apos;</source>
-        <translation>tarea &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>layout &apos;%1&apos;</source>
-        <translation>plano &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>file &apos;%1&apos;</source>
-        <translation>archivo &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>a team belongs to it</source>
-        <translation>un equipo pertenece a ella</translation>
-    </message>
-    <message>
-        <source>%1 teams belong to it</source>
-        <translation>%1 equipos pertenecen a ella</translation>
-    </message>
-    <message>
-        <source>move its teams to another class first, or archive it</source>
-        <translation>pase antes sus equipos a otra clase, o archívela</translation>
-    </message>
-    <message>
-        <source>it drove in a trial</source>
-        <translation>corrió en un ensayo</translation>
-    </message>
-    <message>
-        <source>keep it</source>
-        <translation>consérvelo</translation>
-    </message>
-    <message>
-        <source>it can be given another name</source>
-        <translation>se le puede dar otro nombre</translation>
-    </message>
-    <message>
-        <source>a trial has it</source>
-        <translation>un ensayo la tiene</translation>
-    </message>
-    <message>
-        <source>%1 trials have it</source>
-        <translation>%1 ensayos la tienen</translation>
-    </message>
-    <message>
-        <source>give them another task first</source>
-        <translation>deles antes otra tarea</translation>
-    </message>
-    <message>
-        <source>trials were measured by it</source>
-        <translation>se midieron ensayos con ella</translation>
-    </message>
-    <message>
-        <source>their figures would not say any more what they were measured by</source>
-        <translation>sus indicadores ya no dirían con qué se midieron</translation>
-    </message>
-    <message>
-        <source>a trial is its</source>
-        <translation>un ensayo es suyo</translation>
-    </message>
-    <message>
-        <source>%1 trials are its</source>
-        <translation>%1 ensayos son suyos</translation>
-    </message>
-    <message>
-        <source>delete them for good first, or archive its class</source>
-        <translation>elimínelos antes definitivamente, o archive su clase</translation>
-    </message>
-    <message>
-        <source>it has more than %1 members</source>
-        <translation>tiene más de %1 miembros</translation>
-    </message>
-    <message>
-        <source>give the names of the people in the team</source>
-        <translation>dé los nombres de las personas del equipo</translation>
-    </message>
-    <message>
-        <source>a robot belongs to it twice</source>
-        <translation>un robot le pertenece dos veces</translation>
-    </message>
-    <message>
-        <source>name each of its robots once</source>
-        <translation>nombre cada robot una vez</translation>
-    </message>
-    <message>
-        <source>it is being recorded</source>
-        <translation>se está grabando</translation>
-    </message>
-    <message>
-        <source>trial &apos;%1&apos; is being recorded</source>
-        <translation>el ensayo &apos;%1&apos; se está grabando</translation>
-    </message>
-    <message>
-        <source>end its recording first</source>
-        <translation>termine antes su grabación</translation>
-    </message>
-    <message>
-        <source>it is not in the bin</source>
-        <translation>no está en la papelera</translation>
-    </message>
-    <message>
-        <source>put it into the bin first</source>
-        <translation>póngalo antes en la papelera</translation>
-    </message>
-    <message>
-        <source>its height is to be told, but none is given</source>
-        <translation>su altura debe indicarse, pero no se da</translation>
-    </message>
-    <message>
-        <source>give a height, or let it be estimated</source>
-        <translation>dé una altura, o deje que se estime</translation>
-    </message>
-    <message>
-        <source>its height is below the floor</source>
-        <translation>su altura está por debajo del suelo</translation>
-    </message>
-    <message>
-        <source>give a height of 0 or more</source>
-        <translation>dé una altura de 0 o más</translation>
-    </message>
-    <message>
-        <source>its size is not above 0</source>
-        <translation>su tamaño no es mayor que 0</translation>
-    </message>
-    <message>
-        <source>give length and width in millimetres, like 260x190</source>
-        <translation>dé largo y ancho en milímetros, como 260x190</translation>
-    </message>
-    <message>
-        <source>length &apos;%1&apos;</source>
-        <translation>longitud &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>not a number with the unit mm, cm or m</source>
-        <translation>no es un número con la unidad mm, cm o m</translation>
-    </message>
-    <message>
-        <source>write it like 25mm, 2.5cm or 0.3m</source>
-        <translation>escríbalo como 25mm, 2.5cm o 0.3m</translation>
-    </message>
-    <message>
-        <source>not a finite decimal number</source>
-        <translation>no es un número decimal finito</translation>
-    </message>
-    <message>
-        <source>write it with digits and a point, like 12.5</source>
-        <translation>escríbalo con cifras y punto, como 12.5</translation>
-    </message>
-    <message>
-        <source>correct the pixels</source>
-        <translation>corrija los píxeles</translation>
-    </message>
-    <message>
-        <source>correct it</source>
-        <translation>corríjalo</translation>
-    </message>
-    <message>
-        <source>correct one of them</source>
-        <translation>corrija uno de ellos</translation>
-    </message>
-    <message>
-        <source>point %1 is there twice</source>
-        <translation>el punto %1 está dos veces</translation>
-    </message>
-    <message>
-        <source>point %1 lies at or beyond the horizon of %2</source>
-        <translation>el punto %1 está en el horizonte de %2 o más allá</translation>
-    </message>
-    <message>
-        <source>choose points of the floor</source>
-        <translation>elija puntos del suelo</translation>
-    </message>
-    <message>
-        <source>point %1 lies where a lens cannot have put it</source>
-        <translation>el punto %1 está donde ninguna lente puede haberlo puesto</translation>
-    </message>
-    <message>
-        <source>check its pixels and the intrinsics of both cameras</source>
-        <translation>compruebe sus píxeles y los parámetros intrínsecos de ambas cámaras</translation>
-    </message>
-    <message>
-        <source>the points are mirrored between the pictures of the two cameras</source>
-        <translation>los puntos están en espejo entre las imágenes de las dos cámaras</translation>
-    </message>
-    <message>
-        <source>check which label belongs to which point in %1 and in this camera</source>
-        <translation>compruebe qué rótulo corresponde a qué punto en %1 y en esta cámara</translation>
-    </message>
-    <message>
-        <source>point %1 would lie at or beyond the horizon</source>
-        <translation>el punto %1 estaría en el horizonte o más allá</translation>
-    </message>
-    <message>
-        <source>check its pixels in both pictures</source>
-        <translation>compruebe sus píxeles en ambas imágenes</translation>
-    </message>
-    <message>
-        <source>the floor among the points is known only to ±%1 mm</source>
-        <translation>el suelo entre los puntos se conoce solo a ±%1 mm</translation>
-    </message>
-    <message>
-        <source>spread the points over the floor, or register %1 better first</source>
-        <translation>reparta los puntos por el suelo, o registre mejor antes %1</translation>
-    </message>
-    <message>
-        <source>the markers fit only to %1 px, but %2</source>
-        <translation>los marcadores se ajustan solo a %1 px, pero %2</translation>
-    </message>
-    <message>
-        <source>the %1 markers misfit by %2 px (%3 mm) and check one another too little to tell which of them</source>
-        <translation>los %1 marcadores se desajustan %2 px (%3 mm) y se comprueban demasiado poco entre sí para saber cuál de ellos es</translation>
-    </message>
-    <message>
-        <source>it may be wrong by much more</source>
-        <translation>el error puede ser mucho mayor</translation>
-    </message>
-    <message>
-        <source>there is %1 camera on layout &apos;%2&apos;, two are needed</source>
-        <translation>hay %1 cámara en el plano &apos;%2&apos;, hacen falta dos</translation>
-    </message>
-    <message>
-        <source>register the cameras one by one by this layout first</source>
-        <translation>registre antes las cámaras una a una con este plano</translation>
-    </message>
-    <message>
-        <source>camera &apos;%1&apos; sees only %2 of the markers</source>
-        <translation>la cámara &apos;%1&apos; solo ve %2 de los marcadores</translation>
-    </message>
-    <message>
-        <source>register it by more of them first</source>
-        <translation>regístrela antes con más de ellos</translation>
-    </message>
-    <message>
-        <source>no two of the cameras see the same marker</source>
-        <translation>ningún par de cámaras ve el mismo marcador</translation>
-    </message>
-    <message>
-        <source>let them see some of the same floor</source>
-        <translation>haga que vean parte del mismo suelo</translation>
-    </message>
-    <message>
-        <source>the first end lies at or beyond the horizon of camera &apos;%1&apos;</source>
-        <translation>el primer extremo está en el horizonte de la cámara &apos;%1&apos; o más allá</translation>
-    </message>
-    <message>
-        <source>the second end lies at or beyond the horizon of camera &apos;%1&apos;</source>
-        <translation>el segundo extremo está en el horizonte de la cámara &apos;%1&apos; o más allá</translation>
-    </message>
-    <message>
-        <source>lay the stick on the floor, nearer to the camera</source>
-        <translation>ponga la vara en el suelo, más cerca de la cámara</translation>
-    </message>
-    <message>
-        <source>the floor markers cannot be found</source>
-        <translation>no se encuentran los marcadores del suelo</translation>
-    </message>
-    <message>
-        <source>the markers cannot be told apart</source>
-        <translation>los marcadores no se distinguen entre sí</translation>
-    </message>
-    <message>
-        <source>in %1 ways they fit the layout equally well, which looks the same from several sides</source>
-        <translation>se ajustan igual de bien al plano de %1 maneras, ya que se ve igual desde varios lados</translation>
-    </message>
-    <message>
-        <source>none of the ways to name the %1 rings and dots fits the layout</source>
-        <translation>ninguna forma de nombrar los %1 anillos y puntos se ajusta al plano</translation>
-    </message>
-    <message>
-        <source>check the layout&apos;s places and their unit, cover other round things, or mark the markers by hand</source>
-        <translation>compruebe los lugares del plano y su unidad, tape otras cosas redondas, o marque los marcadores a mano</translation>
-    </message>
-    <message>
-        <source>tag %1 (marker %2) is seen %3 times</source>
-        <translation>el tag %1 (marcador %2) se ve %3 veces</translation>
-    </message>
-    <message>
-        <source>leave one of them on the floor</source>
-        <translation>deje uno de ellos en el suelo</translation>
-    </message>
-    <message>
-        <source>the axes of layout &apos;%1&apos; cannot be changed</source>
-        <translation>no se pueden cambiar los ejes del plano &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>it has no marker %1</source>
-        <translation>no tiene el marcador %1</translation>
-    </message>
-    <message>
-        <source>name one of %1</source>
-        <translation>nombre uno de %1</translation>
-    </message>
-    <message>
-        <source>the markers that X is to run along lie at one place</source>
-        <translation>los marcadores por los que debe ir X están en un mismo lugar</translation>
-    </message>
-    <message>
-        <source>name two that lie apart</source>
-        <translation>nombre dos que estén separados</translation>
-    </message>
-    <message>
-        <source>give one of them</source>
-        <translation>dé uno de ellos</translation>
-    </message>
-    <message>
-        <source>reversing X alone would mirror the floor, and no camera above it sees it so</source>
-        <translation>invertir solo X reflejaría el suelo, y ninguna cámara sobre él lo ve así</translation>
-    </message>
-    <message>
-        <source>reversing Y alone would mirror the floor, and no camera above it sees it so</source>
-        <translation>invertir solo Y reflejaría el suelo, y ninguna cámara sobre él lo ve así</translation>
-    </message>
-    <message>
-        <source>reverse both (a half turn), or turn the axes</source>
-        <translation>invierta ambos (media vuelta), o gire los ejes</translation>
-    </message>
-    <message>
-        <source>if the layout was written down mirrored, correct its signs and add it anew</source>
-        <translation>si el plano se anotó en espejo, corrija sus signos y añádalo de nuevo</translation>
-    </message>
-    <message>
-        <source>%1 cannot be set while it is automatic</source>
-        <translation>%1 no se puede ajustar mientras sea automático</translation>
-    </message>
-    <message>
-        <source>turn the automatic off</source>
-        <translation>desactive el automatismo</translation>
-    </message>
-    <message>
-        <source>check its power and cable, and that this computer has an address in the camera&apos;s network</source>
-        <translation>compruebe su alimentación y su cable, y que esta computadora tiene una dirección en la red de la cámara</translation>
-    </message>
-    <message>
-        <source>a camera whose program has crashed is free again after some seconds</source>
-        <translation>una cámara cuyo programa se bloqueó vuelve a estar libre tras unos segundos</translation>
-    </message>
-    <message>
-        <source>no camera of this serial number answers</source>
-        <translation>ninguna cámara con ese número de serie responde</translation>
-    </message>
-    <message>
-        <source>check its power and cable; odograph cameras lists those that answer</source>
-        <translation>compruebe su alimentación y su cable; odograph cameras muestra las que responden</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not understood</source>
-        <translation>no se entiende &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>give each point a label</source>
-        <translation>dé un rótulo a cada punto</translation>
-    </message>
-    <message>
-        <source>write one value for each of %1</source>
-        <translation>escriba un valor para cada uno de %1</translation>
-    </message>
-    <message>
-        <source>not of the form #rrggbb</source>
-        <translation>no tiene la forma #rrggbb</translation>
-    </message>
-    <message>
-        <source>write it like #d72328</source>
-        <translation>escríbalo como #d72328</translation>
-    </message>
-    <message>
-        <source>a board of %1 inner corners is too small</source>
-        <translation>un tablero de %1 esquinas interiores es demasiado pequeño</translation>
-    </message>
-    <message>
-        <source>give 3x3 at least, like 9x6, or leave the size out</source>
-        <translation>dé al menos 3x3, como 9x6, u omita el tamaño</translation>
-    </message>
-    <message>
-        <source>the squares have no size</source>
-        <translation>las casillas no tienen tamaño</translation>
-    </message>
-    <message>
-        <source>give it like 25mm</source>
-        <translation>dé por ejemplo 25mm</translation>
-    </message>
-    <message>
-        <source>there is no marker dictionary %1</source>
-        <translation>no existe el diccionario de marcadores %1</translation>
-    </message>
-    <message>
-        <source>analyse the trial again</source>
-        <translation>vuelva a analizar el ensayo</translation>
-    </message>
-    <message>
-        <source>analysis of a trial</source>
-        <translation>análisis de un ensayo</translation>
-    </message>
-    <message>
-        <source>the change could not be noted (%1)</source>
-        <translation>no se pudo anotar el cambio (%1)</translation>
-    </message>
-    <message>
-        <source>try it again</source>
-        <translation>inténtelo de nuevo</translation>
-    </message>
-    <message>
-        <source>undo</source>
-        <translation>deshacer</translation>
-    </message>
-    <message>
-        <source>redo</source>
-        <translation>rehacer</translation>
-    </message>
-    <message>
-        <source>an earlier step of this change failed</source>
-        <translation>falló un paso anterior de este cambio</translation>
-    </message>
-    <message>
-        <source>try the whole change again</source>
-        <translation>intente de nuevo todo el cambio</translation>
-    </message>
-    <message>
-        <source>cannot hold %1</source>
-        <translation>no se puede bloquear %1</translation>
-    </message>
-    <message>
-        <source>the labels are not those that it has</source>
-        <translation>los rótulos no son los que tiene</translation>
-    </message>
-    <message>
-        <source>add another layout for other markers</source>
-        <translation>añada otro plano para otros marcadores</translation>
-    </message>
-    <message>
-        <source>the copy differs from what was written</source>
-        <translation>la copia difiere de lo escrito</translation>
-    </message>
-    <message>
-        <source>it says of itself to have the format %1</source>
-        <translation>dice tener el formato %1</translation>
-    </message>
-    <message>
-        <source>type the name anew</source>
-        <translation>escriba el nombre de nuevo</translation>
-    </message>
-    <message>
-        <source>type the text anew</source>
-        <translation>escriba el texto de nuevo</translation>
-    </message>
-    <message>
-        <source>it has no %1 yet</source>
-        <translation>aún no tiene: %1</translation>
-    </message>
-    <message>
-        <source>add one first</source>
-        <translation>añada uno antes</translation>
-    </message>
-    <message>
-        <source>it has the older format %1 and must be brought up to date before it can be read, but %2</source>
-        <translation>tiene el formato anterior %1 y debe actualizarse antes de leerse, pero %2</translation>
-    </message>
-    <message>
-        <source>it could not be brought to format %1 (%2)</source>
-        <translation>no se pudo llevar al formato %1 (%2)</translation>
-    </message>
-    <message>
-        <source>reading it failed (%1)</source>
-        <translation>falló la lectura (%1)</translation>
-    </message>
-    <message>
-        <source>recording &apos;%1&apos;</source>
-        <translation>grabación &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>its recording has ended already</source>
-        <translation>su grabación ya terminó</translation>
-    </message>
-    <message>
-        <source>record another trial</source>
-        <translation>grabe otro ensayo</translation>
-    </message>
-    <message>
-        <source>comparison of %1</source>
-        <translation>comparación de %1</translation>
-    </message>
-    <message>
-        <source>it has more than %1 lines</source>
-        <translation>tiene más de %1 líneas</translation>
-    </message>
-    <message>
-        <source>keep those that matter</source>
-        <translation>conserve las que importan</translation>
-    </message>
-    <message>
-        <source>a number in it is none</source>
-        <translation>uno de sus números no lo es</translation>
-    </message>
-    <message>
-        <source>give three numbers</source>
-        <translation>dé tres números</translation>
-    </message>
-    <message>
-        <source>its points are 0, or beyond 1000</source>
-        <translation>sus puntos son 0, o pasan de 1000</translation>
-    </message>
-    <message>
-        <source>give points from 1 to 1000, below zero for a penalty</source>
-        <translation>dé puntos de 1 a 1000, bajo cero para una penalización</translation>
-    </message>
-    <message>
-        <source>it is shorter than 1 mm</source>
-        <translation>mide menos de 1 mm</translation>
-    </message>
-    <message>
-        <source>its points are not on a floor of 1 km</source>
-        <translation>sus puntos no están en un suelo de 1 km</translation>
-    </message>
-    <message>
-        <source>it has more than %1 points</source>
-        <translation>tiene más de %1 puntos</translation>
-    </message>
-    <message>
-        <source>its place is not a number</source>
-        <translation>su lugar no es un número</translation>
-    </message>
-    <message>
-        <source>a slalom has 1 to 100 poles, not %1</source>
-        <translation>un eslalon tiene de 1 a 100 postes, no %1</translation>
-    </message>
-    <message>
-        <source>give another number</source>
-        <translation>dé otro número</translation>
-    </message>
-    <message>
-        <source>the board was found in none of %1 pictures (%2)</source>
-        <translation>no se encontró el tablero en ninguna de %1 imágenes (%2)</translation>
-    </message>
-    <message>
-        <source>show the whole board, flat, sharp and evenly lit, and check --pattern and --board</source>
-        <translation>muestre todo el tablero, plano, nítido y con luz uniforme, y compruebe el patrón y el tamaño</translation>
-    </message>
-    <message>
-        <source>the size of its pictures is not known</source>
-        <translation>no se conoce el tamaño de sus imágenes</translation>
-    </message>
-    <message>
-        <source>it has no intrinsics and no recording</source>
-        <translation>no tiene parámetros intrínsecos ni grabación</translation>
-    </message>
-    <message>
-        <source>calibrate it, import its intrinsics, or import a trial with it first</source>
-        <translation>calíbrela, importe sus parámetros intrínsecos, o importe antes un ensayo con ella</translation>
-    </message>
-    <message>
-        <source>it was never calibrated</source>
-        <translation>nunca se calibró</translation>
-    </message>
-    <message>
-        <source>it was registered through another camera</source>
-        <translation>se registró mediante otra cámara</translation>
-    </message>
-    <message>
-        <source>register it through that camera again</source>
-        <translation>regístrela de nuevo mediante esa cámara</translation>
-    </message>
-    <message>
-        <source>it cannot be looked at (%1)</source>
-        <translation>no se puede examinar (%1)</translation>
-    </message>
-    <message>
-        <source>choose a robot of the trial</source>
-        <translation>elija un robot del ensayo</translation>
-    </message>
-    <message>
-        <source>no track of it was imported</source>
-        <translation>no se importó ninguna traza de él</translation>
-    </message>
-    <message>
-        <source>begin the file with the line %1</source>
-        <translation>empiece el archivo con la línea %1</translation>
-    </message>
-    <message>
-        <source>begin the file with the line class,team or class,team,pseudonym</source>
-        <translation>empiece el archivo con la línea class,team o class,team,pseudonym</translation>
-    </message>
-    <message>
-        <source>there is no such rule of a zone</source>
-        <translation>no existe esa regla de zona</translation>
-    </message>
-    <message>
-        <source>it has less than three corners</source>
-        <translation>tiene menos de tres esquinas</translation>
-    </message>
-    <message>
-        <source>give the corners of its outline, all the way round</source>
-        <translation>dé las esquinas de su contorno, todo alrededor</translation>
-    </message>
-    <message>
-        <source>give the corners in order, all the way round</source>
-        <translation>dé las esquinas en orden, todo alrededor</translation>
-    </message>
-    <message>
-        <source>it has more than %1 corners</source>
-        <translation>tiene más de %1 esquinas</translation>
-    </message>
-    <message>
-        <source>draw it more coarsely</source>
-        <translation>dibújela de forma más gruesa</translation>
-    </message>
-    <message>
-        <source>sample it more coarsely</source>
-        <translation>tome menos puntos</translation>
-    </message>
-    <message>
-        <source>its corners are not on a floor of 1 km</source>
-        <translation>sus esquinas no están en un suelo de 1 km</translation>
-    </message>
-    <message>
-        <source>two corners are less than 1 mm apart</source>
-        <translation>dos esquinas están a menos de 1 mm</translation>
-    </message>
-    <message>
-        <source>give each corner once</source>
-        <translation>dé cada esquina una vez</translation>
-    </message>
-    <message>
-        <source>its outline crosses itself</source>
-        <translation>su contorno se cruza a sí mismo</translation>
-    </message>
-    <message>
-        <source>the task has %1 zones already</source>
-        <translation>la tarea ya tiene %1 zonas</translation>
-    </message>
-    <message>
-        <source>join zones that lie beside one another</source>
-        <translation>una zonas que estén una junto a otra</translation>
-    </message>
-    <message>
-        <source>give each zone a name of its own</source>
-        <translation>dé a cada zona un nombre propio</translation>
-    </message>
-    <message>
-        <source>give where it lies in millimetres</source>
-        <translation>indique dónde está en milímetros</translation>
-    </message>
-    <message>
-        <source>name a picture</source>
-        <translation>indique una imagen</translation>
-    </message>
-    <message>
-        <source>the file is larger than 200 MB</source>
-        <translation>el archivo ocupa más de 200 MB</translation>
-    </message>
-    <message>
-        <source>the file could not be read</source>
-        <translation>no se pudo leer el archivo</translation>
-    </message>
-    <message>
-        <source>it is no PNG, JPEG, BMP, TIFF or PNM picture</source>
-        <translation>no es una imagen PNG, JPEG, BMP, TIFF ni PNM</translation>
-    </message>
-    <message>
-        <source>convert it to PNG or JPEG</source>
-        <translation>conviértala a PNG o JPEG</translation>
-    </message>
-    <message>
-        <source>make it smaller</source>
-        <translation>hágala más pequeña</translation>
-    </message>
-    <message>
-        <source>its content is damaged or cut short</source>
-        <translation>su contenido está dañado o truncado</translation>
-    </message>
-    <message>
-        <source>copy it again</source>
-        <translation>cópiela de nuevo</translation>
-    </message>
-    <message>
-        <source>cannot decode %1</source>
-        <translation>no se puede decodificar %1</translation>
-    </message>
-    <message>
-        <source>cannot show frame %1 of %2</source>
-        <translation>no se puede mostrar el fotograma %1 de %2</translation>
-    </message>
-    <message>
-        <source>it has frames 0 to %1</source>
-        <translation>tiene los fotogramas 0 a %1</translation>
-    </message>
-    <message>
-        <source>choose one of these</source>
-        <translation>elija uno de estos</translation>
-    </message>
-    <message>
-        <source>cannot write the recording %1</source>
-        <translation>no se puede escribir la grabación %1</translation>
-    </message>
-    <message>
-        <source>check that its folder may be written to and has room</source>
-        <translation>compruebe que se puede escribir en su carpeta y que tiene espacio</translation>
-    </message>
-    <message>
-        <source>check that the folder may be written to and has room</source>
-        <translation>compruebe que se puede escribir en la carpeta y que tiene espacio</translation>
-    </message>
-    <message>
-        <source>writing has failed before</source>
-        <translation>la escritura ya había fallado antes</translation>
-    </message>
-    <message>
-        <source>convert it to a smaller size</source>
-        <translation>conviértalo a un tamaño menor</translation>
-    </message>
-    <message>
-        <source>H.264 needs an even width and height, not %1</source>
-        <translation>H.264 necesita ancho y alto pares, no %1</translation>
-    </message>
-    <message>
-        <source>use MJPEG or FFV1, or another size</source>
-        <translation>use MJPEG o FFV1, u otro tamaño</translation>
-    </message>
-    <message>
-        <source>the installed libavcodec has no encoder for it</source>
-        <translation>el libavcodec instalado no tiene codificador para ello</translation>
-    </message>
-    <message>
-        <source>neither their pixels nor a picture to look in was given</source>
-        <translation>no se dieron ni sus píxeles ni una imagen donde buscar</translation>
-    </message>
-    <message>
-        <source>it was made with it already</source>
-        <translation>ya se hizo con ella</translation>
-    </message>
-    <message>
-        <source>calibrate the lens first, or put another calibration in force</source>
-        <translation>calibre antes la lente, o ponga en vigor otra calibración</translation>
-    </message>
-    <message>
-        <source>project &apos;%1&apos;</source>
-        <translation>proyecto &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>copy &apos;%1&apos;</source>
-        <translation>copia &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>copy of &apos;%1&apos;</source>
-        <translation>copia de &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>export of &apos;%1&apos;</source>
-        <translation>exportación de &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>cannot open the video %1</source>
-        <translation>no se puede abrir el video %1</translation>
-    </message>
-    <message>
-        <source>cannot write a frame to the video %1</source>
-        <translation>no se puede escribir un fotograma en el video %1</translation>
-    </message>
-    <message>
-        <source>cannot finish the video %1</source>
-        <translation>no se puede terminar el video %1</translation>
-    </message>
-    <message>
-        <source>cannot encode the video</source>
-        <translation>no se puede codificar el video</translation>
-    </message>
-    <message>
-        <source>the encoder would not start (%1)</source>
-        <translation>el codificador no arrancó (%1)</translation>
-    </message>
-    <message>
-        <source>check the size, the frame rate and the quality that were asked for</source>
-        <translation>compruebe el tamaño, la frecuencia y la calidad pedidos</translation>
-    </message>
-    <message>
-        <source>cannot record into %1</source>
-        <translation>no se puede grabar en %1</translation>
-    </message>
-    <message>
-        <source>demo in &apos;%1&apos;</source>
-        <translation>demo en &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>colour in the box</source>
-        <translation>color en el recuadro</translation>
-    </message>
-    <message>
-        <source>the box is too small, or outside the picture</source>
-        <translation>el recuadro es demasiado pequeño o está fuera de la imagen</translation>
-    </message>
-    <message>
-        <source>draw it round the robot, at least 8 pixels wide and high</source>
-        <translation>dibújelo alrededor del robot, de al menos 8 píxeles de ancho y alto</translation>
-    </message>
-    <message>
-        <source>the box leaves nothing of the floor to compare with</source>
-        <translation>el recuadro no deja nada del suelo para comparar</translation>
-    </message>
-    <message>
-        <source>draw it closely round the robot</source>
-        <translation>dibújelo ceñido al robot</translation>
-    </message>
-    <message>
-        <source>what differs from the floor around it is grey, black or white</source>
-        <translation>lo que difiere del suelo de alrededor es gris, negro o blanco</translation>
-    </message>
-    <message>
-        <source>it holds no colour that differs from the floor around it</source>
-        <translation>no contiene ningún color distinto del suelo de alrededor</translation>
-    </message>
-    <message>
-        <source>draw it closely round the robot, or put a plate of another colour on it</source>
-        <translation>dibújelo ceñido al robot, o póngale una placa de otro color</translation>
-    </message>
-    <message>
-        <source>Cannot track</source>
-        <translation>No se puede rastrear</translation>
-    </message>
-    <message>
-        <source>Cannot track robot %1</source>
-        <translation>No se puede rastrear el robot %1</translation>
-    </message>
-    <message>
-        <source>no robot is given</source>
-        <translation>no se indica ningún robot</translation>
-    </message>
-    <message>
-        <source>add a robot with its colour first</source>
-        <translation>añada antes un robot con su color</translation>
-    </message>
-    <message>
-        <source>its colour %1 is grey, and only hue tells a robot from the floor</source>
-        <translation>su color %1 es gris, y solo el tono distingue un robot del suelo</translation>
-    </message>
-    <message>
-        <source>the robot&apos;s path cannot be measured</source>
-        <translation>no se puede medir la trayectoria del robot</translation>
-    </message>
-    <message>
-        <source>the trial has no view</source>
-        <translation>el ensayo no tiene ninguna vista</translation>
-    </message>
-    <message>
-        <source>import at least one video for it</source>
-        <translation>importe al menos un video para él</translation>
-    </message>
-    <message>
-        <source>camera %1 is not registered to the floor</source>
-        <translation>la cámara %1 no está registrada respecto al suelo</translation>
-    </message>
-    <message>
-        <source>cameras %1 are not registered to the floor</source>
-        <translation>las cámaras %1 no están registradas respecto al suelo</translation>
-    </message>
-    <message>
-        <source>run odograph register for at least one of them</source>
-        <translation>registre al menos una de ellas</translation>
-    </message>
-    <message>
-        <source>run odograph register for them</source>
-        <translation>regístrelas</translation>
-    </message>
-    <message>
-        <source>view %1 has no frame</source>
-        <translation>la vista %1 no tiene fotogramas</translation>
-    </message>
-    <message>
-        <source>track the trial&apos;s videos first</source>
-        <translation>rastree antes los videos del ensayo</translation>
-    </message>
-    <message>
-        <source>the robot was not found in any picture of %1</source>
-        <translation>el robot no se encontró en ninguna imagen de %1</translation>
-    </message>
-    <message>
-        <source>only cameras that are not registered to the floor saw the robot</source>
-        <translation>solo vieron el robot cámaras no registradas respecto al suelo</translation>
-    </message>
-    <message>
-        <source>its height is to be triangulated, but two registered views hardly ever saw it together</source>
-        <translation>su altura debe triangularse, pero dos vistas registradas casi nunca lo vieron a la vez</translation>
-    </message>
-    <message>
-        <source>add a second view, or give the robot one height</source>
-        <translation>añada una segunda vista, o dé al robot una altura</translation>
-    </message>
-    <message>
-        <source>not enough data</source>
-        <translation>datos insuficientes</translation>
-    </message>
-    <message>
-        <source>of %1 frames %2 give a position that can be used</source>
-        <translation>de %1 fotogramas, %2 dan una posición utilizable</translation>
-    </message>
-    <message>
-        <source>choose a longer video, or check the robot&apos;s colour and the light</source>
-        <translation>elija un video más largo, o compruebe el color del robot y la luz</translation>
-    </message>
-    <message>
-        <source>it has not been tracked yet</source>
-        <translation>aún no se ha rastreado</translation>
-    </message>
-    <message>
-        <source>it has not been tracked yet, so there is nothing to analyse again</source>
-        <translation>aún no se ha rastreado, así que no hay nada que volver a analizar</translation>
-    </message>
-    <message>
-        <source>track it first</source>
-        <translation>rastréelo antes</translation>
-    </message>
-    <message>
-        <source>comparison</source>
-        <translation>comparación</translation>
-    </message>
-    <message>
-        <source>comparison of trial &apos;%1&apos;</source>
-        <translation>comparación del ensayo &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>it takes two runs</source>
-        <translation>hacen falta dos recorridos</translation>
-    </message>
-    <message>
-        <source>choose another run as well</source>
-        <translation>elija además otro recorrido</translation>
-    </message>
-    <message>
-        <source>a run cannot be compared with itself</source>
-        <translation>un recorrido no se puede comparar consigo mismo</translation>
-    </message>
-    <message>
-        <source>it has several robots</source>
-        <translation>tiene varios robots</translation>
-    </message>
-    <message>
-        <source>choose one of them</source>
-        <translation>elija uno de ellos</translation>
-    </message>
-    <message>
-        <source>its tracks were imported, so there is no video to track in</source>
-        <translation>sus trazas se importaron, así que no hay video que rastrear</translation>
-    </message>
-    <message>
-        <source>its task was changed while it was measured</source>
-        <translation>su tarea se cambió mientras se medía</translation>
-    </message>
-    <message>
-        <source>the project has no robot to look for</source>
-        <translation>el proyecto no tiene ningún robot que buscar</translation>
-    </message>
-    <message>
-        <source>its pictures are %1 but the camera was calibrated at %2</source>
-        <translation>sus imágenes son de %1 pero la cámara se calibró a %2</translation>
-    </message>
-    <message>
-        <source>calibrate and register the camera at the size it records</source>
-        <translation>calibre y registre la cámara con el tamaño con que graba</translation>
-    </message>
-    <message>
-        <source>view &apos;%1&apos; of trial &apos;%2&apos;</source>
-        <translation>vista &apos;%1&apos; del ensayo &apos;%2&apos;</translation>
-    </message>
-    <message>
-        <source>synchronisation of the clips</source>
-        <translation>sincronización de los videos</translation>
-    </message>
-    <message>
-        <source>flash the room lights once while both cameras record, or give --sync SECONDS</source>
-        <translation>destelle una vez las luces de la sala mientras graban ambas cámaras, o indique el desfase</translation>
-    </message>
-    <message>
-        <source>gate &apos;%1&apos;</source>
-        <translation>puerta &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>zone &apos;%1&apos;</source>
-        <translation>zona &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>its ends are not on a floor of 1 km</source>
-        <translation>sus extremos no están en un suelo de 1 km</translation>
-    </message>
-    <message>
-        <source>check the numbers</source>
-        <translation>compruebe los números</translation>
-    </message>
-    <message>
-        <source>its ends are less than 1 mm apart</source>
-        <translation>sus extremos están a menos de 1 mm</translation>
-    </message>
-    <message>
-        <source>give the two ends of the line that is to be passed</source>
-        <translation>dé los dos extremos de la línea que hay que cruzar</translation>
-    </message>
-    <message>
-        <source>the name is there twice</source>
-        <translation>el nombre está dos veces</translation>
-    </message>
-    <message>
-        <source>give each gate a name of its own</source>
-        <translation>dé a cada puerta un nombre propio</translation>
-    </message>
-    <message>
-        <source>gate &apos;%1&apos; is the start already</source>
-        <translation>la puerta &apos;%1&apos; ya es la salida</translation>
-    </message>
-    <message>
-        <source>gate &apos;%1&apos; is the finish already</source>
-        <translation>la puerta &apos;%1&apos; ya es la meta</translation>
-    </message>
-    <message>
-        <source>keep one start and one finish, or one gate with the role start_finish</source>
-        <translation>deje una salida y una meta, o una puerta que sea ambas</translation>
-    </message>
-    <message>
-        <source>reference path</source>
-        <translation>trayectoria de referencia</translation>
-    </message>
-    <message>
-        <source>it has too few points</source>
-        <translation>tiene muy pocos puntos</translation>
-    </message>
-    <message>
-        <source>give two points or more, three where the path is closed</source>
-        <translation>dé dos puntos o más, tres si la trayectoria es cerrada</translation>
-    </message>
-    <message>
-        <source>limits of a task</source>
-        <translation>límites de una tarea</translation>
-    </message>
-    <message>
-        <source>a limit is not above zero</source>
-        <translation>un límite no es mayor que cero</translation>
-    </message>
-    <message>
-        <source>give the largest speed and acceleration that a robot can have in the task</source>
-        <translation>dé la mayor velocidad y aceleración que un robot puede tener en la tarea</translation>
-    </message>
-    <message>
-        <source>template of a task</source>
-        <translation>plantilla de una tarea</translation>
-    </message>
-    <message>
-        <source>a size is less than 1 mm</source>
-        <translation>un tamaño es menor de 1 mm</translation>
-    </message>
-    <message>
-        <source>give the sizes in millimetres</source>
-        <translation>dé los tamaños en milímetros</translation>
-    </message>
-    <message>
-        <source>scoring</source>
-        <translation>puntuación</translation>
-    </message>
-    <message>
-        <source>line %1 of the scoring</source>
-        <translation>línea %1 de la puntuación</translation>
-    </message>
-    <message>
-        <source>it names no figure</source>
-        <translation>no nombra ningún indicador</translation>
-    </message>
-    <message>
-        <source>choose what is scored</source>
-        <translation>elija qué se puntúa</translation>
-    </message>
-    <message>
-        <source>all points and no points are at the same value</source>
-        <translation>todos los puntos y ningún punto están en el mismo valor</translation>
-    </message>
-    <message>
-        <source>give two values, between which the points rise</source>
-        <translation>dé dos valores entre los que suban los puntos</translation>
-    </message>
-    <message>
-        <source>%1 points are too few for it</source>
-        <translation>%1 puntos son pocos para ello</translation>
-    </message>
-    <message>
-        <source>choose a longer range</source>
-        <translation>elija un intervalo más largo</translation>
-    </message>
-    <message>
-        <source>the robot was not measured there, so there is nothing to judge</source>
-        <translation>el robot no se midió ahí, así que no hay nada que juzgar</translation>
-    </message>
-    <message>
-        <source>there is no such frame</source>
-        <translation>no existe ese fotograma</translation>
-    </message>
-    <message>
-        <source>import of trial &apos;%1&apos;</source>
-        <translation>importación del ensayo &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>no video was given</source>
-        <translation>no se dio ningún video</translation>
-    </message>
-    <message>
-        <source>camera &apos;%1&apos; was given two videos</source>
-        <translation>a la cámara &apos;%1&apos; se le dieron dos videos</translation>
-    </message>
-    <message>
-        <source>give each view its own camera</source>
-        <translation>dé a cada vista su propia cámara</translation>
-    </message>
-    <message>
-        <source>views &apos;%1&apos; and &apos;%2&apos; have no time in common with an offset of %3 s</source>
-        <translation>las vistas &apos;%1&apos; y &apos;%2&apos; no tienen tiempo en común con un desfase de %3 s</translation>
-    </message>
-    <message>
-        <source>check the files and the --sync offset</source>
-        <translation>compruebe los archivos y el desfase</translation>
-    </message>
-    <message>
-        <source>name a file</source>
-        <translation>indique un archivo</translation>
-    </message>
-    <message>
-        <source>check the permissions of its folder</source>
-        <translation>compruebe los permisos de su carpeta</translation>
-    </message>
-    <message>
-        <source>copy it from the camera again</source>
-        <translation>cópielo de nuevo de la cámara</translation>
-    </message>
-    <message>
-        <source>it is not a video of a kind that is read, or its header is damaged or missing (%1)</source>
-        <translation>no es un video de un tipo legible, o su cabecera está dañada o falta (%1)</translation>
-    </message>
-    <message>
-        <source>give an MP4, MOV, MKV or AVI file</source>
-        <translation>dé un archivo MP4, MOV, MKV o AVI</translation>
-    </message>
-    <message>
-        <source>copy it from the camera again if it was cut short</source>
-        <translation>cópielo de nuevo de la cámara si quedó truncado</translation>
-    </message>
-    <message>
-        <source>it holds no video stream that can be read</source>
-        <translation>no contiene ninguna pista de video legible</translation>
-    </message>
-    <message>
-        <source>give the file that the camera recorded</source>
-        <translation>dé el archivo que grabó la cámara</translation>
-    </message>
-    <message>
-        <source>there is no decoder for %1</source>
-        <translation>no hay decodificador para %1</translation>
-    </message>
-    <message>
-        <source>its decoder would not start (%1)</source>
-        <translation>su decodificador no arrancó (%1)</translation>
-    </message>
-    <message>
-        <source>convert it to H.264</source>
-        <translation>conviértalo a H.264</translation>
-    </message>
-    <message>
-        <source>its data are damaged</source>
-        <translation>sus datos están dañados</translation>
-    </message>
-    <message>
-        <source>it is left out</source>
-        <translation>se omite</translation>
-    </message>
-    <message>
-        <source>the video has no picture</source>
-        <translation>el video no tiene ninguna imagen</translation>
-    </message>
-    <message>
-        <source>it has no picture</source>
-        <translation>no tiene ninguna imagen</translation>
-    </message>
-    <message>
-        <source>give another file</source>
-        <translation>dé otro archivo</translation>
-    </message>
-    <message>
-        <source>check that the folder exists, may be written to and has room</source>
-        <translation>compruebe que la carpeta existe, se puede escribir en ella y tiene espacio</translation>
-    </message>
-    <message>
-        <source>cannot write the video %1</source>
-        <translation>no se puede escribir el video %1</translation>
-    </message>
-    <message>
-        <source>its name ends with neither .mkv nor .mp4</source>
-        <translation>su nombre no termina en .mkv ni en .mp4</translation>
-    </message>
-    <message>
-        <source>give it one of these endings</source>
-        <translation>dele una de estas terminaciones</translation>
-    </message>
-    <message>
-        <source>cannot write &apos;%1&apos;</source>
-        <translation>no se puede escribir &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>pack &apos;%1&apos;</source>
-        <translation>empaquetar &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>unpack &apos;%1&apos;</source>
-        <translation>desempaquetar &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>unpack into &apos;%1&apos;</source>
-        <translation>desempaquetar en &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>it is there already</source>
-        <translation>ya existe</translation>
-    </message>
-    <message>
-        <source>choose a folder that is not there yet</source>
-        <translation>elija una carpeta que aún no exista</translation>
-    </message>
-    <message>
-        <source>it has become shorter meanwhile</source>
-        <translation>entretanto se ha acortado</translation>
-    </message>
-    <message>
-        <source>wait until nobody writes to it, and try again</source>
-        <translation>espere a que nadie escriba en él e inténtelo de nuevo</translation>
-    </message>
-    <message>
-        <source>there is no project in it</source>
-        <translation>no contiene ningún proyecto</translation>
-    </message>
-    <message>
-        <source>it has too many files</source>
-        <translation>tiene demasiados archivos</translation>
-    </message>
-    <message>
-        <source>it unpacks to more than a hundred times its size</source>
-        <translation>al desempaquetarlo ocupa más de cien veces su tamaño</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is in it twice</source>
-        <translation>&apos;%1&apos; está dos veces en él</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; does not belong into a packed project</source>
-        <translation>&apos;%1&apos; no corresponde a un proyecto empaquetado</translation>
-    </message>
-    <message>
-        <source>choose a file that Odograph has packed, and copy it anew if it is damaged</source>
-        <translation>elija un archivo empaquetado por Odograph, y cópielo de nuevo si está dañado</translation>
-    </message>
-    <message>
-        <source>it is written in UTF-16</source>
-        <translation>está escrito en UTF-16</translation>
-    </message>
-    <message>
-        <source>it is not a UTF-8 text file</source>
-        <translation>no es un archivo de texto UTF-8</translation>
-    </message>
-    <message>
-        <source>save it again as &quot;CSV UTF-8&quot; or as a UTF-8 text</source>
-        <translation>guárdelo de nuevo como &quot;CSV UTF-8&quot; o como texto UTF-8</translation>
-    </message>
-    <message>
-        <source>save it again as UTF-8 text</source>
-        <translation>guárdelo de nuevo como texto UTF-8</translation>
-    </message>
-    <message>
-        <source>it is larger than %1 KiB</source>
-        <translation>ocupa más de %1 KiB</translation>
-    </message>
-    <message>
-        <source>check that it is the right file</source>
-        <translation>compruebe que es el archivo correcto</translation>
-    </message>
-    <message>
-        <source>its columns are separated by semicolons</source>
-        <translation>sus columnas están separadas por punto y coma</translation>
-    </message>
-    <message>
-        <source>save it with commas, and with a point in its numbers</source>
-        <translation>guárdelo con comas, y con punto en sus números</translation>
-    </message>
-    <message>
-        <source>save it with commas</source>
-        <translation>guárdelo con comas</translation>
-    </message>
-    <message>
-        <source>it lacks the expected header line</source>
-        <translation>le falta la línea de cabecera esperada</translation>
-    </message>
-    <message>
-        <source>it lacks the column %1</source>
-        <translation>le falta la columna %1</translation>
-    </message>
-    <message>
-        <source>it has %1 cells instead of %2</source>
-        <translation>tiene %1 celdas en lugar de %2</translation>
-    </message>
-    <message>
-        <source>a quoted cell does not end</source>
-        <translation>una celda entre comillas no termina</translation>
-    </message>
-    <message>
-        <source>close the quotes</source>
-        <translation>cierre las comillas</translation>
-    </message>
-    <message>
-        <source>%1 &apos;%2&apos; is not a finite number</source>
-        <translation>%1 &apos;%2&apos; no es un número finito</translation>
-    </message>
-    <message>
-        <source>the label is empty</source>
-        <translation>el rótulo está vacío</translation>
-    </message>
-    <message>
-        <source>the label &apos;%1&apos; is in line %2 already</source>
-        <translation>el rótulo &apos;%1&apos; ya está en la línea %2</translation>
-    </message>
-    <message>
-        <source>the label &apos;%1&apos; is there twice</source>
-        <translation>el rótulo &apos;%1&apos; está dos veces</translation>
-    </message>
-    <message>
-        <source>give each marker a label</source>
-        <translation>dé un rótulo a cada marcador</translation>
-    </message>
-    <message>
-        <source>give each marker a label of its own</source>
-        <translation>dé a cada marcador un rótulo propio</translation>
-    </message>
-    <message>
-        <source>give each point a label of its own</source>
-        <translation>dé a cada punto un rótulo propio</translation>
-    </message>
-    <message>
-        <source>there are no markers below the header</source>
-        <translation>no hay marcadores debajo de la cabecera</translation>
-    </message>
-    <message>
-        <source>write one line for each marker</source>
-        <translation>escriba una línea por marcador</translation>
-    </message>
-    <message>
-        <source>mend these lines</source>
-        <translation>corrija estas líneas</translation>
-    </message>
-    <message>
-        <source>nothing was imported</source>
-        <translation>no se importó nada</translation>
-    </message>
-    <message>
-        <source>it has no team</source>
-        <translation>no tiene ningún equipo</translation>
-    </message>
-    <message>
-        <source>write a line with class and team below the header</source>
-        <translation>escriba bajo la cabecera una línea con clase y equipo</translation>
-    </message>
-    <message>
-        <source>roster &apos;%1&apos;</source>
-        <translation>lista de clase &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>no track was given</source>
-        <translation>no se dio ninguna traza</translation>
-    </message>
-    <message>
-        <source>robot &apos;%1&apos; was given two tracks</source>
-        <translation>al robot &apos;%1&apos; se le dieron dos trazas</translation>
-    </message>
-    <message>
-        <source>give each robot one</source>
-        <translation>dé una a cada robot</translation>
-    </message>
-    <message>
-        <source>its column &apos;%1&apos; is in a unit that is not known</source>
-        <translation>su columna &apos;%1&apos; está en una unidad desconocida</translation>
-    </message>
-    <message>
-        <source>give times in s or ms and places in m, cm or mm</source>
-        <translation>dé los tiempos en s o ms y los lugares en m, cm o mm</translation>
-    </message>
-    <message>
-        <source>none of its tracks is called &apos;%1&apos;</source>
-        <translation>ninguna de sus trazas se llama &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>give the robot the name of one of them</source>
-        <translation>dé al robot el nombre de una de ellas</translation>
-    </message>
-    <message>
-        <source>it has no samples</source>
-        <translation>no tiene muestras</translation>
-    </message>
-    <message>
-        <source>its times do not rise</source>
-        <translation>sus tiempos no crecen</translation>
-    </message>
-    <message>
-        <source>import another file</source>
-        <translation>importe otro archivo</translation>
-    </message>
-    <message>
-        <source>look in &apos;%1&apos;</source>
-        <translation>buscar en &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>check that the folder is there and may be read</source>
-        <translation>compruebe que la carpeta está ahí y se puede leer</translation>
-    </message>
-    <message>
-        <source>lost videos</source>
-        <translation>videos perdidos</translation>
-    </message>
-    <message>
-        <source>no video of this project is lost</source>
-        <translation>no falta ningún video de este proyecto</translation>
-    </message>
-    <message>
-        <source>there is nothing to do</source>
-        <translation>no hay nada que hacer</translation>
-    </message>
-    <message>
-        <source>the lost video is not there</source>
-        <translation>el video perdido no está ahí</translation>
-    </message>
-    <message>
-        <source>none of the %1 lost videos is there</source>
-        <translation>ninguno de los %1 videos perdidos está ahí</translation>
-    </message>
-    <message>
-        <source>choose the folder where they were copied to</source>
-        <translation>elija la carpeta donde se copiaron</translation>
-    </message>
-    <message>
-        <source>%1 is there already</source>
-        <translation>%1 ya existe</translation>
-    </message>
-    <message>
-        <source>open it, or choose another folder</source>
-        <translation>ábralo, o elija otra carpeta</translation>
-    </message>
-    <message>
-        <source>choose a folder you can write to, with 300 MB free</source>
-        <translation>elija una carpeta en la que pueda escribir, con 300 MB libres</translation>
-    </message>
-    <message>
-        <source>take over the set-up of %1</source>
-        <translation>tomar el montaje de %1</translation>
-    </message>
-    <message>
-        <source>new project</source>
-        <translation>proyecto nuevo</translation>
-    </message>
-    <message>
-        <source>taking over the set-up</source>
-        <translation>tomando el montaje</translation>
-    </message>
-    <message>
-        <source>speed limit</source>
-        <translation>límite de velocidad</translation>
-    </message>
-    <message>
-        <source>acceleration limit</source>
-        <translation>límite de aceleración</translation>
-    </message>
-    <message>
-        <source>views disagree</source>
-        <translation>vistas discrepantes</translation>
-    </message>
-    <message>
-        <source>low score</source>
-        <translation>puntuación baja</translation>
-    </message>
-    <message>
-        <source>lost</source>
-        <translation>perdido</translation>
-    </message>
-    <message>
-        <source>duplicate frame</source>
-        <translation>fotograma repetido</translation>
-    </message>
-    <message>
-        <source>interpolated</source>
-        <translation>interpolado</translation>
-    </message>
-    <message>
-        <source>by hand</source>
-        <translation>a mano</translation>
-    </message>
-    <message>
-        <source>it says neither an address nor a serial number</source>
-        <translation>no indica ni una dirección ni un número de serie</translation>
-    </message>
-    <message>
-        <source>give one as aravis:192.168.1.20 or aravis:SERIAL</source>
-        <translation>dé una como aravis:192.168.1.20 o aravis:SERIAL</translation>
-    </message>
-    <message>
-        <source>odograph cameras lists them</source>
-        <translation>odograph cameras las enumera</translation>
-    </message>
-    <message>
-        <source>take rate, exposure_ms, gain, format, size, trigger=software, packet_size or packet_delay_us, as in ?rate=30&amp;size=640x480</source>
-        <translation>use rate, exposure_ms, gain, format, size, trigger=software, packet_size o packet_delay_us, como en ?rate=30&amp;size=640x480</translation>
-    </message>
-    <message>
-        <source>set it to something between</source>
-        <translation>póngalo en algo intermedio</translation>
-    </message>
-    <message>
-        <source>set it to something else</source>
-        <translation>póngalo en otra cosa</translation>
-    </message>
-    <message>
-        <source>it does not take this for %1 (%2)</source>
-        <translation>no admite esto para %1 (%2)</translation>
-    </message>
-    <message>
-        <source>it does not take this size (%1)</source>
-        <translation>no admite este tamaño (%1)</translation>
-    </message>
-    <message>
-        <source>it does not take this rate (%1)</source>
-        <translation>no admite esta frecuencia (%1)</translation>
-    </message>
-    <message>
-        <source>it does not take this exposure (%1)</source>
-        <translation>no admite esta exposición (%1)</translation>
-    </message>
-    <message>
-        <source>it does not take this gain (%1)</source>
-        <translation>no admite esta ganancia (%1)</translation>
-    </message>
-    <message>
-        <source>it does not take this packet size (%1)</source>
-        <translation>no admite este tamaño de paquete (%1)</translation>
-    </message>
-    <message>
-        <source>it does not take this packet delay (%1)</source>
-        <translation>no admite este retardo de paquete (%1)</translation>
-    </message>
-    <message>
-        <source>its pictures have %1 pixels at most</source>
-        <translation>sus imágenes tienen %1 píxeles como máximo</translation>
-    </message>
-    <message>
-        <source>ask it for a size within that</source>
-        <translation>pida un tamaño que quepa en eso</translation>
-    </message>
-    <message>
-        <source>it has no format %1 (%2)</source>
-        <translation>no tiene el formato %1 (%2)</translation>
-    </message>
-    <message>
-        <source>it has no pixel format that is understood</source>
-        <translation>no tiene ningún formato de píxel que se entienda</translation>
-    </message>
-    <message>
-        <source>take a camera that has one of %1</source>
-        <translation>use una cámara que tenga uno de %1</translation>
-    </message>
-    <message>
-        <source>it has no software trigger (%1)</source>
-        <translation>no tiene disparo por software (%1)</translation>
-    </message>
-    <message>
-        <source>it does not tell its pixel format (%1)</source>
-        <translation>no dice su formato de píxel (%1)</translation>
-    </message>
-    <message>
-        <source>its pixel format is not understood</source>
-        <translation>su formato de píxel no se entiende</translation>
-    </message>
-    <message>
-        <source>ask it for one of %1</source>
-        <translation>pida uno de %1</translation>
-    </message>
-    <message>
-        <source>it does not tell its size (%1)</source>
-        <translation>no dice su tamaño (%1)</translation>
-    </message>
-    <message>
-        <source>its pictures have no size</source>
-        <translation>sus imágenes no tienen tamaño</translation>
-    </message>
-    <message>
-        <source>set its width and height</source>
-        <translation>ajuste su ancho y su alto</translation>
-    </message>
-    <message>
-        <source>it does not tell how large its pictures are (%1)</source>
-        <translation>no dice qué tamaño tienen sus imágenes (%1)</translation>
-    </message>
-    <message>
-        <source>the system keeps only %1 kB of the network&apos;s packets</source>
-        <translation>el sistema guarda solo %1 kB de los paquetes de la red</translation>
-    </message>
-    <message>
-        <source>there is no simulated camera %1</source>
-        <translation>no hay ninguna cámara simulada %1</translation>
-    </message>
-    <message>
-        <source>take sim:A or sim:B</source>
-        <translation>use sim:A o sim:B</translation>
-    </message>
-    <message>
-        <source>the picture</source>
-        <translation>la imagen</translation>
-    </message>
-    <message>
-        <source>write for instance v4l2:/dev/video0?size=1280x720&amp;rate=30&amp;format=MJPG</source>
-        <translation>escriba por ejemplo v4l2:/dev/video0?size=1280x720&amp;rate=30&amp;format=MJPG</translation>
-    </message>
-    <message>
-        <source>all its pictures come damaged</source>
-        <translation>todas sus imágenes llegan dañadas</translation>
-    </message>
-    <message>
-        <source>try another cable or port, or ask for fewer or smaller pictures</source>
-        <translation>pruebe otro cable o puerto, o pida menos imágenes o más pequeñas</translation>
-    </message>
-    <message>
-        <source>it is there but sends no pictures</source>
-        <translation>está ahí pero no envía imágenes</translation>
-    </message>
-    <message>
-        <source>look at its cable, or plug it in again if that lasts</source>
-        <translation>revise su cable, o conéctela de nuevo si eso persiste</translation>
-    </message>
-    <message>
-        <source>no camera gave a picture</source>
-        <translation>ninguna cámara dio una imagen</translation>
-    </message>
-    <message>
-        <source>camera &apos;%1&apos; or its address &apos;%2&apos; was given twice</source>
-        <translation>la cámara &apos;%1&apos; o su dirección &apos;%2&apos; se dio dos veces</translation>
-    </message>
-    <message>
-        <source>give one or more, like --camera A=sim:A</source>
-        <translation>dé una o más, como --camera A=sim:A</translation>
-    </message>
-    <message>
-        <source>it would take no time, or more than a day</source>
-        <translation>no duraría nada, o más de un día</translation>
-    </message>
-    <message>
-        <source>give the seconds, like 10</source>
-        <translation>dé los segundos, como 10</translation>
-    </message>
-    <message>
-        <source>what is kept from before is no time, or more than 10 s</source>
-        <translation>lo que se guarda de antes no es un tiempo, o es más de 10 s</translation>
-    </message>
-    <message>
-        <source>give a pre-roll of 0 to 10 seconds</source>
-        <translation>dé un prerregistro de 0 a 10 segundos</translation>
-    </message>
-    <message>
-        <source>none of its cameras is registered to the floor, so there are no live positions to send</source>
-        <translation>ninguna de sus cámaras está registrada respecto al suelo, así que no hay posiciones en vivo que enviar</translation>
-    </message>
-    <message>
-        <source>run odograph register for one of them, or leave --ssl-vision out</source>
-        <translation>registre una de ellas, u omita --ssl-vision</translation>
-    </message>
-    <message>
-        <source>interface &apos;%1&apos; of live positions</source>
-        <translation>interfaz &apos;%1&apos; de las posiciones en vivo</translation>
-    </message>
-    <message>
-        <source>choose one that `ip link` names, or lo to stay on this machine</source>
-        <translation>elija una que nombre `ip link`, o lo para quedarse en esta computadora</translation>
-    </message>
-    <message>
-        <source>this machine gives no socket</source>
-        <translation>esta computadora no da ningún socket</translation>
-    </message>
-    <message>
-        <source>completing the recordings</source>
-        <translation>completar las grabaciones</translation>
-    </message>
-    <message>
-        <source>write the task as odograph task list --json shows one</source>
-        <translation>escriba la tarea como la muestra odograph task list --json</translation>
-    </message>
-    <message>
-        <source>use a calibration file as ROS or OpenCV writes it</source>
-        <translation>use un archivo de calibración como los que escriben ROS u OpenCV</translation>
-    </message>
-    <message>
-        <source>the entry &apos;%1&apos; is missing</source>
-        <translation>falta la entrada &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not a finite number</source>
-        <translation>&apos;%1&apos; no es un número finito</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not a whole number from %2 to %3</source>
-        <translation>&apos;%1&apos; no es un número entero de %2 a %3</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; has %2 numbers instead of %3 × %4</source>
-        <translation>&apos;%1&apos; tiene %2 números en lugar de %3 × %4</translation>
-    </message>
-    <message>
-        <source>&apos;camera_matrix&apos; is not a 3 × 3 matrix</source>
-        <translation>&apos;camera_matrix&apos; no es una matriz de 3 × 3</translation>
-    </message>
-    <message>
-        <source>&apos;camera_matrix&apos; is not of the form fx 0 cx, 0 fy cy, 0 0 1</source>
-        <translation>&apos;camera_matrix&apos; no tiene la forma fx 0 cx, 0 fy cy, 0 0 1</translation>
-    </message>
-    <message>
-        <source>&apos;distortion_coefficients&apos; is neither a row nor a column</source>
-        <translation>&apos;distortion_coefficients&apos; no es ni una fila ni una columna</translation>
-    </message>
-    <message>
-        <source>the lens model &apos;%1&apos; is not known (plumb_bob, rational_polynomial, equidistant are)</source>
-        <translation>el modelo de lente &apos;%1&apos; no se conoce (sí plumb_bob, rational_polynomial, equidistant)</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is left there from before</source>
-        <translation>&apos;%1&apos; quedó ahí de antes</translation>
-    </message>
-    <message>
-        <source>the file holds no task</source>
-        <translation>el archivo no contiene ninguna tarea</translation>
-    </message>
-    <message>
-        <source>an object in braces is expected here</source>
-        <translation>aquí se espera un objeto entre llaves</translation>
-    </message>
-    <message>
-        <source>write one with %1</source>
-        <translation>escriba uno con %1</translation>
-    </message>
-    <message>
-        <source>the key &apos;%1&apos; is not known</source>
-        <translation>la clave &apos;%1&apos; no se conoce</translation>
-    </message>
-    <message>
-        <source>use %1</source>
-        <translation>use %1</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not above zero</source>
-        <translation>&apos;%1&apos; no es mayor que cero</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not a point [x, y] in mm</source>
-        <translation>&apos;%1&apos; no es un punto [x, y] en mm</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not a list in brackets</source>
-        <translation>&apos;%1&apos; no es una lista entre corchetes</translation>
-    </message>
-    <message>
-        <source>the reference path is given by nothing</source>
-        <translation>la trayectoria de referencia no se da con nada</translation>
-    </message>
-    <message>
-        <source>the reference path is given twice</source>
-        <translation>la trayectoria de referencia se da dos veces</translation>
-    </message>
-    <message>
-        <source>give one of points_mm, circle, figure_eight or slalom</source>
-        <translation>dé uno de points_mm, circle, figure_eight o slalom</translation>
-    </message>
-    <message>
-        <source>&apos;closed&apos; is neither true nor false</source>
-        <translation>&apos;closed&apos; no es ni true ni false</translation>
-    </message>
-    <message>
-        <source>&apos;poles&apos; is not a whole number from 1 to 100</source>
-        <translation>&apos;poles&apos; no es un número entero de 1 a 100</translation>
-    </message>
-    <message>
-        <source>the slalom ends where it starts</source>
-        <translation>el eslalon termina donde empieza</translation>
-    </message>
-    <message>
-        <source>the zone is given twice</source>
-        <translation>la zona se da dos veces</translation>
-    </message>
-    <message>
-        <source>the zone is given by nothing</source>
-        <translation>la zona no se da con nada</translation>
-    </message>
-    <message>
-        <source>give corners_mm, all the way round, or two opposite corners as rectangle_mm</source>
-        <translation>dé corners_mm, todo alrededor, o dos esquinas opuestas como rectangle_mm</translation>
-    </message>
-    <message>
-        <source>&apos;rectangle_mm&apos; is not two corners</source>
-        <translation>&apos;rectangle_mm&apos; no son dos esquinas</translation>
-    </message>
-    <message>
-        <source>give two opposite corners: [[x, y], [x, y]]</source>
-        <translation>dé dos esquinas opuestas: [[x, y], [x, y]]</translation>
-    </message>
-    <message>
-        <source>style &apos;%1&apos; of CSV</source>
-        <translation>estilo &apos;%1&apos; de CSV</translation>
-    </message>
-    <message>
-        <source>there is no such style</source>
-        <translation>no existe ese estilo</translation>
-    </message>
-    <message>
-        <source>choose analysis, international or continental</source>
-        <translation>elija analysis, international o continental</translation>
-    </message>
-    <message>
-        <source>write it with digits, like 12.5, or leave the place blank</source>
-        <translation>escríbalo con cifras, como 12.5, o deje el lugar en blanco</translation>
-    </message>
-    <message>
-        <source>write it with digits, like 12.5</source>
-        <translation>escríbalo con cifras, como 12.5</translation>
-    </message>
-    <message>
-        <source>its time is that of the line before</source>
-        <translation>su tiempo es el de la línea anterior</translation>
-    </message>
-    <message>
-        <source>its time is before that of the line before</source>
-        <translation>su tiempo es anterior al de la línea anterior</translation>
-    </message>
-    <message>
-        <source>put the lines in the order of time, each time once</source>
-        <translation>ponga las líneas en orden de tiempo, cada tiempo una vez</translation>
-    </message>
-    <message>
-        <source>it is more than a week after the first line</source>
-        <translation>es más de una semana después de la primera línea</translation>
-    </message>
-    <message>
-        <source>check the unit of the times, and that all lines are of one run</source>
-        <translation>compruebe la unidad de los tiempos, y que todas las líneas son de un mismo recorrido</translation>
-    </message>
-    <message>
-        <source>its place is more than 100 km away</source>
-        <translation>su lugar está a más de 100 km</translation>
-    </message>
-    <message>
-        <source>check the unit of the places: m, cm or mm</source>
-        <translation>compruebe la unidad de los lugares: m, cm o mm</translation>
-    </message>
-    <message>
-        <source>the track has %1 position</source>
-        <translation>la traza tiene %1 posición</translation>
-    </message>
-    <message>
-        <source>the track has %1 positions</source>
-        <translation>la traza tiene %1 posiciones</translation>
-    </message>
-    <message>
-        <source>track &apos;%1&apos; has %2 position</source>
-        <translation>la traza &apos;%1&apos; tiene %2 posición</translation>
-    </message>
-    <message>
-        <source>track &apos;%1&apos; has %2 positions</source>
-        <translation>la traza &apos;%1&apos; tiene %2 posiciones</translation>
-    </message>
-    <message>
-        <source>choose a file with three positions or more</source>
-        <translation>elija un archivo con tres posiciones o más</translation>
-    </message>
-    <message>
-        <source>choose a track with more positions</source>
-        <translation>elija una traza con más posiciones</translation>
-    </message>
-    <message>
-        <source>none of its tracks has a position</source>
-        <translation>ninguna de sus trazas tiene una posición</translation>
-    </message>
-    <message>
-        <source>it has %1 entry instead of the 8 of TUM</source>
-        <translation>tiene %1 entrada en lugar de las 8 de TUM</translation>
-    </message>
-    <message>
-        <source>it has %1 entries instead of the 8 of TUM</source>
-        <translation>tiene %1 entradas en lugar de las 8 de TUM</translation>
-    </message>
-    <message>
-        <source>write %1, or begin the file with the line %2</source>
-        <translation>escriba %1, o empiece el archivo con la línea %2</translation>
-    </message>
-    <message>
-        <source>begin the file with the line %1, or write lines of %2</source>
-        <translation>empiece el archivo con la línea %1, o escriba líneas de %2</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not a time in seconds</source>
-        <translation>&apos;%1&apos; no es un tiempo en segundos</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not a time</source>
-        <translation>&apos;%1&apos; no es un tiempo</translation>
-    </message>
-    <message>
-        <source>one of its two places is blank</source>
-        <translation>uno de sus dos lugares está en blanco</translation>
-    </message>
-    <message>
-        <source>one of its two errors is blank</source>
-        <translation>uno de sus dos errores está en blanco</translation>
-    </message>
-    <message>
-        <source>fill in both or none</source>
-        <translation>rellene ambos o ninguno</translation>
-    </message>
-    <message>
-        <source>it has %1 cell where the header has %2</source>
-        <translation>tiene %1 celda donde la cabecera tiene %2</translation>
-    </message>
-    <message>
-        <source>it has %1 cells where the header has %2</source>
-        <translation>tiene %1 celdas donde la cabecera tiene %2</translation>
-    </message>
-    <message>
-        <source>give each line as many cells as the header</source>
-        <translation>dé a cada línea tantas celdas como la cabecera</translation>
-    </message>
-    <message>
-        <source>it has no header with a time, x and y, and is no TUM either</source>
-        <translation>no tiene cabecera con tiempo, x e y, y tampoco es TUM</translation>
-    </message>
-    <message>
-        <source>it holds more than one document</source>
-        <translation>contiene más de un documento</translation>
-    </message>
-    <message>
-        <source>it is nested more than %1 deep</source>
-        <translation>está anidado a más de %1 niveles</translation>
-    </message>
-    <message>
-        <source>it holds more than %1 values</source>
-        <translation>contiene más de %1 valores</translation>
-    </message>
-    <message>
-        <source>the key &apos;%1&apos; is there twice</source>
-        <translation>la clave &apos;%1&apos; está dos veces</translation>
-    </message>
-    <message>
-        <source>the archive library refused</source>
-        <translation>la biblioteca de archivos se negó</translation>
-    </message>
-    <message>
-        <source>it has %1</source>
-        <translation>tiene %1</translation>
-    </message>
-    <message>
-        <source>give one or more, like --track R=run.csv</source>
-        <translation>dé una o más, como --track R=run.csv</translation>
-    </message>
-    <message>
-        <source>number &apos;%1&apos;</source>
-        <translation>número &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>colour &apos;%1&apos;</source>
-        <translation>color &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>marker</source>
-        <translation>marcador</translation>
-    </message>
-    <message>
-        <source>member</source>
-        <translation>miembro</translation>
-    </message>
-    <message>
-        <source>pseudonym</source>
-        <translation>seudónimo</translation>
-    </message>
-    <message>
-        <source>track</source>
-        <translation>traza</translation>
-    </message>
-    <message>
-        <source>gate</source>
-        <translation>puerta</translation>
-    </message>
-    <message>
-        <source>zone</source>
-        <translation>zona</translation>
-    </message>
-    <message>
-        <source>figure</source>
-        <translation>indicador</translation>
-    </message>
-    <message>
-        <source>tag</source>
-        <translation>etiqueta</translation>
-    </message>
-    <message>
-        <source>calibration</source>
-        <translation>calibración</translation>
-    </message>
-    <message>
-        <source>registration</source>
-        <translation>registro</translation>
-    </message>
-    <message>
-        <source>lens</source>
-        <translation>lente</translation>
-    </message>
-    <message>
-        <source>title of the project</source>
-        <translation>título del proyecto</translation>
-    </message>
-    <message>
-        <source>address of a camera</source>
-        <translation>dirección de una cámara</translation>
-    </message>
-    <message>
-        <source>origin of a calibration</source>
-        <translation>origen de una calibración</translation>
-    </message>
-    <message>
-        <source>reading of a track</source>
-        <translation>lectura de una traza</translation>
-    </message>
-    <message>
-        <source>words of a change</source>
-        <translation>palabras de un cambio</translation>
-    </message>
-    <message>
-        <source>notes of a trial</source>
-        <translation>notas de un ensayo</translation>
-    </message>
-    <message>
-        <source>path of a recording</source>
-        <translation>ruta de una grabación</translation>
-    </message>
-    <message>
-        <source>path of a registration&apos;s picture</source>
-        <translation>ruta de la imagen de un registro</translation>
-    </message>
-    <message>
-        <source>path of a calibration picture</source>
-        <translation>ruta de una imagen de calibración</translation>
-    </message>
-    <message>
-        <source>name of a calibration picture</source>
-        <translation>nombre de una imagen de calibración</translation>
-    </message>
-    <message>
-        <source>samples and profile differ in length</source>
-        <translation>muestras y perfil difieren en longitud</translation>
-    </message>
-    <message>
-        <source>it has more than %1 samples</source>
-        <translation>tiene más de %1 muestras</translation>
-    </message>
-    <message>
-        <source>views and registrations differ in number</source>
-        <translation>vistas y registros difieren en número</translation>
-    </message>
-    <message>
-        <source>metric &apos;%1&apos;</source>
-        <translation>indicador &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>it is not a finite number</source>
-        <translation>no es un número finito</translation>
-    </message>
-    <message>
-        <source>analysis %1 of the project</source>
-        <translation>análisis %1 del proyecto</translation>
-    </message>
-    <message>
-        <source>its series are missing</source>
-        <translation>faltan sus series</translation>
-    </message>
-    <message>
-        <source>a spike refers to a sample that is not there</source>
-        <translation>un valor atípico se refiere a una muestra que no está</translation>
-    </message>
-    <message>
-        <source>its stored series is not of the expected kind</source>
-        <translation>su serie guardada no es del tipo esperado</translation>
-    </message>
-    <message>
-        <source>its stored series has the unknown layout %1</source>
-        <translation>su serie guardada tiene la disposición desconocida %1</translation>
-    </message>
-    <message>
-        <source>its stored series announces %1 rows but holds %2 bytes</source>
-        <translation>su serie guardada anuncia %1 filas pero contiene %2 bytes</translation>
-    </message>
-    <message>
-        <source>check the input that it was computed from</source>
-        <translation>compruebe los datos de los que se calculó</translation>
-    </message>
-    <message>
-        <source>lens %1 of the project</source>
-        <translation>lente %1 del proyecto</translation>
-    </message>
-    <message>
-        <source>registration %1 of the project</source>
-        <translation>registro %1 del proyecto</translation>
-    </message>
-    <message>
-        <source>it has no %1 with the number %2</source>
-        <translation>no contiene %1 con el número %2</translation>
-    </message>
-    <message>
-        <source>restore the project from a backup copy</source>
-        <translation>restaure el proyecto desde una copia de seguridad</translation>
-    </message>
-    <message>
-        <source>it has no file</source>
-        <translation>no tiene archivo</translation>
-    </message>
-    <message>
-        <source>name the video&apos;s file</source>
-        <translation>nombre el archivo del video</translation>
-    </message>
-    <message>
-        <source>its relative path leaves the project&apos;s folder</source>
-        <translation>su ruta relativa sale de la carpeta del proyecto</translation>
-    </message>
-    <message>
-        <source>copy the file beside the project</source>
-        <translation>copie el archivo junto al proyecto</translation>
-    </message>
-    <message>
-        <source>its stored covariance is not a 6 by 6 matrix</source>
-        <translation>su covarianza guardada no es una matriz de 6 por 6</translation>
-    </message>
-    <message>
-        <source>its stored matrix of %1 numbers is not square</source>
-        <translation>su matriz guardada de %1 números no es cuadrada</translation>
-    </message>
-    <message>
-        <source>track &apos;%1&apos;</source>
-        <translation>traza &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>a position or its covariance is no number</source>
-        <translation>una posición o su covarianza no es un número</translation>
-    </message>
-    <message>
-        <source>truth of a trial</source>
-        <translation>verdad de un ensayo</translation>
-    </message>
-    <message>
-        <source>its series differ in length</source>
-        <translation>sus series difieren en longitud</translation>
-    </message>
-    <message>
-        <source>give position, velocity and acceleration for each time</source>
-        <translation>dé posición, velocidad y aceleración para cada tiempo</translation>
-    </message>
-    <message>
-        <source>its stored setting &apos;%1&apos; is unknown</source>
-        <translation>su ajuste guardado &apos;%1&apos; es desconocido</translation>
-    </message>
-    <message>
-        <source>its reference path ends within a point</source>
-        <translation>su trayectoria de referencia termina en medio de un punto</translation>
-    </message>
-    <message>
-        <source>its zone &apos;%1&apos; ends within a point</source>
-        <translation>su zona &apos;%1&apos; termina en medio de un punto</translation>
-    </message>
-    <message>
-        <source>raw times of recording %1</source>
-        <translation>tiempos sin procesar de la grabación %1</translation>
-    </message>
-    <message>
-        <source>its recording has ended, and is kept</source>
-        <translation>su grabación ha terminado y se conserva</translation>
-    </message>
-    <message>
-        <source>leave it</source>
-        <translation>déjelo así</translation>
-    </message>
-    <message>
-        <source>look for lost videos</source>
-        <translation>buscar videos perdidos</translation>
-    </message>
-    <message>
-        <source>demo</source>
-        <translation>demo</translation>
-    </message>
-    <message>
-        <source>the planned camera</source>
-        <translation>la cámara prevista</translation>
-    </message>
-    <message>
-        <source>from there it would see %1 of the layout&apos;s markers (%2), four are needed</source>
-        <translation>desde ahí vería %1 de los marcadores del plano (%2), hacen falta cuatro</translation>
-    </message>
-    <message>
-        <source>move it back or up, or choose a wider lens</source>
-        <translation>aléjela o súbala, o elija una lente más angular</translation>
-    </message>
-    <message>
-        <source>the markers that it would see do not hold it</source>
-        <translation>los marcadores que vería no fijan su posición</translation>
-    </message>
-    <message>
-        <source>it cannot stand %1 m above the floor</source>
-        <translation>no puede estar a %1 m sobre el suelo</translation>
-    </message>
-    <message>
-        <source>give a height of 0.05 m to 100 m</source>
-        <translation>dé una altura de 0,05 m a 100 m</translation>
-    </message>
-    <message>
-        <source>it cannot stand %1 m away</source>
-        <translation>no puede estar a %1 m de distancia</translation>
-    </message>
-    <message>
-        <source>give a distance of 0 m to 1000 m</source>
-        <translation>dé una distancia de 0 m a 1000 m</translation>
-    </message>
-    <message>
-        <source>its field of view is %1°</source>
-        <translation>su campo de visión es de %1°</translation>
-    </message>
-    <message>
-        <source>give 2° to 150°, and the size of its pictures</source>
-        <translation>dé de 2° a 150°, y el tamaño de sus imágenes</translation>
-    </message>
-    <message>
-        <source>the best place for a camera</source>
-        <translation>el mejor lugar para una cámara</translation>
-    </message>
-    <message>
-        <source>the layout has %1 markers, four are needed</source>
-        <translation>el plano tiene %1 marcadores, hacen falta cuatro</translation>
-    </message>
-    <message>
-        <source>make a layout of four markers or more</source>
-        <translation>haga un plano de cuatro marcadores o más</translation>
-    </message>
-    <message>
-        <source>from nowhere within %1 m beyond the markers would it see four of them at the height and with the lens given</source>
-        <translation>desde ningún lugar a menos de %1 m de los marcadores vería cuatro de ellos con la altura y la lente dadas</translation>
-    </message>
-    <message>
-        <source>let it stand higher or farther away, or choose a wider lens</source>
-        <translation>colóquela más alta o más lejos, o elija una lente más angular</translation>
-    </message>
-    <message>
-        <source>the board is seen too obliquely, at %1 degrees</source>
-        <translation>el tablero se ve demasiado oblicuo, a %1 grados</translation>
-    </message>
-    <message>
-        <source>tilt it by 30 to 45 degrees</source>
-        <translation>inclínelo de 30 a 45 grados</translation>
-    </message>
-    <message>
-        <source>the board is too small</source>
-        <translation>el tablero es demasiado pequeño</translation>
-    </message>
-    <message>
-        <source>it fills %1 % of the picture</source>
-        <translation>ocupa el %1 % de la imagen</translation>
-    </message>
-    <message>
-        <source>hold it closer to the camera</source>
-        <translation>acérquelo a la cámara</translation>
-    </message>
-    <message>
-        <source>it is %1×%2, the first picture %3×%4</source>
-        <translation>tiene %1×%2, la primera imagen %3×%4</translation>
-    </message>
-    <message>
-        <source>use pictures of one camera at one resolution</source>
-        <translation>use imágenes de una cámara con una misma resolución</translation>
-    </message>
-    <message>
-        <source>the corners do not lie as on a flat board</source>
-        <translation>las esquinas no están como en un tablero plano</translation>
-    </message>
-    <message>
-        <source>glue the board onto something stiff and flat</source>
-        <translation>pegue el tablero sobre algo rígido y plano</translation>
-    </message>
-    <message>
-        <source>the board stands as in %1 already</source>
-        <translation>el tablero está igual que en %1</translation>
-    </message>
-    <message>
-        <source>the board stands as in a picture already taken</source>
-        <translation>el tablero está igual que en una imagen ya tomada</translation>
-    </message>
-    <message>
-        <source>move it elsewhere, turn it or tilt it</source>
-        <translation>muévalo, gírelo o inclínelo</translation>
-    </message>
-    <message>
-        <source>the board is not sharp</source>
-        <translation>el tablero no está nítido</translation>
-    </message>
-    <message>
-        <source>focus the camera, or give more light</source>
-        <translation>enfoque la cámara, o dé más luz</translation>
-    </message>
-    <message>
-        <source>the pictures ask for two focal lengths</source>
-        <translation>las imágenes piden dos distancias focales</translation>
-    </message>
-    <message>
-        <source>%1 for about %2 px, %3 (such as %4) for about %5 px</source>
-        <translation>%1 unos %2 px, %3 (como %4) unos %5 px</translation>
-    </message>
-    <message>
-        <source>it has %1 corners of the board, six are needed</source>
-        <translation>tiene %1 esquinas del tablero, hacen falta seis</translation>
-    </message>
-    <message>
-        <source>show more of it</source>
-        <translation>muestre más de él</translation>
-    </message>
-    <message>
-        <source>a corner of it is not a number</source>
-        <translation>una de sus esquinas no es un número</translation>
-    </message>
-    <message>
-        <source>let the board be found in it again</source>
-        <translation>haga que se busque de nuevo el tablero en ella</translation>
-    </message>
-    <message>
-        <source>too few pictures to compare it with others</source>
-        <translation>muy pocas imágenes para compararlo con otros</translation>
-    </message>
-    <message>
-        <source>name one like DICT_6X6_250, or leave it out</source>
-        <translation>nombre uno como DICT_6X6_250, u omítalo</translation>
-    </message>
-    <message>
-        <source>the markers that were read do not lie as on a ChArUco board</source>
-        <translation>los marcadores leídos no están como en un tablero ChArUco</translation>
-    </message>
-    <message>
-        <source>the markers that were read do not lie as on a ChArUco board of %1 inner corners</source>
-        <translation>los marcadores leídos no están como en un tablero ChArUco de %1 esquinas interiores</translation>
-    </message>
-    <message>
-        <source>the pixel of point %1 is not a finite number</source>
-        <translation>el píxel del punto %1 no es un número finito</translation>
-    </message>
-    <message>
-        <source>the pixel of marker %1 is not a finite number</source>
-        <translation>el píxel del marcador %1 no es un número finito</translation>
-    </message>
-    <message>
-        <source>the place of marker %1 is not a finite number</source>
-        <translation>el lugar del marcador %1 no es un número finito</translation>
-    </message>
-    <message>
-        <source>point %1 lies outside the picture of %2 (%3)</source>
-        <translation>el punto %1 está fuera de la imagen de %2 (%3)</translation>
-    </message>
-    <message>
-        <source>check which columns belong to which camera</source>
-        <translation>compruebe qué columnas son de qué cámara</translation>
-    </message>
-    <message>
-        <source>this camera</source>
-        <translation>esta cámara</translation>
-    </message>
-    <message>
-        <source>camera &apos;%1&apos; is there twice</source>
-        <translation>la cámara &apos;%1&apos; está dos veces</translation>
-    </message>
-    <message>
-        <source>name each camera once</source>
-        <translation>nombre cada cámara una sola vez</translation>
-    </message>
-    <message>
-        <source>the σ of the tape measure is not above 0</source>
-        <translation>el σ de la cinta métrica no es mayor que 0</translation>
-    </message>
-    <message>
-        <source>give some 2 mm</source>
-        <translation>dé unos 2 mm</translation>
-    </message>
-    <message>
-        <source>no pose</source>
-        <translation>sin posición</translation>
-    </message>
-    <message>
-        <source>%1 lies where this camera&apos;s lens cannot have put it</source>
-        <translation>%1 está donde la lente de esta cámara no puede haberlo puesto</translation>
-    </message>
-    <message>
-        <source>check its pixel and the camera&apos;s intrinsics</source>
-        <translation>compruebe su píxel y los parámetros intrínsecos de la cámara</translation>
-    </message>
-    <message>
-        <source>spread the points over the floor, not along a line</source>
-        <translation>reparta los puntos por el suelo, no a lo largo de una línea</translation>
-    </message>
-    <message>
-        <source>both an angle and a pair of markers were given for X</source>
-        <translation>para X se dieron un ángulo y un par de marcadores</translation>
-    </message>
-    <message>
-        <source>both a marker and a point were given for the origin</source>
-        <translation>para el origen se dieron un marcador y un punto</translation>
-    </message>
-    <message>
-        <source>unit &apos;%1&apos;</source>
-        <translation>unidad &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>it is not known</source>
-        <translation>no se conoce</translation>
-    </message>
-    <message>
-        <source>use mm, cm, m or inch</source>
-        <translation>use mm, cm, m o inch</translation>
-    </message>
-    <message>
-        <source>a length factor of %1 makes no floor</source>
-        <translation>un factor de longitud de %1 no da un suelo</translation>
-    </message>
-    <message>
-        <source>give a number above 0</source>
-        <translation>dé un número mayor que 0</translation>
-    </message>
-    <message>
-        <source>the origin or the angle is not a finite number</source>
-        <translation>el origen o el ángulo no es un número finito</translation>
-    </message>
-    <message>
-        <source>give plain numbers</source>
-        <translation>dé números corrientes</translation>
-    </message>
-    <message>
-        <source>check the unit of the layout</source>
-        <translation>compruebe la unidad del plano</translation>
-    </message>
-    <message>
-        <source>it is given in mm</source>
-        <translation>se da en mm</translation>
-    </message>
-    <message>
-        <source>no homography</source>
-        <translation>sin homografía</translation>
-    </message>
-    <message>
-        <source>four points are needed, %1 given</source>
-        <translation>hacen falta cuatro puntos, se dieron %1</translation>
-    </message>
-    <message>
-        <source>add points</source>
-        <translation>añada puntos</translation>
-    </message>
-    <message>
-        <source>a coordinate of %1 is not a finite number</source>
-        <translation>una coordenada de %1 no es un número finito</translation>
-    </message>
-    <message>
-        <source>%1 lie at one place</source>
-        <translation>%1 están en un mismo lugar</translation>
-    </message>
-    <message>
-        <source>%1 lie at one place in the picture</source>
-        <translation>%1 están en un mismo lugar de la imagen</translation>
-    </message>
-    <message>
-        <source>%1 lie on one line</source>
-        <translation>%1 están en una línea</translation>
-    </message>
-    <message>
-        <source>%1 lie on one line in the picture</source>
-        <translation>%1 están en una línea de la imagen</translation>
-    </message>
-    <message>
-        <source>use four points of which no three are in line</source>
-        <translation>use cuatro puntos de los que no haya tres en línea</translation>
-    </message>
-    <message>
-        <source>%1 would lie beyond the horizon</source>
-        <translation>%1 estaría más allá del horizonte</translation>
-    </message>
-    <message>
-        <source>the order of the points crosses over like a bow tie</source>
-        <translation>el orden de los puntos se cruza como una pajarita</translation>
-    </message>
-    <message>
-        <source>check which point is which</source>
-        <translation>compruebe qué punto es cuál</translation>
-    </message>
-    <message>
-        <source>the points do not determine it</source>
-        <translation>los puntos no la determinan</translation>
-    </message>
-    <message>
-        <source>spread the points</source>
-        <translation>separe los puntos</translation>
-    </message>
-    <message>
-        <source>the chain has no links</source>
-        <translation>la cadena no tiene eslabones</translation>
-    </message>
-    <message>
-        <source>give at least one</source>
-        <translation>dé al menos uno</translation>
-    </message>
-    <message>
-        <source>link %1 of %2 of the chain is singular</source>
-        <translation>el eslabón %1 de %2 de la cadena es singular</translation>
-    </message>
-    <message>
-        <source>use four points in it of which no three are in line</source>
-        <translation>use en él cuatro puntos de los que no haya tres en línea</translation>
-    </message>
-    <message>
-        <source>the picture size %1 is not positive</source>
-        <translation>el tamaño de imagen %1 no es positivo</translation>
-    </message>
-    <message>
-        <source>one of the values is not a finite number</source>
-        <translation>uno de los valores no es un número finito</translation>
-    </message>
-    <message>
-        <source>the focal length %1 px is not positive</source>
-        <translation>la distancia focal %1 px no es positiva</translation>
-    </message>
-    <message>
-        <source>%1 distortion coefficients do not belong to this lens model</source>
-        <translation>%1 coeficientes de distorsión no corresponden a este modelo de lente</translation>
-    </message>
-    <message>
-        <source>the covariance has the wrong size</source>
-        <translation>la covarianza tiene un tamaño incorrecto</translation>
-    </message>
-    <message>
-        <source>no picture could be read</source>
-        <translation>no se pudo leer ninguna imagen</translation>
-    </message>
-    <message>
-        <source>calibration picture &apos;%1&apos;</source>
-        <translation>imagen de calibración &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>intrinsics of camera &apos;%1&apos;</source>
-        <translation>parámetros intrínsecos de la cámara &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>run odograph calibrate, or odograph intrinsics import</source>
-        <translation>calíbrela, o importe sus parámetros intrínsecos</translation>
-    </message>
-    <message>
-        <source>markers for camera &apos;%1&apos;</source>
-        <translation>marcadores para la cámara &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>give --pixels pixels.csv, --image picture.png or --video clip.mp4</source>
-        <translation>dé --pixels pixels.csv, --image picture.png o --video clip.mp4</translation>
-    </message>
-    <message>
-        <source>calibrate it, import its intrinsics, or give --image or --video as well</source>
-        <translation>calíbrela, importe sus parámetros intrínsecos, o dé además --image o --video</translation>
-    </message>
-    <message>
-        <source>registration of camera &apos;%1&apos; with the lens in force</source>
-        <translation>registro de la cámara &apos;%1&apos; con la lente vigente</translation>
-    </message>
-    <message>
-        <source>camera &apos;%1&apos; has none of that number</source>
-        <translation>la cámara &apos;%1&apos; no tiene ninguna con ese número</translation>
-    </message>
-    <message>
-        <source>see its revisions for those there are</source>
-        <translation>vea en sus revisiones las que hay</translation>
-    </message>
-    <message>
-        <source>calibration %1</source>
-        <translation>calibración %1</translation>
-    </message>
-    <message>
-        <source>registration %1</source>
-        <translation>registro %1</translation>
-    </message>
-    <message>
-        <source>one view saw the robot in fewer than %1 pictures</source>
-        <translation>una vista vio el robot en menos de %1 imágenes</translation>
-    </message>
-    <message>
-        <source>the views hardly ever saw the robot at the same time</source>
-        <translation>las vistas casi nunca vieron el robot a la vez</translation>
-    </message>
-    <message>
-        <source>the robot stood still or ran straight at constant speed, so every offset fits</source>
-        <translation>el robot estuvo quieto o fue recto a velocidad constante, así que cualquier desfase encaja</translation>
-    </message>
-    <message>
-        <source>the views&apos; tracks do not resemble one another</source>
-        <translation>las trazas de las vistas no se parecen entre sí</translation>
-    </message>
-    <message>
-        <source>the views&apos; tracks do not coincide at any offset looked at</source>
-        <translation>las trazas de las vistas no coinciden con ningún desfase examinado</translation>
-    </message>
-    <message>
-        <source>the motion repeats itself</source>
-        <translation>el movimiento se repite</translation>
-    </message>
-    <message>
-        <source>offsets of %1 s and %2 s fit alike</source>
-        <translation>desfases de %1 s y %2 s encajan por igual</translation>
-    </message>
-    <message>
-        <source>neither view shows a flash of light</source>
-        <translation>ninguna vista muestra un destello de luz</translation>
-    </message>
-    <message>
-        <source>only one of the views shows a flash of light</source>
-        <translation>solo una de las vistas muestra un destello de luz</translation>
-    </message>
-    <message>
-        <source>the light flickers</source>
-        <translation>la luz parpadea</translation>
-    </message>
-    <message>
-        <source>the flashes of light in the views do not belong together</source>
-        <translation>los destellos de luz de las vistas no se corresponden</translation>
-    </message>
-    <message>
-        <source>the flashes of light fit alike at offsets of %1 s and %2 s</source>
-        <translation>los destellos de luz encajan por igual con desfases de %1 s y %2 s</translation>
-    </message>
-    <message>
-        <source>%1, and neither view shows a flash of light</source>
-        <translation>%1, y ninguna vista muestra un destello de luz</translation>
-    </message>
-    <message>
-        <source>%1, and only one of the views shows a flash of light</source>
-        <translation>%1, y solo una de las vistas muestra un destello de luz</translation>
-    </message>
-    <message>
-        <source>%1, and the light flickers</source>
-        <translation>%1, y la luz parpadea</translation>
-    </message>
-    <message>
-        <source>%1, and the flashes of light in the views do not belong together</source>
-        <translation>%1, y los destellos de luz de las vistas no se corresponden</translation>
-    </message>
-    <message>
-        <source>%1, and the flashes of light fit alike at offsets of %2 s and %3 s</source>
-        <translation>%1, y los destellos de luz encajan por igual con desfases de %2 s y %3 s</translation>
-    </message>
-    <message>
-        <source>%1, so it is taken as begun together</source>
-        <translation>%1, así que se toma como iniciada a la vez</translation>
-    </message>
-    <message>
-        <source>fit of %1</source>
-        <translation>ajuste (%1)</translation>
-    </message>
-    <message>
-        <source>a constant</source>
-        <translation>una constante</translation>
-    </message>
-    <message>
-        <source>a straight line</source>
-        <translation>una recta</translation>
-    </message>
-    <message>
-        <source>a parabola</source>
-        <translation>una parábola</translation>
-    </message>
-    <message>
-        <source>%1 point is too few for it</source>
-        <translation>%1 punto es muy poco para ello</translation>
-    </message>
-    <message>
-        <source>the robot does not move in %1</source>
-        <translation>el robot no se mueve en %1</translation>
-    </message>
-    <message>
-        <source>the robot hardly moves in %1</source>
-        <translation>el robot apenas se mueve en %1</translation>
-    </message>
-    <message>
-        <source>choose a run with motion</source>
-        <translation>elija un recorrido con movimiento</translation>
-    </message>
-    <message>
-        <source>%1 drives the way in the other direction than %2</source>
-        <translation>%1 hace el camino en sentido contrario a %2</translation>
-    </message>
-    <message>
-        <source>choose runs in the same direction</source>
-        <translation>elija recorridos en el mismo sentido</translation>
-    </message>
-    <message>
-        <source>%1 has no stretch of the way in common with the task&apos;s path</source>
-        <translation>%1 no tiene ningún tramo de camino en común con la trayectoria de la tarea</translation>
-    </message>
-    <message>
-        <source>%1 has no stretch of the way in common with %2</source>
-        <translation>%1 no tiene ningún tramo de camino en común con %2</translation>
-    </message>
-    <message>
-        <source>choose runs of the same task</source>
-        <translation>elija recorridos de la misma tarea</translation>
-    </message>
-    <message>
-        <source>%1 does not pass a start gate</source>
-        <translation>%1 no pasa por ninguna puerta de salida</translation>
-    </message>
-    <message>
-        <source>align by motion onset or distance</source>
-        <translation>alinee por inicio del movimiento o por distancia</translation>
-    </message>
-    <message>
-        <source>the robot of %1 drives already when it is first seen</source>
-        <translation>el robot de %1 ya está en marcha cuando se le ve por primera vez</translation>
-    </message>
-    <message>
-        <source>align by distance</source>
-        <translation>alinee por distancia</translation>
-    </message>
-    <message>
-        <source>a moment of each run is needed to align them by hand</source>
-        <translation>para alinearlos a mano hace falta un momento de cada recorrido</translation>
-    </message>
-    <message>
-        <source>tell one for each</source>
-        <translation>indique uno para cada uno</translation>
-    </message>
-    <message>
-        <source>the moment told for %1 lies outside of it</source>
-        <translation>el momento indicado para %1 queda fuera de él</translation>
-    </message>
-    <message>
-        <source>tell one between its first and last frame</source>
-        <translation>indique uno entre su primer y su último fotograma</translation>
-    </message>
-    <message>
-        <source>%1 was not seen at the place to align by</source>
-        <translation>%1 no se vio en el lugar por el que alinear</translation>
-    </message>
-    <message>
-        <source>choose a place that both runs pass</source>
-        <translation>elija un lugar por el que pasen ambos recorridos</translation>
-    </message>
-    <message>
-        <source>there is no such template</source>
-        <translation>no existe esa plantilla</translation>
-    </message>
-    <message>
-        <source>template &apos;%1&apos;</source>
-        <translation>plantilla &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>rule &apos;%1&apos;</source>
-        <translation>regla &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>use stay_inside or stay_outside</source>
-        <translation>use stay_inside o stay_outside</translation>
-    </message>
-    <message>
-        <source>smoother %1</source>
-        <translation>suavizador %1</translation>
-    </message>
-    <message>
-        <source>there is none of that name</source>
-        <translation>no hay ninguno con ese nombre</translation>
-    </message>
-    <message>
-        <source>use rts, savgol, tracker or none</source>
-        <translation>use rts, savgol, tracker o none</translation>
-    </message>
-    <message>
-        <source>robot &apos;%1&apos; was not tracked in it, but %2</source>
-        <translation>el robot &apos;%1&apos; no fue rastreado en él, pero sí %2</translation>
-    </message>
-    <message>
-        <source>track it, or choose another</source>
-        <translation>rastréelo, o elija otro</translation>
-    </message>
-    <message>
-        <source>track it, or choose another with --robot</source>
-        <translation>rastréelo, o elija otro con --robot</translation>
-    </message>
-    <message>
-        <source>none of its tracks is called &apos;%1&apos;; it has %2</source>
-        <translation>ninguna de sus trazas se llama &apos;%1&apos;; tiene %2</translation>
-    </message>
-    <message>
-        <source>run odograph track first</source>
-        <translation>rastree antes</translation>
-    </message>
-    <message>
-        <source>run odograph track without --again first</source>
-        <translation>rastree antes sin --again</translation>
-    </message>
-    <message>
-        <source>analyse them anew with</source>
-        <translation>analícelas de nuevo con</translation>
-    </message>
-    <message>
-        <source>choose one with --robot</source>
-        <translation>elija uno con --robot</translation>
-    </message>
-    <message>
-        <source>frame %1 of trial &apos;%2&apos;</source>
-        <translation>fotograma %1 del ensayo &apos;%2&apos;</translation>
-    </message>
-    <message>
-        <source>%1 s of trial &apos;%2&apos;</source>
-        <translation>%1 s del ensayo &apos;%2&apos;</translation>
-    </message>
-    <message>
-        <source>the analysis has no sample</source>
-        <translation>el análisis no tiene ninguna muestra</translation>
-    </message>
-    <message>
-        <source>track the trial again</source>
-        <translation>rastree de nuevo el ensayo</translation>
-    </message>
-    <message>
-        <source>choose a time from %1 s to %2 s</source>
-        <translation>elija un tiempo de %1 s a %2 s</translation>
-    </message>
-    <message>
-        <source>choose a frame with a measurement</source>
-        <translation>elija un fotograma con una medición</translation>
-    </message>
-    <message>
-        <source>nothing was said by hand there</source>
-        <translation>ahí no se dijo nada a mano</translation>
-    </message>
-    <message>
-        <source>see the flags by_hand in odograph export</source>
-        <translation>vea las marcas by_hand en odograph export</translation>
-    </message>
-    <message>
-        <source>tracking</source>
-        <translation>rastreo</translation>
-    </message>
-    <message>
-        <source>add one with</source>
-        <translation>añada uno con</translation>
-    </message>
-    <message>
-        <source>cannot render %1</source>
-        <translation>no se puede generar %1</translation>
-    </message>
-    <message>
-        <source>rendering %1</source>
-        <translation>generación de %1</translation>
-    </message>
-    <message>
-        <source>camera %1 takes no frame while the scene lasts</source>
-        <translation>la cámara %1 no toma ningún fotograma mientras dura la escena</translation>
-    </message>
-    <message>
-        <source>give the scene a longer duration or start the camera earlier</source>
-        <translation>dé a la escena más duración o inicie antes la cámara</translation>
-    </message>
-    <message>
-        <source>a picture cannot be coded</source>
-        <translation>no se puede codificar una imagen</translation>
-    </message>
-    <message>
-        <source>JPEG does not have its layout of colours</source>
-        <translation>JPEG no tiene su disposición de colores</translation>
-    </message>
-    <message>
-        <source>let the camera give another format</source>
-        <translation>haga que la cámara dé otro formato</translation>
-    </message>
-    <message>
-        <source>cannot decode all of a frame</source>
-        <translation>no se puede decodificar un fotograma entero</translation>
-    </message>
-    <message>
-        <source>its sound part is used</source>
-        <translation>se usa la parte intacta</translation>
-    </message>
-    <message>
-        <source>its time scale was not found where the muxer should have put it</source>
-        <translation>no se halló su escala de tiempo donde el multiplexor debía ponerla</translation>
-    </message>
-    <message>
-        <source>report this as a bug</source>
-        <translation>comuníquelo como un error</translation>
-    </message>
-    <message>
-        <source>its header could not be rewritten</source>
-        <translation>no se pudo reescribir su cabecera</translation>
-    </message>
-    <message>
-        <source>check that there is room on the disk</source>
-        <translation>compruebe que hay espacio en el disco</translation>
-    </message>
-    <message>
-        <source>a packet there is damaged</source>
-        <translation>un paquete ahí está dañado</translation>
-    </message>
-    <message>
-        <source>its header promises %1</source>
-        <translation>su cabecera promete %1</translation>
-    </message>
-    <message>
-        <source>not one whole frame is in it</source>
-        <translation>no contiene ni un fotograma entero</translation>
-    </message>
-    <message>
-        <source>its time stamps span %1</source>
-        <translation>sus marcas de tiempo abarcan %1</translation>
-    </message>
-    <message>
-        <source>it says that it has %1 pixels</source>
-        <translation>dice que tiene %1 píxeles</translation>
-    </message>
-    <message>
-        <source>picture</source>
-        <translation>imagen</translation>
-    </message>
-    <message>
-        <source>picture &apos;%1&apos;</source>
-        <translation>imagen &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>it could not be packed</source>
-        <translation>no se pudo comprimir</translation>
-    </message>
-    <message>
-        <source>check the folder, the free space, and that the name ends in .png or .jpg</source>
-        <translation>compruebe la carpeta, el espacio libre, y que el nombre termina en .png o .jpg</translation>
-    </message>
-    <message>
-        <source>it could not be written</source>
-        <translation>no se pudo escribir</translation>
-    </message>
-    <message>
-        <source>its format is not known</source>
-        <translation>su formato no se conoce</translation>
-    </message>
-    <message>
-        <source>the size of its pictures could not be found out</source>
-        <translation>no se pudo averiguar el tamaño de sus imágenes</translation>
-    </message>
-    <message>
-        <source>its pixel format %1 is not read</source>
-        <translation>su formato de píxel %1 no se lee</translation>
-    </message>
-    <message>
-        <source>its pixel format (unknown) is not read</source>
-        <translation>su formato de píxel (desconocido) no se lee</translation>
-    </message>
-    <message>
-        <source>convert it to 8-bit YUV, e.g. ffmpeg -i FILE -pix_fmt yuv420p NEW.mp4</source>
-        <translation>conviértalo a YUV de 8 bits, p. ej. ffmpeg -i FILE -pix_fmt yuv420p NEW.mp4</translation>
-    </message>
-    <message>
-        <source>frames of this size or chroma format cannot be encoded</source>
-        <translation>no se pueden codificar fotogramas de este tamaño o formato de croma</translation>
-    </message>
-    <message>
-        <source>use 4:2:0, 4:2:2 or 4:4:4</source>
-        <translation>use 4:2:0, 4:2:2 o 4:4:4</translation>
-    </message>
-    <message>
-        <source>install Debian&apos;s libavcodec with libx264</source>
-        <translation>instale el libavcodec de Debian con libx264</translation>
-    </message>
-    <message>
-        <source>the chroma siting could not be set (%1)</source>
-        <translation>no se pudo fijar la posición del croma (%1)</translation>
-    </message>
-    <message>
-        <source>install Debian&apos;s libavcodec</source>
-        <translation>instale el libavcodec de Debian</translation>
-    </message>
-    <message>
-        <source>FFV1 does not go into MP4</source>
-        <translation>FFV1 no cabe en MP4</translation>
-    </message>
-    <message>
-        <source>use the ending .mkv</source>
-        <translation>use la terminación .mkv</translation>
-    </message>
-    <message>
-        <source>its frame rate is not positive</source>
-        <translation>su frecuencia de fotogramas no es positiva</translation>
-    </message>
-    <message>
-        <source>give the frames per second, e.g. 30</source>
-        <translation>dé los fotogramas por segundo, p. ej. 30</translation>
-    </message>
-    <message>
-        <source>start the video again</source>
-        <translation>empiece de nuevo el video</translation>
-    </message>
-    <message>
-        <source>its format differs from the video&apos;s</source>
-        <translation>su formato difiere del del video</translation>
-    </message>
-    <message>
-        <source>write one format to a file</source>
-        <translation>escriba un solo formato en un archivo</translation>
-    </message>
-    <message>
-        <source>its time is not after the frame&apos;s before it</source>
-        <translation>su tiempo no es posterior al del fotograma anterior</translation>
-    </message>
-    <message>
-        <source>write the frames in order, at least a microsecond apart</source>
-        <translation>escriba los fotogramas en orden, con al menos un microsegundo entre ellos</translation>
-    </message>
-    <message>
-        <source>it is finished</source>
-        <translation>está terminado</translation>
-    </message>
-    <message>
-        <source>start it again</source>
-        <translation>empiécelo de nuevo</translation>
-    </message>
-    <message>
-        <source>no frame was written to it</source>
-        <translation>no se escribió ningún fotograma en él</translation>
-    </message>
-    <message>
-        <source>write at least one</source>
-        <translation>escriba al menos uno</translation>
-    </message>
-    <message>
-        <source>give one view or more, like --video A=a.mp4</source>
-        <translation>dé una vista o más, como --video A=a.mp4</translation>
-    </message>
-    <message>
-        <source>%1 views were given and the offsets of %2</source>
-        <translation>se dieron %1 vistas y los desfases de %2</translation>
-    </message>
-    <message>
-        <source>give one offset for each view but the first, like --sync 0.1,0.2, or use --sync auto</source>
-        <translation>dé un desfase por cada vista salvo la primera, como --sync 0.1,0.2, o use --sync auto</translation>
-    </message>
-    <message>
-        <source>frame %1 of &apos;%2&apos;</source>
-        <translation>fotograma %1 de &apos;%2&apos;</translation>
-    </message>
-    <message>
-        <source>choose one from %1 to %2</source>
-        <translation>elija uno de %1 a %2</translation>
-    </message>
-    <message>
-        <source>its only one is frame 0</source>
-        <translation>el único es el fotograma 0</translation>
-    </message>
-    <message>
-        <source>there is no such role</source>
-        <translation>no existe ese papel</translation>
-    </message>
-    <message>
-        <source>role &apos;%1&apos;</source>
-        <translation>papel &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>from a flash of light, to %1 ms only, for %2</source>
-        <translation>por un destello de luz, solo a %1 ms, pues %2</translation>
-    </message>
-    <message>
-        <source>%1 frames left out</source>
-        <translation>%1 fotogramas omitidos</translation>
-    </message>
-    <message>
-        <source>their time stamps repeat the frame before</source>
-        <translation>sus marcas de tiempo repiten la del fotograma anterior</translation>
-    </message>
-    <message>
-        <source>ends early at %1</source>
-        <translation>termina antes de tiempo en %1</translation>
-    </message>
-    <message>
-        <source>the file has no time stamps</source>
-        <translation>el archivo no tiene marcas de tiempo</translation>
-    </message>
-    <message>
-        <source>an even %1 frames/s is assumed</source>
-        <translation>se suponen %1 fotogramas/s uniformes</translation>
-    </message>
-    <message>
-        <source>Simulated camera %1</source>
-        <translation>Cámara simulada %1</translation>
-    </message>
-    <message>
-        <source>%1 at %2 frames/s</source>
-        <translation>%1 a %2 fotogramas/s</translation>
-    </message>
-    <message>
-        <source>check that all lines are of one run</source>
-        <translation>compruebe que todas las líneas son de un mismo recorrido</translation>
-    </message>
-    <message>
-        <source>it sends no pictures</source>
-        <translation>no envía imágenes</translation>
-    </message>
-    <message>
-        <source>check its cable</source>
-        <translation>revise su cable</translation>
-    </message>
-    <message>
-        <source>it is taken up again by itself</source>
-        <translation>se retoma por sí sola</translation>
-    </message>
-    <message>
-        <source>it has been away</source>
-        <translation>ha estado ausente</translation>
-    </message>
-    <message>
-        <source>wait: it is taken up again</source>
-        <translation>espere: se retoma</translation>
-    </message>
-    <message>
-        <source>its pictures come incomplete</source>
-        <translation>sus imágenes llegan incompletas</translation>
-    </message>
-    <message>
-        <source>check its cable and the network</source>
-        <translation>revise su cable y la red</translation>
-    </message>
-    <message>
-        <source>ask for a smaller size or rate</source>
-        <translation>pida un tamaño o una frecuencia menor</translation>
-    </message>
-    <message>
-        <source>it answers, but sends no pictures</source>
-        <translation>responde, pero no envía imágenes</translation>
-    </message>
-    <message>
-        <source>check its trigger and this computer&apos;s firewall</source>
-        <translation>revise su disparador y el cortafuegos de esta computadora</translation>
-    </message>
-    <message>
-        <source>it failed (%1)</source>
-        <translation>falló (%1)</translation>
-    </message>
-    <message>
-        <source>unplug it and plug it in again if that lasts</source>
-        <translation>desconéctela y conéctela de nuevo si eso persiste</translation>
-    </message>
-    <message>
-        <source>no picture has come for %1</source>
-        <translation>no ha llegado ninguna imagen en %1</translation>
-    </message>
-    <message>
-        <source>look at its cable</source>
-        <translation>revise su cable</translation>
-    </message>
-    <message>
-        <source>take it off and put it on again if it stays so</source>
-        <translation>desconéctela y conéctela de nuevo si sigue así</translation>
-    </message>
-    <message>
-        <source>its disk has only %1 MB left, of which %2 are kept free</source>
-        <translation>a su disco solo le quedan %1 MB, de los que %2 se mantienen libres</translation>
-    </message>
-    <message>
-        <source>the disk of %1</source>
-        <translation>el disco de %1</translation>
-    </message>
-    <message>
-        <source>it is too slow</source>
-        <translation>es demasiado lento</translation>
-    </message>
-    <message>
-        <source>a picture has waited %1 s for it, and %2 % of the room to wait in is taken</source>
-        <translation>una imagen ha esperado %1 s por él, y está ocupado el %2 % del espacio de espera</translation>
-    </message>
-    <message>
-        <source>nothing is lost yet</source>
-        <translation>aún no se ha perdido nada</translation>
-    </message>
-    <message>
-        <source>end what else writes to it</source>
-        <translation>termine lo que más escriba en él</translation>
-    </message>
-    <message>
-        <source>pictures are being lost</source>
-        <translation>se están perdiendo imágenes</translation>
-    </message>
-    <message>
-        <source>record to another disk, or fewer cameras</source>
-        <translation>grabe en otro disco, o con menos cámaras</translation>
-    </message>
-    <message>
-        <source>Exposure and gain</source>
-        <translation>Exposición y ganancia</translation>
-    </message>
-    <message>
-        <source>line %1 has no team</source>
-        <translation>la línea %1 no tiene equipo</translation>
-    </message>
-    <message>
-        <source>line %1 has no class for team &apos;%2&apos;</source>
-        <translation>la línea %1 no tiene clase para el equipo &apos;%2&apos;</translation>
-    </message>
-    <message>
-        <source>line %1 names team &apos;%2&apos; again, as line %3</source>
-        <translation>la línea %1 nombra otra vez el equipo &apos;%2&apos;, como la línea %3</translation>
-    </message>
-    <message>
-        <source>and %1 lines more</source>
-        <translation>y %1 líneas más</translation>
-    </message>
-    <message>
-        <source>line %1</source>
-        <translation>línea %1</translation>
-    </message>
-    <message>
-        <source>positions to %1 mm, as the file says</source>
-        <translation>posiciones a %1 mm, según el archivo</translation>
-    </message>
-    <message>
-        <source>positions to %1 mm, as estimated from them</source>
-        <translation>posiciones a %1 mm, estimado a partir de ellas</translation>
-    </message>
-    <message>
-        <source>the file&apos;s track &apos;%1&apos;</source>
-        <translation>traza &apos;%1&apos; del archivo</translation>
-    </message>
-    <message>
-        <source>its times count from %1 s</source>
-        <translation>sus tiempos cuentan desde %1 s</translation>
-    </message>
-    <message>
-        <source>a value is too large to be stored</source>
-        <translation>un valor es demasiado grande para guardarlo</translation>
-    </message>
-    <message>
-        <source>split the recording into shorter ones</source>
-        <translation>divida la grabación en otras más cortas</translation>
-    </message>
-    <message>
-        <source>%1 is missing</source>
-        <translation>falta %1</translation>
-    </message>
-    <message>
-        <source>put the file back in its place, and open the project again</source>
-        <translation>devuelva el archivo a su lugar y abra de nuevo el proyecto</translation>
-    </message>
-    <message>
-        <source>camera &apos;%1&apos; is not registered to the floor</source>
-        <translation>la cámara &apos;%1&apos; no está registrada respecto al suelo</translation>
-    </message>
-    <message>
-        <source>glue the board onto something stiff</source>
-        <translation>pegue el tablero sobre algo rígido</translation>
-    </message>
-    <message>
-        <source>its corners do not lie as on a flat board</source>
-        <translation>sus esquinas no están como en un tablero plano</translation>
-    </message>
-    <message>
-        <source>point %1 lies outside the picture of the camera to register (%2)</source>
-        <translation>el punto %1 está fuera de la imagen de la cámara por registrar (%2)</translation>
-    </message>
-    <message>
-        <source>its numbers look like %1, then it would stand %2 m above the floor</source>
-        <translation>sus números parecen %1, y entonces estaría a %2 m sobre el suelo</translation>
-    </message>
-    <message>
-        <source>metres</source>
-        <translation>metros</translation>
-    </message>
-    <message>
-        <source>inches</source>
-        <translation>pulgadas</translation>
-    </message>
-    <message>
-        <source>centimetres</source>
-        <translation>centímetros</translation>
-    </message>
-    <message>
-        <source>thousandths of a mm</source>
-        <translation>milésimas de mm</translation>
-    </message>
-    <message>
-        <source>tenths of a mm</source>
-        <translation>décimas de mm</translation>
-    </message>
-    <message>
-        <source>with %1 and %2 exchanged they fit to %3 px</source>
-        <translation>con %1 y %2 intercambiados encajan a %3 px</translation>
-    </message>
-    <message>
-        <source>%1 % of what was measured is beyond the limits of task &apos;%2&apos;, so that they were left out</source>
-        <translation>el %1 % de lo medido supera los límites de la tarea &apos;%2&apos;, por lo que se omitieron</translation>
-    </message>
-    <message>
-        <source>nearly all that was measured is beyond the limits of task &apos;%1&apos;, so that they were left out</source>
-        <translation>casi todo lo medido supera los límites de la tarea &apos;%1&apos;, por lo que se omitieron</translation>
-    </message>
-    <message>
-        <source>give the task the limits of its fastest robot</source>
-        <translation>dé a la tarea los límites de su robot más rápido</translation>
-    </message>
-    <message>
-        <source>copy &apos;%1&apos;, which is sound, to a new name and open that, and keep the damaged file</source>
-        <translation>copie «%1», que está íntegro, con un nombre nuevo y abra esa copia, y conserve el archivo dañado</translation>
-    </message>
-    <message>
-        <source>the disk could not be read, and nothing was changed</source>
-        <translation>no se pudo leer el disco, y no se cambió nada</translation>
-    </message>
-    <message>
-        <source>it lies on a network disk (%1), where a recording can stall and two computers can damage it</source>
-        <translation>está en un disco de red (%1), donde una grabación puede detenerse y dos ordenadores pueden dañarlo</translation>
-    </message>
-    <message>
-        <source>it lies in a folder that %1 copies while it changes, so that a copy may have half a change</source>
-        <translation>está en una carpeta que %1 copia mientras cambia, de modo que una copia puede tener medio cambio</translation>
-    </message>
-    <message>
-        <source>keep it on a disk of this computer, and pack it to share it</source>
-        <translation>guárdelo en un disco de este ordenador, y empaquételo para compartirlo</translation>
-    </message>
-    <message>
-        <source>printing on &apos;%1&apos;</source>
-        <translation>impresión en «%1»</translation>
-    </message>
-    <message>
-        <source>it cannot be reached</source>
-        <translation>no se puede acceder a ella</translation>
-    </message>
-    <message>
-        <source>it takes no further page</source>
-        <translation>no acepta más páginas</translation>
-    </message>
-    <message>
-        <source>it did not take the pages</source>
-        <translation>no ha aceptado las páginas</translation>
-    </message>
-    <message>
-        <source>look at the printer and its queue, or save the report as PDF</source>
-        <translation>mire la impresora y su cola, o guarde el informe como PDF</translation>
-    </message>
-    <message>
-        <source>report &apos;%1&apos;</source>
-        <translation>informe «%1»</translation>
-    </message>
-    <message>
-        <source>it has no page</source>
-        <translation>no tiene ninguna página</translation>
-    </message>
-    <message>
-        <source>choose a trial or a class</source>
-        <translation>elija un ensayo o una clase</translation>
-    </message>
-    <message>
-        <source>cannot decode the video</source>
-        <translation>no se puede descodificar el vídeo</translation>
-    </message>
-    <message>
-        <source>cannot read the picture %1</source>
-        <translation>no se puede leer la imagen %1</translation>
-    </message>
-    <message>
-        <source>cannot do this</source>
-        <translation>esto no se puede hacer ahora</translation>
-    </message>
-    <message>
-        <source>the cameras</source>
-        <translation>las cámaras</translation>
-    </message>
-    <message>
-        <source>live tracking</source>
-        <translation>seguimiento en directo</translation>
-    </message>
-    <message>
-        <source>a picture of camera %1</source>
-        <translation>una imagen de la cámara %1</translation>
-    </message>
-    <message>
-        <source>this computer has not enough free memory for it</source>
-        <translation>este ordenador no tiene suficiente memoria libre para ello</translation>
-    </message>
-    <message>
-        <source>this computer gives no further thread</source>
-        <translation>este ordenador no da más hilos de ejecución</translation>
-    </message>
-    <message>
-        <source>too many files are open</source>
-        <translation>hay demasiados archivos abiertos</translation>
-    </message>
-    <message>
-        <source>what was saved is safe</source>
-        <translation>lo que se había guardado está a salvo</translation>
-    </message>
-    <message>
-        <source>its frame rate varies, pictures are %1 to %2 ms apart</source>
-        <translation>su frecuencia de imagen varía, entre imágenes hay de %1 a %2 ms</translation>
-    </message>
-    <message>
-        <source>each counts at its own time</source>
-        <translation>cada una cuenta en su propio instante</translation>
-    </message>
-    <message>
-        <source>frame times of &apos;%1&apos;</source>
-        <translation>tiempos de los fotogramas de &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>calibration %1 of the project</source>
-        <translation>calibración %1 del proyecto</translation>
-    </message>
-    <message>
-        <source>observations %1 of the project</source>
-        <translation>observaciones %1 del proyecto</translation>
-    </message>
-    <message>
-        <source>truth of trial %1</source>
-        <translation>verdad del ensayo %1</translation>
-    </message>
-    <message>
-        <source>the list of changes</source>
-        <translation>la lista de cambios</translation>
-    </message>
-    <message>
-        <source>registration of camera &apos;%1&apos; through &apos;%2&apos;</source>
-        <translation>registro de la cámara &apos;%1&apos; mediante &apos;%2&apos;</translation>
-    </message>
-    <message>
-        <source>point %1</source>
-        <translation>punto %1</translation>
-    </message>
-    <message>
-        <source>checking halves against one another</source>
-        <translation>comprobando las mitades entre sí</translation>
-    </message>
-    <message>
-        <source>completing a recording that was cut off</source>
-        <translation>completando una grabación interrumpida</translation>
-    </message>
-    <message>
-        <source>done</source>
-        <translation>listo</translation>
-    </message>
-    <message>
-        <source>fitting the lens to %1 pictures</source>
-        <translation>ajustando la lente a %1 imágenes</translation>
-    </message>
-    <message>
-        <source>looking about the best place</source>
-        <translation>buscando alrededor del mejor lugar</translation>
-    </message>
-    <message>
-        <source>looking for the board in %1</source>
-        <translation>buscando el tablero en %1</translation>
-    </message>
-    <message>
-        <source>making the hash of %1</source>
-        <translation>calculando la suma de comprobación de %1</translation>
-    </message>
-    <message>
-        <source>packing %1</source>
-        <translation>empaquetando %1</translation>
-    </message>
-    <message>
-        <source>unpacking</source>
-        <translation>desempaquetando</translation>
-    </message>
-    <message>
-        <source>reading %1</source>
-        <translation>leyendo %1</translation>
-    </message>
-    <message>
-        <source>reading line %1</source>
-        <translation>leyendo la línea %1</translation>
-    </message>
-    <message>
-        <source>removing %1</source>
-        <translation>eliminando %1</translation>
-    </message>
-    <message>
-        <source>tracking, picture %1 of %2</source>
-        <translation>rastreo, imagen %1 de %2</translation>
-    </message>
-    <message>
-        <source>The world axes were changed afterwards</source>
-        <translation>Los ejes del mundo se cambiaron después</translation>
-    </message>
-    <message>
-        <source>The world axes were changed afterwards, and all lengths multiplied by %1</source>
-        <translation>Los ejes del mundo se cambiaron después, y todas las longitudes se multiplicaron por %1</translation>
-    </message>
-    <message>
-        <source>It was made through registration %1 of the project</source>
-        <translation>Se hizo mediante el registro %1 del proyecto</translation>
-    </message>
-    <message>
-        <source>the video of camera %1 in trial &apos;%2&apos; lies elsewhere and is another file than it was, and not in the packed project</source>
-        <translation>el video de la cámara %1 en el ensayo &apos;%2&apos; está en otro lugar y es otro archivo que antes, y no está en el proyecto empaquetado</translation>
-    </message>
-    <message>
-        <source>another program uses it (open in %1)</source>
-        <translation>otro programa la usa (abierta en %1)</translation>
-    </message>
-    <message>
-        <source>its USB bus has no room left for its pictures (the bus is full, not the disk)</source>
-        <translation>su bus USB no tiene espacio para sus imágenes (está lleno el bus, no el disco)</translation>
-    </message>
-    <message>
-        <source>no sound backup lies beside it</source>
-        <translation>no hay ninguna copia de seguridad íntegra a su lado</translation>
-    </message>
-    <message>
-        <source>its file is no longer there</source>
-        <translation>su archivo ya no está</translation>
-    </message>
-    <message>
-        <source>the project&apos;s file is no longer there</source>
-        <translation>el archivo del proyecto ya no está</translation>
-    </message>
-    <message>
-        <source>put its disk or folder back where it was</source>
-        <translation>vuelva a poner su disco o carpeta donde estaba</translation>
-    </message>
-    <message>
-        <source>what was recorded so far is there</source>
-        <translation>lo grabado hasta ahora está allí</translation>
-    </message>
-    <message>
-        <source>nothing was recorded</source>
-        <translation>no se grabó nada</translation>
-    </message>
-    <message>
-        <source>the disk has become read-only, the change was not saved</source>
-        <translation>el disco ha pasado a ser de solo lectura, el cambio no se guardó</translation>
-    </message>
-    <message>
-        <source>with %1 called %2 they fit to %3 px</source>
-        <translation>llamando a %1 como %2 encajan a %3 px</translation>
-    </message>
-    <message>
-        <source>its pictures have more than 100 megapixels or 32000 pixels a side</source>
-        <translation>sus imágenes tienen más de 100 megapíxeles o 32000 píxeles por lado</translation>
-    </message>
-    <message>
-        <source>more than 50 megapixels or 32000 pixels a side are not read</source>
-        <translation>no se leen más de 50 megapíxeles o 32000 píxeles por lado</translation>
-    </message>
-    <message>
-        <source>its results are not those that its analysis gave</source>
-        <translation>sus resultados no son los que dio su análisis</translation>
-    </message>
-    <message>
-        <source>they were changed in the file</source>
-        <translation>se modificaron en el archivo</translation>
-    </message>
-    <message>
-        <source>run odograph check, or analyse the trial again</source>
-        <translation>ejecute odograph check o analice de nuevo el ensayo</translation>
-    </message>
-    <message>
-        <source>it has no name</source>
-        <translation>no tiene nombre</translation>
-    </message>
-    <message>
-        <source>its folder cannot be used (%1)</source>
-        <translation>no se puede usar su carpeta (%1)</translation>
-    </message>
-    <message>
-        <source>choose another folder</source>
-        <translation>elija otra carpeta</translation>
-    </message>
-    <message>
-        <source>it is a named pipe</source>
-        <translation>es una tubería con nombre</translation>
-    </message>
-    <message>
-        <source>it is a socket</source>
-        <translation>es un socket</translation>
-    </message>
-    <message>
-        <source>it is a device</source>
-        <translation>es un dispositivo</translation>
-    </message>
-    <message>
-        <source>it is the project itself</source>
-        <translation>es el propio proyecto</translation>
-    </message>
-    <message>
-        <source>it is the log, the lock or a backup of a project</source>
-        <translation>es el registro, el bloqueo o una copia de seguridad de un proyecto</translation>
-    </message>
-    <message>
-        <source>it is in the media folder of project &apos;%1&apos;</source>
-        <translation>está en la carpeta de medios del proyecto &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>it is an input of the same call</source>
-        <translation>es una entrada de la misma llamada</translation>
-    </message>
-    <message>
-        <source>it is a recording of the project</source>
-        <translation>es una grabación del proyecto</translation>
-    </message>
-    <message>
-        <source>it is another project</source>
-        <translation>es otro proyecto</translation>
-    </message>
-    <message>
-        <source>it is a database</source>
-        <translation>es una base de datos</translation>
-    </message>
-    <message>
-        <source>a file of another kind has that name</source>
-        <translation>un archivo de otro tipo tiene ese nombre</translation>
-    </message>
-    <message>
-        <source>choose another name, or replace it with --force</source>
-        <translation>elija otro nombre, o sustitúyalo con --force</translation>
-    </message>
-    <message>
-        <source>choose another name or folder</source>
-        <translation>elija otro nombre u otra carpeta</translation>
-    </message>
-    <message>
-        <source>the file has more than 1.5 million places</source>
-        <translation>el archivo tiene más de 1,5 millones de posiciones</translation>
-    </message>
-    <message>
-        <source>it is longer than 8 MiB</source>
-        <translation>tiene más de 8 MiB</translation>
-    </message>
-    <message>
-        <source>folder &apos;%1&apos;</source>
-        <translation>carpeta &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>it holds an invisible character, %1</source>
-        <translation>contiene un carácter invisible, %1</translation>
-    </message>
-    <message>
-        <source>it has more than %1 markers</source>
-        <translation>tiene más de %1 marcas</translation>
-    </message>
-    <message>
-        <source>leave out those that no camera sees</source>
-        <translation>omita las que ninguna cámara ve</translation>
-    </message>
-    <message>
-        <source>marker &apos;%1&apos; is not on a floor of 1 km</source>
-        <translation>la marca &apos;%1&apos; no está en un suelo de 1 km</translation>
-    </message>
-    <message>
-        <source>it is larger than %1 m</source>
-        <translation>mide más de %1 m</translation>
-    </message>
-    <message>
-        <source>it has %1 views</source>
-        <translation>tiene %1 vistas</translation>
-    </message>
-    <message>
-        <source>it has %1 robots</source>
-        <translation>tiene %1 robots</translation>
-    </message>
-    <message>
-        <source>%1: texts of more than %2 characters: %3</source>
-        <translation>%1: textos de más de %2 caracteres: %3</translation>
-    </message>
-    <message>
-        <source>%1: numbers beyond %2: %3</source>
-        <translation>%1: números más allá de %2: %3</translation>
-    </message>
-    <message>
-        <source>%1: more than %2 of one %3: %4</source>
-        <translation>%1: más de %2 de un mismo %3: %4</translation>
-    </message>
-    <message>
-        <source>the rest is not read; change it here, or where the file comes from</source>
-        <translation>el resto no se lee; cámbielo aquí o donde se hizo el archivo</translation>
-    </message>
-    <message>
-        <source>trial %1 of the project</source>
-        <translation>ensayo %1 del proyecto</translation>
-    </message>
-    <message>
-        <source>a value to be stored is not a number of ordinary size</source>
-        <translation>un valor que se iba a guardar no es un número de tamaño normal</translation>
-    </message>
-    <message>
-        <source>look for stray files</source>
-        <translation>buscar archivos sueltos</translation>
-    </message>
-    <message>
-        <source>remove stray files</source>
-        <translation>eliminar archivos sueltos</translation>
-    </message>
-    <message>
-        <source>cannot remove &apos;%1&apos;</source>
-        <translation>no se puede eliminar &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>check the rights of the project&apos;s folder</source>
-        <translation>compruebe los permisos de la carpeta del proyecto</translation>
-    </message>
-    <message>
-        <source>another program is writing or removing it just now</source>
-        <translation>otro programa lo está escribiendo o eliminando ahora mismo</translation>
-    </message>
-    <message>
-        <source>its videos are kept in &apos;%1&apos;; put the project back, and run odograph check P.odo --adopt</source>
-        <translation>sus videos se conservan en &apos;%1&apos;; devuelva el proyecto a su sitio y ejecute odograph check P.odo --adopt</translation>
-    </message>
-    <message>
-        <source>something unexpected happened (%1)</source>
-        <translation>ha ocurrido algo inesperado (%1)</translation>
-    </message>
-    <message>
-        <source>try again, and report it if it happens again</source>
-        <translation>inténtelo de nuevo y avise si vuelve a ocurrir</translation>
-    </message>
-    <message>
-        <source>its frame rate is not between 0.1 and 100,000 frames a second</source>
-        <translation>su frecuencia no está entre 0,1 y 100 000 fotogramas por segundo</translation>
-    </message>
-    <message>
-        <source>give the rate at which the camera took the frames</source>
-        <translation>indique la frecuencia con la que la cámara tomó los fotogramas</translation>
-    </message>
-    <message>
-        <source>looking through the media folder</source>
-        <translation>examinando la carpeta de medios</translation>
-    </message>
-    <message>
-        <source>it is a project that is open here</source>
-        <translation>es un proyecto que está abierto aquí</translation>
-    </message>
-    <message>
-        <source>choose another file</source>
-        <translation>elija otro archivo</translation>
-    </message>
-    <message>
-        <source>put the file back in its place</source>
-        <translation>devuelva el archivo a su lugar</translation>
-    </message>
-    <message>
-        <source>its folder is gone, and there is no home folder to rescue it to</source>
-        <translation>su carpeta ha desaparecido y no hay carpeta personal donde rescatarlo</translation>
-    </message>
-    <message>
-        <source>it could not be copied to be read (%1)</source>
-        <translation>no se pudo copiar para leerlo (%1)</translation>
-    </message>
-    <message>
-        <source>copy it with the files beside it to a folder that you may write to, and open the copy</source>
-        <translation>cópielo, con los archivos que están junto a él, a una carpeta en la que pueda escribir y abra la copia</translation>
-    </message>
-    <message>
-        <source>analysing position %1</source>
-        <translation>analizando la posición %1</translation>
-    </message>
-    <message>
-        <source>check of the project</source>
-        <translation>comprobación del proyecto</translation>
-    </message>
-    <message>
-        <source>checking the database</source>
-        <translation>comprobando la base de datos</translation>
-    </message>
-    <message>
-        <source>checking %1</source>
-        <translation>comprobando %1</translation>
-    </message>
-    <message>
-        <source>project &apos;%1&apos; beside it may use them, and cannot be read (%2)</source>
-        <translation>el proyecto «%1» que está junto a él puede usarlos y no se puede leer (%2)</translation>
-    </message>
-    <message>
-        <source>open that project, or move it to a folder of its own with its videos</source>
-        <translation>abra ese proyecto o muévalo con sus vídeos a una carpeta propia</translation>
-    </message>
-    <message>
-        <source>another program wrote over its file while it was open; nothing more was stored</source>
-        <translation>otro programa ha sobrescrito su archivo mientras estaba abierto; no se ha guardado nada más</translation>
-    </message>
-    <message>
-        <source>open it again; if you were recording, look for stray files (odograph check --adopt)</source>
-        <translation>ábralo de nuevo; si estaba grabando, busque archivos sueltos (odograph check --adopt)</translation>
-    </message>
-    <message>
-        <source>the project&apos;s file was deleted, renamed or replaced; recording goes on, and what is in it is rescued at the end</source>
-        <translation>el archivo del proyecto se ha borrado, renombrado o sustituido; la grabación continúa y su contenido se rescata al final</translation>
-    </message>
-    <message>
-        <source>the project&apos;s file was deleted, renamed or replaced meanwhile; what was in it is rescued in &apos;%1&apos;, which is the project from now on</source>
-        <translation>el archivo del proyecto se ha borrado, renombrado o sustituido entretanto; su contenido se ha rescatado en &apos;%1&apos;, que es el proyecto a partir de ahora</translation>
-    </message>
-    <message>
-        <source>its file was deleted, renamed or replaced while it was open; nothing was stored</source>
-        <translation>su archivo se ha borrado, renombrado o sustituido mientras estaba abierto; no se ha guardado nada</translation>
-    </message>
-    <message>
-        <source>it is in a media folder beside a project</source>
-        <translation>está en una carpeta de medios junto a un proyecto</translation>
-    </message>
-    <message>
-        <source>Odograph uses such names for temporary files</source>
-        <translation>Odograph usa esos nombres para archivos temporales</translation>
-    </message>
-    <message>
-        <source>a name ending in .odo is for a project</source>
-        <translation>un nombre que termina en .odo es para un proyecto</translation>
-    </message>
-    <message>
-        <source>give the project a title</source>
-        <translation>dé un título al proyecto</translation>
-    </message>
-    <message>
-        <source>put it back in its place and try again</source>
-        <translation>devuélvalo a su sitio e inténtelo de nuevo</translation>
-    </message>
-    <message>
-        <source>its folder has &apos;%1&apos;, the log or journal of another file of this name</source>
-        <translation>su carpeta contiene «%1», el registro o diario de otro archivo con este nombre</translation>
-    </message>
-    <message>
-        <source>choose another name, or move &apos;%1&apos; to another folder first</source>
-        <translation>elija otro nombre o mueva antes «%1» a otra carpeta</translation>
-    </message>
-    <message>
-        <source>the log beside it (&apos;%1&apos;) belongs to another file or to another state of this one</source>
-        <translation>el registro que está a su lado («%1») pertenece a otro archivo o a otro estado de este</translation>
-    </message>
-    <message>
-        <source>move the log to another folder to open the file without it, or put the file back that the log belongs to</source>
-        <translation>mueva el registro a otra carpeta para abrir el archivo sin él, o vuelva a poner el archivo al que pertenece</translation>
-    </message>
-    <message>
-        <source>it is a folder or a device, not a file</source>
-        <translation>es una carpeta o un dispositivo, no un archivo</translation>
-    </message>
-    <message>
-        <source>put the original file back in its place</source>
-        <translation>vuelva a poner el archivo original en su sitio</translation>
-    </message>
-    <message>
-        <source>add the robot without a colour, so that it is found by how it differs from the floor</source>
-        <translation>añada el robot sin color, para que se encuentre por lo que lo distingue del suelo</translation>
-    </message>
-    <message>
-        <source>tell no colour, so that it is found by how it differs from the floor</source>
-        <translation>no indique ningún color, para que se encuentre por lo que lo distingue del suelo</translation>
-    </message>
-    <message>
-        <source>check that the robot moves in the pictures, that a colour that was told is the one it has there, and that the light is sufficient</source>
-        <translation>compruebe que el robot se mueve en las imágenes, que un color indicado es el que tiene allí y que la luz es suficiente</translation>
-    </message>
-    <message>
-        <source>its reference point is farther from its centre than %1 m</source>
-        <translation>su punto de referencia está a más de %1 m de su centro</translation>
-    </message>
-    <message>
-        <source>a reference point beside its centre takes a heading, which is not known where the height changes</source>
-        <translation>un punto de referencia fuera del centro necesita un rumbo, que no se conoce donde cambia la altura</translation>
-    </message>
-    <message>
-        <source>leave out one of the two</source>
-        <translation>deje fuera uno de los dos</translation>
-    </message>
-    <message>
-        <source>its reference point lies beside its centre, but its outlines do not tell its heading</source>
-        <translation>su punto de referencia está fuera de su centro, pero sus contornos no indican su rumbo</translation>
-    </message>
-    <message>
-        <source>give it the reference point 0,0 and track again</source>
-        <translation>dele el punto de referencia 0,0 y vuelva a seguirlo</translation>
-    </message>
-    <message>
-        <source>another sample was judged by hand while this one was analysed</source>
-        <translation>otra muestra se juzgó a mano mientras se analizaba esta</translation>
-    </message>
-    <message>
-        <source>say it again for frame %1</source>
-        <translation>indíquelo otra vez para el fotograma %1</translation>
-    </message>
-    <message>
-        <source>give each a colour of its own</source>
-        <translation>dé a cada uno un color propio</translation>
-    </message>
-    <message>
-        <source>track only the robots that are in the pictures (--robot)</source>
-        <translation>siga solo los robots que están en las imágenes (--robot)</translation>
-    </message>
-    <message>
-        <source>from %1 s to %2 s it is doubtful whether this is %3 or %4</source>
-        <translation>de %1 s a %2 s es dudoso si se trata de %3 o de %4</translation>
-    </message>
-    <message>
-        <source>from %1 s to %2 s it is doubtful whether this is %3 or another robot of its look</source>
-        <translation>de %1 s a %2 s es dudoso si se trata de %3 o de otro robot del mismo aspecto</translation>
-    </message>
-    <message>
-        <source>from %1 s to %2 s (the first of %3 times) it is doubtful whether this is %4 or %5</source>
-        <translation>de %1 s a %2 s (la primera de %3 veces) es dudoso si se trata de %4 o de %5</translation>
-    </message>
-    <message>
-        <source>from %1 s to %2 s (the first of %3 times) it is doubtful whether this is %4 or another robot of its look</source>
-        <translation>de %1 s a %2 s (la primera de %3 veces) es dudoso si se trata de %4 o de otro robot del mismo aspecto</translation>
-    </message>
-    <message>
-        <source>in %1 of %2 pictures the views have it at places far apart</source>
-        <translation>en %1 de %2 imágenes las vistas lo sitúan en lugares muy separados</translation>
-    </message>
-    <message>
-        <source>one of them follows something else, or is not where it was registered</source>
-        <translation>una de ellas sigue otra cosa, o no está donde se registró</translation>
-    </message>
-    <message>
-        <source>look at the outlines, and tell the robot&apos;s colour or keep others out of the pictures</source>
-        <translation>mire los contornos e indique el color del robot, o deje a los demás fuera de las imágenes</translation>
-    </message>
-    <message>
-        <source>robot &apos;%1&apos; in view &apos;%2&apos;</source>
-        <translation>robot &apos;%1&apos; en la vista &apos;%2&apos;</translation>
-    </message>
-    <message>
-        <source>robot &apos;%1&apos; pointed out in view &apos;%2&apos;</source>
-        <translation>robot &apos;%1&apos; señalado en la vista &apos;%2&apos;</translation>
-    </message>
-    <message>
-        <source>nothing stands out from the floor at %1,%2 at %3 s for some frames</source>
-        <translation>nada se distingue del suelo en %1,%2 a los %3 s durante algunas imágenes</translation>
-    </message>
-    <message>
-        <source>point it out where all of it is seen and it moves</source>
-        <translation>señálelo donde se vea entero y se mueva</translation>
-    </message>
-    <message>
-        <source>it is found by its colour</source>
-        <translation>se encuentra por su color</translation>
-    </message>
-    <message>
-        <source>pick its colour again, or take the colour from it</source>
-        <translation>vuelva a tomar su color, o quítele el color</translation>
-    </message>
-    <message>
-        <source>the trial has no such view</source>
-        <translation>el ensayo no tiene esa vista</translation>
-    </message>
-    <message>
-        <source>name one of its cameras</source>
-        <translation>indique una de sus cámaras</translation>
-    </message>
-    <message>
-        <source>the view has no picture at that time</source>
-        <translation>la vista no tiene ninguna imagen en ese momento</translation>
-    </message>
-    <message>
-        <source>name a time within the trial, in seconds</source>
-        <translation>indique un momento dentro del ensayo, en segundos</translation>
-    </message>
-    <message>
-        <source>the place lies outside the picture</source>
-        <translation>el lugar está fuera de la imagen</translation>
-    </message>
-    <message>
-        <source>name it in pixels from the picture&apos;s top left corner</source>
-        <translation>indíquelo en píxeles desde la esquina superior izquierda de la imagen</translation>
-    </message>
-    <message>
-        <source>it is not tracked in trial &apos;%1&apos;</source>
-        <translation>no se sigue en el ensayo &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>name one of its robots</source>
-        <translation>indique uno de sus robots</translation>
-    </message>
-    <message>
-        <source>hidden behind %1 in view %2</source>
-        <translation>oculto tras %1 en la vista %2</translation>
-    </message>
-    <message>
-        <source>partly hidden behind %1 in view %2</source>
-        <translation>parcialmente oculto tras %1 en la vista %2</translation>
-    </message>
-    <message>
-        <source>one outline with %1 in view %2</source>
-        <translation>un solo contorno con %1 en la vista %2</translation>
-    </message>
-    <message>
-        <source>cut by the frame&apos;s edge in view %1</source>
-        <translation>cortado por el borde de la imagen en la vista %1</translation>
-    </message>
-    <message>
-        <source>not visible in view %1</source>
-        <translation>no visible en la vista %1</translation>
-    </message>
-    <message>
-        <source>outline smaller than usual in view %1</source>
-        <translation>contorno menor de lo habitual en la vista %1</translation>
-    </message>
-    <message>
-        <source>outline larger than usual in view %1</source>
-        <translation>contorno mayor de lo habitual en la vista %1</translation>
-    </message>
-    <message>
-        <source>in %1 of %2 pictures the views contradict one another</source>
-        <translation>en %1 de %2 imágenes las vistas se contradicen</translation>
-    </message>
-    <message>
-        <source>they put it %1 mm apart</source>
-        <translation>lo sitúan a %1 mm de distancia</translation>
-    </message>
-    <message>
-        <source>a camera was moved after it was registered, the views are out of step, or the robot&apos;s height is not what was told</source>
-        <translation>una cámara se movió después de registrarla, las vistas no están sincronizadas o la altura del robot no es la indicada</translation>
-    </message>
-    <message>
-        <source>register the cameras again</source>
-        <translation>vuelva a registrar las cámaras</translation>
-    </message>
-    <message>
-        <source>the views put it %1 mm apart</source>
-        <translation>las vistas lo sitúan a %1 mm de distancia</translation>
-    </message>
-    <message>
-        <source>a camera was moved after it was registered, the videos belong to other cameras, or one view follows something else</source>
-        <translation>una cámara se movió después de registrarla, los vídeos son de otras cámaras o una vista sigue otra cosa</translation>
-    </message>
-    <message>
-        <source>look at the outlines, and register the cameras again</source>
-        <translation>mire los contornos y vuelva a registrar las cámaras</translation>
-    </message>
-    <message>
-        <source>a key is no text, or a bracket is not closed</source>
-        <translation>una clave no es un texto o falta cerrar un paréntesis</translation>
-    </message>
-    <message>
-        <source>anchors and aliases are not understood</source>
-        <translation>no se admiten anclas ni alias</translation>
-    </message>
-    <message>
-        <source>it is no valid YAML (%1)</source>
-        <translation>no es YAML válido (%1)</translation>
-    </message>
-</context>
-<context>
     <name>DoubtfulStretches</name>
     <message>
         <source>Which robot? Until %1</source>
@@ -7373,28 +1070,12 @@ El método sigue a S. Park, “Computational Vision for Automatic Tracking and O
 <context>
     <name>OwnChanges</name>
     <message>
-        <source>nothing was changed here</source>
-        <translation>aquí no se cambió nada</translation>
-    </message>
-    <message>
-        <source>what was changed before is taken back in the window&apos;s menu Edit</source>
-        <translation>los cambios anteriores se deshacen en el menú Editar de la ventana</translation>
-    </message>
-    <message>
         <source>Done: %1. Ctrl+Z takes it back.</source>
         <translation>Hecho: %1. Ctrl+Z lo revierte.</translation>
     </message>
     <message>
-        <source>undo</source>
-        <translation>deshacer</translation>
-    </message>
-    <message>
         <source>Undone: %1.</source>
         <translation>Deshecho: %1.</translation>
-    </message>
-    <message>
-        <source>redo</source>
-        <translation>rehacer</translation>
     </message>
     <message>
         <source>Made again: %1.</source>
@@ -7811,6 +1492,42 @@ El método sigue a S. Park, “Computational Vision for Automatic Tracking and O
         <source>±: %1.</source>
         <translation>±: %1.</translation>
     </message>
+    <message>
+        <source>jump</source>
+        <translation>salto</translation>
+    </message>
+    <message>
+        <source>speed limit</source>
+        <translation>límite de velocidad</translation>
+    </message>
+    <message>
+        <source>acceleration limit</source>
+        <translation>límite de aceleración</translation>
+    </message>
+    <message>
+        <source>views disagree</source>
+        <translation>vistas discrepantes</translation>
+    </message>
+    <message>
+        <source>low score</source>
+        <translation>puntuación baja</translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation>perdido</translation>
+    </message>
+    <message>
+        <source>duplicate frame</source>
+        <translation>fotograma repetido</translation>
+    </message>
+    <message>
+        <source>interpolated</source>
+        <translation>interpolado</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>a mano</translation>
+    </message>
 </context>
 <context>
     <name>ReportStills</name>
@@ -7972,6 +1689,37 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>%1 points at %2 or more, none at %3 or less</source>
         <translation>%1 puntos con %2 o más, ninguno con %3 o menos</translation>
+    </message>
+</context>
+<context>
+    <name>ShownMessageWords</name>
+    <message>
+        <source>none</source>
+        <translation>ninguno</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1 or %2</source>
+        <translation>%1 o %2</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 y %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1; %2</translation>
     </message>
 </context>
 <context>
@@ -8177,18 +1925,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Robot:</source>
         <translation>Robot:</translation>
-    </message>
-    <message>
-        <source>export of %1</source>
-        <translation>exportación de %1</translation>
-    </message>
-    <message>
-        <source>it has not been tracked yet</source>
-        <translation>aún no se ha rastreado</translation>
-    </message>
-    <message>
-        <source>track it first</source>
-        <translation>rastréelo primero</translation>
     </message>
     <message>
         <source>Export %1</source>
@@ -8486,6 +2222,5963 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Odograph</source>
         <translation>Odograph</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.a_constant</name>
+    <message>
+        <source>a constant</source>
+        <translation>una constante</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.a_parabola</name>
+    <message>
+        <source>a parabola</source>
+        <translation>una parábola</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.a_straight_line</name>
+    <message>
+        <source>a straight line</source>
+        <translation>una recta</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.align_by_distance</name>
+    <message>
+        <source>align by distance</source>
+        <translation>alinee por distancia</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.align_otherwise</name>
+    <message>
+        <source>align by motion onset or distance</source>
+        <translation>alinee por inicio del movimiento o por distancia</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.check_numbers</name>
+    <message>
+        <source>check the numbers</source>
+        <translation>compruebe los números</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.choose_another_run</name>
+    <message>
+        <source>choose another run as well</source>
+        <translation>elija además otro recorrido</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.choose_common_place</name>
+    <message>
+        <source>choose a place that both runs pass</source>
+        <translation>elija un lugar por el que pasen ambos recorridos</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.choose_figure</name>
+    <message>
+        <source>choose what is scored</source>
+        <translation>elija qué se puntúa</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.choose_longer_range</name>
+    <message>
+        <source>choose a longer range</source>
+        <translation>elija un intervalo más largo</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.choose_motion</name>
+    <message>
+        <source>choose a run with motion</source>
+        <translation>elija un recorrido con movimiento</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.choose_same_direction</name>
+    <message>
+        <source>choose runs in the same direction</source>
+        <translation>elija recorridos en el mismo sentido</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.choose_same_task</name>
+    <message>
+        <source>choose runs of the same task</source>
+        <translation>elija recorridos de la misma tarea</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.comparison</name>
+    <message>
+        <source>comparison</source>
+        <translation>comparación</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.comparison_of</name>
+    <message>
+        <source>comparison of %1</source>
+        <translation>comparación de %1</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.corners_in_order</name>
+    <message>
+        <source>give the corners in order, all the way round</source>
+        <translation>dé las esquinas en orden, todo alrededor</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.corners_off_floor</name>
+    <message>
+        <source>its corners are not on a floor of 1 km</source>
+        <translation>sus esquinas no están en un suelo de 1 km</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.corners_once</name>
+    <message>
+        <source>give each corner once</source>
+        <translation>dé cada esquina una vez</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.corners_too_near</name>
+    <message>
+        <source>two corners are less than 1 mm apart</source>
+        <translation>dos esquinas están a menos de 1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.draw_coarsely</name>
+    <message>
+        <source>draw it more coarsely</source>
+        <translation>dibújela de forma más gruesa</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.ends_off_floor</name>
+    <message>
+        <source>its ends are not on a floor of 1 km</source>
+        <translation>sus extremos no están en un suelo de 1 km</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.ends_too_near</name>
+    <message>
+        <source>its ends are less than 1 mm apart</source>
+        <translation>sus extremos están a menos de 1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.few_corners</name>
+    <message>
+        <source>it has less than three corners</source>
+        <translation>tiene menos de tres esquinas</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.few_points</name>
+    <message>
+        <source>it has too few points</source>
+        <translation>tiene muy pocos puntos</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.finish_is_there</name>
+    <message>
+        <source>gate &apos;%1&apos; is the finish already</source>
+        <translation>la puerta &apos;%1&apos; ya es la meta</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.fit_of</name>
+    <message>
+        <source>fit of %1</source>
+        <translation>ajuste (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.gate</name>
+    <message>
+        <source>gate &apos;%1&apos;</source>
+        <translation>puerta &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.give_another_number</name>
+    <message>
+        <source>give another number</source>
+        <translation>dé otro número</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.give_corners</name>
+    <message>
+        <source>give the corners of its outline, all the way round</source>
+        <translation>dé las esquinas de su contorno, todo alrededor</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.give_ends</name>
+    <message>
+        <source>give the two ends of the line that is to be passed</source>
+        <translation>dé los dos extremos de la línea que hay que cruzar</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.give_limits</name>
+    <message>
+        <source>give the largest speed and acceleration that a robot can have in the task</source>
+        <translation>dé la mayor velocidad y aceleración que un robot puede tener en la tarea</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.give_place</name>
+    <message>
+        <source>give where it lies in millimetres</source>
+        <translation>indique dónde está en milímetros</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.give_points</name>
+    <message>
+        <source>give points from 1 to 1000, below zero for a penalty</source>
+        <translation>dé puntos de 1 a 1000, bajo cero para una penalización</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.give_sizes</name>
+    <message>
+        <source>give the sizes in millimetres</source>
+        <translation>dé los tamaños en milímetros</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.give_three_numbers</name>
+    <message>
+        <source>give three numbers</source>
+        <translation>dé tres números</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.give_two_points</name>
+    <message>
+        <source>give two points or more, three where the path is closed</source>
+        <translation>dé dos puntos o más, tres si la trayectoria es cerrada</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.give_two_values</name>
+    <message>
+        <source>give two values, between which the points rise</source>
+        <translation>dé dos valores entre los que suban los puntos</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.join_zones</name>
+    <message>
+        <source>join zones that lie beside one another</source>
+        <translation>una zonas que estén una junto a otra</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.keep_what_matters</name>
+    <message>
+        <source>keep those that matter</source>
+        <translation>conserve las que importan</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.limit_not_positive</name>
+    <message>
+        <source>a limit is not above zero</source>
+        <translation>un límite no es mayor que cero</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.limits</name>
+    <message>
+        <source>limits of a task</source>
+        <translation>límites de una tarea</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.line_of_scoring</name>
+    <message>
+        <source>line %1 of the scoring</source>
+        <translation>línea %1 de la puntuación</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.little_motion</name>
+    <message>
+        <source>the robot hardly moves in %1</source>
+        <translation>el robot apenas se mueve en %1</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.many_corners</name>
+    <message>
+        <source>it has more than %1 corners</source>
+        <translation>tiene más de %1 esquinas</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.many_lines</name>
+    <message>
+        <source>it has more than %1 lines</source>
+        <translation>tiene más de %1 líneas</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.many_points</name>
+    <message>
+        <source>it has more than %1 points</source>
+        <translation>tiene más de %1 puntos</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.many_zones</name>
+    <message>
+        <source>the task has %1 zones already</source>
+        <translation>la tarea ya tiene %1 zonas</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.moment_outside</name>
+    <message>
+        <source>the moment told for %1 lies outside of it</source>
+        <translation>el momento indicado para %1 queda fuera de él</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.moments_missing</name>
+    <message>
+        <source>a moment of each run is needed to align them by hand</source>
+        <translation>para alinearlos a mano hace falta un momento de cada recorrido</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.name_each_gate</name>
+    <message>
+        <source>give each gate a name of its own</source>
+        <translation>dé a cada puerta un nombre propio</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.name_each_zone</name>
+    <message>
+        <source>give each zone a name of its own</source>
+        <translation>dé a cada zona un nombre propio</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.name_twice</name>
+    <message>
+        <source>the name is there twice</source>
+        <translation>el nombre está dos veces</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.no_figure</name>
+    <message>
+        <source>it names no figure</source>
+        <translation>no nombra ningún indicador</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.no_motion</name>
+    <message>
+        <source>the robot does not move in %1</source>
+        <translation>el robot no se mueve en %1</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.no_onset</name>
+    <message>
+        <source>the robot of %1 drives already when it is first seen</source>
+        <translation>el robot de %1 ya está en marcha cuando se le ve por primera vez</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.no_start_gate</name>
+    <message>
+        <source>%1 does not pass a start gate</source>
+        <translation>%1 no pasa por ninguna puerta de salida</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.no_such_role</name>
+    <message>
+        <source>there is no such role</source>
+        <translation>no existe ese papel</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.no_such_rule</name>
+    <message>
+        <source>there is no such rule of a zone</source>
+        <translation>no existe esa regla de zona</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.no_such_template</name>
+    <message>
+        <source>there is no such template</source>
+        <translation>no existe esa plantilla</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.not_on_tasks_path</name>
+    <message>
+        <source>%1 has no stretch of the way in common with the task&apos;s path</source>
+        <translation>%1 no tiene ningún tramo de camino en común con la trayectoria de la tarea</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.not_seen_there</name>
+    <message>
+        <source>%1 was not seen at the place to align by</source>
+        <translation>%1 no se vio en el lugar por el que alinear</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.nothing_in_common</name>
+    <message>
+        <source>%1 has no stretch of the way in common with %2</source>
+        <translation>%1 no tiene ningún tramo de camino en común con %2</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.number_is_none</name>
+    <message>
+        <source>a number in it is none</source>
+        <translation>uno de sus números no lo es</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.one_point_too_few</name>
+    <message>
+        <source>%1 point is too few for it</source>
+        <translation>%1 punto es muy poco para ello</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.one_start_and_finish</name>
+    <message>
+        <source>keep one start and one finish, or one gate with the role start_finish</source>
+        <translation>deje una salida y una meta, o una puerta que sea ambas</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.other_direction</name>
+    <message>
+        <source>%1 drives the way in the other direction than %2</source>
+        <translation>%1 hace el camino en sentido contrario a %2</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.outline_crosses</name>
+    <message>
+        <source>its outline crosses itself</source>
+        <translation>su contorno se cruza a sí mismo</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.path_too_short</name>
+    <message>
+        <source>it is shorter than 1 mm</source>
+        <translation>mide menos de 1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.place_no_number</name>
+    <message>
+        <source>its place is not a number</source>
+        <translation>su lugar no es un número</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.points_off_floor</name>
+    <message>
+        <source>its points are not on a floor of 1 km</source>
+        <translation>sus puntos no están en un suelo de 1 km</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.points_out_of_range</name>
+    <message>
+        <source>its points are 0, or beyond 1000</source>
+        <translation>sus puntos son 0, o pasan de 1000</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.points_too_few</name>
+    <message>
+        <source>%1 points are too few for it</source>
+        <translation>%1 puntos son pocos para ello</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.reference_path</name>
+    <message>
+        <source>reference path</source>
+        <translation>trayectoria de referencia</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.role</name>
+    <message>
+        <source>role &apos;%1&apos;</source>
+        <translation>papel &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.rule</name>
+    <message>
+        <source>rule &apos;%1&apos;</source>
+        <translation>regla &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.same_values</name>
+    <message>
+        <source>all points and no points are at the same value</source>
+        <translation>todos los puntos y ningún punto están en el mismo valor</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.sample_coarsely</name>
+    <message>
+        <source>sample it more coarsely</source>
+        <translation>tome menos puntos</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.scoring</name>
+    <message>
+        <source>scoring</source>
+        <translation>puntuación</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.size_too_small</name>
+    <message>
+        <source>a size is less than 1 mm</source>
+        <translation>un tamaño es menor de 1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.start_is_there</name>
+    <message>
+        <source>gate &apos;%1&apos; is the start already</source>
+        <translation>la puerta &apos;%1&apos; ya es la salida</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.takes_two_runs</name>
+    <message>
+        <source>it takes two runs</source>
+        <translation>hacen falta dos recorridos</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.tell_moment_inside</name>
+    <message>
+        <source>tell one between its first and last frame</source>
+        <translation>indique uno entre su primer y su último fotograma</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.tell_moments</name>
+    <message>
+        <source>tell one for each</source>
+        <translation>indique uno para cada uno</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.template</name>
+    <message>
+        <source>template &apos;%1&apos;</source>
+        <translation>plantilla &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.template_of_task</name>
+    <message>
+        <source>template of a task</source>
+        <translation>plantilla de una tarea</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.use_a_rule</name>
+    <message>
+        <source>use stay_inside or stay_outside</source>
+        <translation>use stay_inside o stay_outside</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.use_one_of</name>
+    <message>
+        <source>use %1</source>
+        <translation>use %1</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.wrong_poles</name>
+    <message>
+        <source>a slalom has 1 to 100 poles, not %1</source>
+        <translation>un eslalon tiene de 1 a 100 postes, no %1</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.zone</name>
+    <message>
+        <source>zone &apos;%1&apos;</source>
+        <translation>zona &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.camera</name>
+    <message>
+        <source>camera &apos;%1&apos;</source>
+        <translation>cámara &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.cancelled</name>
+    <message>
+        <source>cancelled</source>
+        <translation>cancelado</translation>
+    </message>
+</context>
+<context>
+    <name>base.cannot_do_this</name>
+    <message>
+        <source>cannot do this</source>
+        <translation>esto no se puede hacer ahora</translation>
+    </message>
+</context>
+<context>
+    <name>base.class</name>
+    <message>
+        <source>class &apos;%1&apos;</source>
+        <translation>clase &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.close_other_programs</name>
+    <message>
+        <source>close other programs and try again</source>
+        <translation>cierre otros programas e inténtelo de nuevo</translation>
+    </message>
+</context>
+<context>
+    <name>base.colon</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>base.colour</name>
+    <message>
+        <source>colour &apos;%1&apos;</source>
+        <translation>color &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.comma</name>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>base.file</name>
+    <message>
+        <source>file &apos;%1&apos;</source>
+        <translation>archivo &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.foreign</name>
+    <message>
+        <source>%1</source>
+        <translation>%1</translation>
+    </message>
+</context>
+<context>
+    <name>base.is_device</name>
+    <message>
+        <source>it is a device</source>
+        <translation>es un dispositivo</translation>
+    </message>
+</context>
+<context>
+    <name>base.is_folder</name>
+    <message>
+        <source>it is a folder</source>
+        <translation>es una carpeta</translation>
+    </message>
+</context>
+<context>
+    <name>base.is_pipe</name>
+    <message>
+        <source>it is a named pipe</source>
+        <translation>es una tubería con nombre</translation>
+    </message>
+</context>
+<context>
+    <name>base.is_socket</name>
+    <message>
+        <source>it is a socket</source>
+        <translation>es un socket</translation>
+    </message>
+</context>
+<context>
+    <name>base.layout</name>
+    <message>
+        <source>layout &apos;%1&apos;</source>
+        <translation>plano &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.length</name>
+    <message>
+        <source>length &apos;%1&apos;</source>
+        <translation>longitud &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.marker</name>
+    <message>
+        <source>marker %1</source>
+        <translation>marcador %1</translation>
+    </message>
+</context>
+<context>
+    <name>base.name</name>
+    <message>
+        <source>%1</source>
+        <translation>%1</translation>
+    </message>
+</context>
+<context>
+    <name>base.no_colour</name>
+    <message>
+        <source>not of the form #rrggbb</source>
+        <translation>no tiene la forma #rrggbb</translation>
+    </message>
+</context>
+<context>
+    <name>base.no_files</name>
+    <message>
+        <source>too many files are open</source>
+        <translation>hay demasiados archivos abiertos</translation>
+    </message>
+</context>
+<context>
+    <name>base.no_length</name>
+    <message>
+        <source>not a number with the unit mm, cm or m</source>
+        <translation>no es un número con la unidad mm, cm o m</translation>
+    </message>
+</context>
+<context>
+    <name>base.no_memory</name>
+    <message>
+        <source>this computer has not enough free memory for it</source>
+        <translation>este ordenador no tiene suficiente memoria libre para ello</translation>
+    </message>
+</context>
+<context>
+    <name>base.no_number</name>
+    <message>
+        <source>not a finite decimal number</source>
+        <translation>no es un número decimal finito</translation>
+    </message>
+</context>
+<context>
+    <name>base.no_thread</name>
+    <message>
+        <source>this computer gives no further thread</source>
+        <translation>este ordenador no da más hilos de ejecución</translation>
+    </message>
+</context>
+<context>
+    <name>base.none</name>
+    <message>
+        <source>none</source>
+        <translation>ninguno</translation>
+    </message>
+</context>
+<context>
+    <name>base.nothing_changed</name>
+    <message>
+        <source>nothing was changed</source>
+        <translation>no se cambió nada</translation>
+    </message>
+</context>
+<context>
+    <name>base.number</name>
+    <message>
+        <source>number &apos;%1&apos;</source>
+        <translation>número &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.quoted_name</name>
+    <message>
+        <source>&apos;%1&apos;</source>
+        <translation>&apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.robot</name>
+    <message>
+        <source>robot &apos;%1&apos;</source>
+        <translation>robot &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.robot_in_trial</name>
+    <message>
+        <source>robot &apos;%1&apos; in trial &apos;%2&apos;</source>
+        <translation>robot &apos;%1&apos; en el ensayo &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.saved_is_safe</name>
+    <message>
+        <source>what was saved is safe</source>
+        <translation>lo que se había guardado está a salvo</translation>
+    </message>
+</context>
+<context>
+    <name>base.semicolon</name>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1; %2</translation>
+    </message>
+</context>
+<context>
+    <name>base.space</name>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+</context>
+<context>
+    <name>base.task</name>
+    <message>
+        <source>task &apos;%1&apos;</source>
+        <translation>tarea &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.team</name>
+    <message>
+        <source>team &apos;%1&apos;</source>
+        <translation>equipo &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.trial</name>
+    <message>
+        <source>trial &apos;%1&apos;</source>
+        <translation>ensayo &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.try_again_and_report</name>
+    <message>
+        <source>try again, and report it if it happens again</source>
+        <translation>inténtelo de nuevo y avise si vuelve a ocurrir</translation>
+    </message>
+</context>
+<context>
+    <name>base.unexpected</name>
+    <message>
+        <source>something unexpected happened (%1)</source>
+        <translation>ha ocurrido algo inesperado (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>base.view_in_trial</name>
+    <message>
+        <source>view &apos;%1&apos; in trial &apos;%2&apos;</source>
+        <translation>vista &apos;%1&apos; en el ensayo &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.wordless_exception</name>
+    <message>
+        <source>an exception without words</source>
+        <translation>una excepción sin descripción</translation>
+    </message>
+</context>
+<context>
+    <name>base.write_colour</name>
+    <message>
+        <source>write it like #d72328</source>
+        <translation>escríbalo como #d72328</translation>
+    </message>
+</context>
+<context>
+    <name>base.write_length</name>
+    <message>
+        <source>write it like 25mm, 2.5cm or 0.3m</source>
+        <translation>escríbalo como 25mm, 2.5cm o 0.3m</translation>
+    </message>
+</context>
+<context>
+    <name>base.write_number</name>
+    <message>
+        <source>write it with digits and a point, like 12.5</source>
+        <translation>escríbalo con cifras y punto, como 12.5</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.add_floor_points</name>
+    <message>
+        <source>add points of the floor, such as corners of tiles</source>
+        <translation>añada puntos del suelo, como esquinas de baldosas</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.all_agree</name>
+    <message>
+        <source>The markers and the cameras agree with one another.</source>
+        <translation>Los marcadores y las cámaras concuerdan entre sí.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.axes_changed</name>
+    <message>
+        <source>The world axes were changed afterwards.</source>
+        <translation>Los ejes del mundo se cambiaron después.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.axes_changed_and_scaled</name>
+    <message>
+        <source>The world axes were changed afterwards, and all lengths multiplied by %1.</source>
+        <translation>Los ejes del mundo se cambiaron después, y todas las longitudes se multiplicaron por %1.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.axes_no_number</name>
+    <message>
+        <source>the origin or the angle is not a finite number</source>
+        <translation>el origen o el ángulo no es un número finito</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.axes_not_changed</name>
+    <message>
+        <source>the axes of layout &apos;%1&apos; cannot be changed</source>
+        <translation>no se pueden cambiar los ejes del plano &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.best_place</name>
+    <message>
+        <source>the best place for a camera</source>
+        <translation>el mejor lugar para una cámara</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_blurred</name>
+    <message>
+        <source>the board is blurred</source>
+        <translation>el tablero está borroso</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_cut_off</name>
+    <message>
+        <source>the board is cut off</source>
+        <translation>el tablero está cortado</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_fills</name>
+    <message>
+        <source>it fills %1 of the picture</source>
+        <translation>ocupa el %1 de la imagen</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_in_one_place</name>
+    <message>
+        <source>all %1 pictures show the board in one place, the %2 %3 of the picture</source>
+        <translation>las %1 imágenes muestran el tablero en un mismo lugar (%2, %3 de la imagen)</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_not_flat</name>
+    <message>
+        <source>the corners do not lie as on a flat board</source>
+        <translation>las esquinas no están como en un tablero plano</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_not_sharp</name>
+    <message>
+        <source>the board is not sharp</source>
+        <translation>el tablero no está nítido</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_of_other_size</name>
+    <message>
+        <source>this board has %1 inner corners, %2 was asked for</source>
+        <translation>este tablero tiene %1 esquinas interiores, se pidió %2</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_part_seen</name>
+    <message>
+        <source>only %1 of its %2 inner corners are seen</source>
+        <translation>solo se ven %1 de sus %2 esquinas interiores</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_stands_as_before</name>
+    <message>
+        <source>the board stands as in a picture already taken</source>
+        <translation>el tablero está igual que en una imagen ya tomada</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_stands_as_in</name>
+    <message>
+        <source>the board stands as in %1 already</source>
+        <translation>el tablero está igual que en %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_too_oblique</name>
+    <message>
+        <source>the board is seen too obliquely, at %1 degrees</source>
+        <translation>el tablero se ve demasiado oblicuo, a %1 grados</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_too_small</name>
+    <message>
+        <source>the board is too small</source>
+        <translation>el tablero es demasiado pequeño</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.calibrate_to_rely</name>
+    <message>
+        <source>Calibrate it for positions to rely on.</source>
+        <translation>Calíbrela para obtener posiciones fiables.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.camera_alone_says</name>
+    <message>
+        <source>Camera &apos;%1&apos; alone says %2</source>
+        <translation>La cámara &apos;%1&apos; por sí sola indica %2</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.camera_below_floor</name>
+    <message>
+        <source>seen in this order the camera would be below the floor</source>
+        <translation>en este orden la cámara estaría bajo el suelo</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.camera_moved</name>
+    <message>
+        <source>%1 has moved %2 = %3</source>
+        <translation>%1 se ha movido %2 = %3</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.camera_sees_elsewhere</name>
+    <message>
+        <source>%1 sees %2 %3 from where the others do</source>
+        <translation>%1 ve %2 a %3 de donde lo ven las demás</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.camera_sees_too_few</name>
+    <message>
+        <source>camera &apos;%1&apos; sees only %2 of the markers</source>
+        <translation>la cámara &apos;%1&apos; solo ve %2 de los marcadores</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.camera_stands_low</name>
+    <message>
+        <source>The camera would stand only %1 above the floor</source>
+        <translation>La cámara estaría a solo %1 del suelo</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.camera_still</name>
+    <message>
+        <source>%1 stands where it was registered</source>
+        <translation>%1 está donde se registró</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.camera_too_high</name>
+    <message>
+        <source>the camera would stand %1 above the floor</source>
+        <translation>la cámara estaría a %1 del suelo</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.camera_too_low</name>
+    <message>
+        <source>the camera would stand only %1 above the floor</source>
+        <translation>la cámara estaría a solo %1 del suelo</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.camera_twice</name>
+    <message>
+        <source>camera &apos;%1&apos; is there twice</source>
+        <translation>la cámara &apos;%1&apos; está dos veces</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.cameras_undetermined</name>
+    <message>
+        <source>the markers do not determine where the cameras stand</source>
+        <translation>los marcadores no determinan dónde están las cámaras</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.cannot_be_calibrated</name>
+    <message>
+        <source>the camera cannot be calibrated</source>
+        <translation>la cámara no se puede calibrar</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.centimetres</name>
+    <message>
+        <source>centimetres</source>
+        <translation>centímetros</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_all</name>
+    <message>
+        <source>check the layout, the labels and the intrinsics</source>
+        <translation>compruebe el plano, los rótulos y los parámetros intrínsecos</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_both_lenses</name>
+    <message>
+        <source>check its pixels and the intrinsics of both cameras</source>
+        <translation>compruebe sus píxeles y los parámetros intrínsecos de ambas cámaras</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_both_pixels</name>
+    <message>
+        <source>check its pixels in both pictures</source>
+        <translation>compruebe sus píxeles en ambas imágenes</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_columns</name>
+    <message>
+        <source>check which columns belong to which camera</source>
+        <translation>compruebe qué columnas son de qué cámara</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_labels</name>
+    <message>
+        <source>check these labels</source>
+        <translation>compruebe estos rótulos</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_layout_places</name>
+    <message>
+        <source>check the layout&apos;s places and their unit, cover other round things, or mark the markers by hand</source>
+        <translation>compruebe los lugares del plano y su unidad, tape otras cosas redondas, o marque los marcadores a mano</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_length</name>
+    <message>
+        <source>Check the length itself, whether it lies on the floor, and the places of the markers.</source>
+        <translation>Compruebe la longitud misma, si está en el suelo y los lugares de los marcadores.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_one_camera</name>
+    <message>
+        <source>check that all are of one camera, at one zoom and focus</source>
+        <translation>compruebe que todas son de una cámara, con un mismo zoom y enfoque</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_pictures</name>
+    <message>
+        <source>check that all pictures are sharp, of one flat board and of one camera at one zoom and focus</source>
+        <translation>compruebe que todas las imágenes son nítidas, de un mismo tablero plano y de una cámara con un mismo zoom y enfoque</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_pixel_and_lens</name>
+    <message>
+        <source>check its pixel and the camera&apos;s intrinsics</source>
+        <translation>compruebe su píxel y los parámetros intrínsecos de la cámara</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_place_and_pixel</name>
+    <message>
+        <source>check its place and its pixel</source>
+        <translation>compruebe su lugar y su píxel</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_point_labels</name>
+    <message>
+        <source>check which label belongs to which point in %1 and in this camera</source>
+        <translation>compruebe qué rótulo corresponde a qué punto en %1 y en esta cámara</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_signs</name>
+    <message>
+        <source>check the signs of the layout</source>
+        <translation>compruebe los signos del plano</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_unit</name>
+    <message>
+        <source>check the unit of the layout</source>
+        <translation>compruebe la unidad del plano</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.checking_halves</name>
+    <message>
+        <source>checking halves against one another</source>
+        <translation>comprobando las mitades entre sí</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.choose_floor_points</name>
+    <message>
+        <source>choose points of the floor</source>
+        <translation>elija puntos del suelo</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.choose_others</name>
+    <message>
+        <source>choose others</source>
+        <translation>elija otras</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.clear_view</name>
+    <message>
+        <source>clear the view of the markers</source>
+        <translation>despeje la vista de los marcadores</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.common_and_unknown_markers</name>
+    <message>
+        <source>there are %1 (%2), and the layout does not know %3</source>
+        <translation>hay %1 (%2), y el plano no conoce %3</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.common_markers</name>
+    <message>
+        <source>there are %1 (%2)</source>
+        <translation>hay %1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.convert_unit</name>
+    <message>
+        <source>convert its unit.</source>
+        <translation>convierta su unidad.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.corner_left_out</name>
+    <message>
+        <source>1 corner that stands out was left out, in %1.</source>
+        <translation>se omitió 1 esquina que se aparta, en %1.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.corner_no_number</name>
+    <message>
+        <source>a corner of it is not a number</source>
+        <translation>una de sus esquinas no es un número</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.corner_unclear</name>
+    <message>
+        <source>a corner of the board cannot be made out</source>
+        <translation>no se distingue una esquina del tablero</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.corners_disagree</name>
+    <message>
+        <source>%1 of the corners do not agree with the others</source>
+        <translation>el %1 de las esquinas no concuerda con las demás</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.corners_kept_in</name>
+    <message>
+        <source>%1 corners that stand out side by side were kept, in %2</source>
+        <translation>se conservaron %1 esquinas contiguas que se apartan, en %2</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.corners_kept_most_in</name>
+    <message>
+        <source>%1 corners that stand out side by side were kept, most in %2</source>
+        <translation>se conservaron %1 esquinas contiguas que se apartan, la mayoría en %2</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.corners_left_out_in</name>
+    <message>
+        <source>%1 corners that stand out were left out, in %2.</source>
+        <translation>se omitieron %1 esquinas que se apartan, en %2.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.corners_left_out_most_in</name>
+    <message>
+        <source>%1 corners that stand out were left out, most in %2.</source>
+        <translation>se omitieron %1 esquinas que se apartan, la mayoría en %2.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.corners_not_flat</name>
+    <message>
+        <source>its corners do not lie as on a flat board</source>
+        <translation>sus esquinas no están como en un tablero plano</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.correct_layout</name>
+    <message>
+        <source>correct the layout</source>
+        <translation>corrija el plano</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.correct_pixels</name>
+    <message>
+        <source>correct the pixels</source>
+        <translation>corrija los píxeles</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.count_corners</name>
+    <message>
+        <source>count the inner corners, or leave the size out</source>
+        <translation>cuente las esquinas interiores, u omita el tamaño</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.disagree_in</name>
+    <message>
+        <source>%1 of the corners disagree, in %2</source>
+        <translation>el %1 de las esquinas discrepan, en %2</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.disagree_most_in</name>
+    <message>
+        <source>%1 of the corners disagree, most in %2</source>
+        <translation>el %1 de las esquinas discrepan, la mayoría en %2</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.done</name>
+    <message>
+        <source>done</source>
+        <translation>listo</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.edges_wide</name>
+    <message>
+        <source>its edges are %1 pixels wide</source>
+        <translation>sus bordes tienen %1 píxeles de ancho</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.ends_on_one_pixel</name>
+    <message>
+        <source>both ends lie on one pixel of camera &apos;%1&apos;</source>
+        <translation>ambos extremos están en un mismo píxel de la cámara &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.far_edge</name>
+    <message>
+        <source>at the far edge</source>
+        <translation>en el borde lejano</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.far_left_corner</name>
+    <message>
+        <source>in the far left corner</source>
+        <translation>en la esquina izquierda lejana</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.far_right_corner</name>
+    <message>
+        <source>in the far right corner</source>
+        <translation>en la esquina derecha lejana</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.few_corners_seen</name>
+    <message>
+        <source>only %1 corners of the board are seen</source>
+        <translation>solo se ven %1 esquinas del tablero</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.fifth_would</name>
+    <message>
+        <source>a fifth would.</source>
+        <translation>un quinto sí lo haría.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.find_board_again</name>
+    <message>
+        <source>let the board be found in it again</source>
+        <translation>haga que se busque de nuevo el tablero en ella</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.first_end_beyond</name>
+    <message>
+        <source>the first end lies at or beyond the horizon of camera &apos;%1&apos;</source>
+        <translation>el primer extremo está en el horizonte de la cámara &apos;%1&apos; o más allá</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.fisheye</name>
+    <message>
+        <source>fisheye</source>
+        <translation>ojo de pez</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.fisheye_lens</name>
+    <message>
+        <source>Fisheye lens</source>
+        <translation>Lente ojo de pez</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.fitting_lens</name>
+    <message>
+        <source>fitting the lens to %1 pictures</source>
+        <translation>ajustando la lente a %1 imágenes</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.floor_not_registered</name>
+    <message>
+        <source>the floor cannot be registered</source>
+        <translation>no se puede registrar el suelo</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.floor_part_unseen</name>
+    <message>
+        <source>%1 of the floor among the markers is not seen.</source>
+        <translation>No se ve el %1 del suelo entre los marcadores.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.floor_unseen</name>
+    <message>
+        <source>None of the floor among the markers is seen.</source>
+        <translation>No se ve nada del suelo entre los marcadores.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.floor_unsure</name>
+    <message>
+        <source>the floor among the points is known only to ±%1</source>
+        <translation>el suelo entre los puntos se conoce solo a ±%1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.focal_length_estimated</name>
+    <message>
+        <source>The camera was taken as free of distortion, its focal length estimated from the markers (%1 ± %2).</source>
+        <translation>La cámara se tomó como libre de distorsión y su distancia focal se estimó a partir de los marcadores (%1 ± %2).</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.focal_length_groups</name>
+    <message>
+        <source>%1 for about %2, %3 (such as %4) for about %5</source>
+        <translation>%1 unos %2, %3 (como %4) unos %5</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.focal_length_guessed</name>
+    <message>
+        <source>The camera was taken as free of distortion, its focal length guessed (%1), since this view does not determine it.</source>
+        <translation>La cámara se tomó como libre de distorsión y su distancia focal se supuso (%1), porque esta vista no la determina.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.focal_length_taken</name>
+    <message>
+        <source>The camera was taken as free of distortion, its focal length as %1.</source>
+        <translation>La cámara se tomó como libre de distorsión y su distancia focal como %1.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.focal_length_unsure</name>
+    <message>
+        <source>the pictures determine the focal length only to %1</source>
+        <translation>las imágenes determinan la distancia focal solo al %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.focus_or_light</name>
+    <message>
+        <source>focus the camera, or give more light</source>
+        <translation>enfoque la cámara, o dé más luz</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.foretells_as_well</name>
+    <message>
+        <source>it foretells pictures held out to %1, the %2 one no better (%3)</source>
+        <translation>predice imágenes reservadas a %1, el modelo %2 no lo hace mejor (%3)</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.foretells_better</name>
+    <message>
+        <source>it foretells pictures held out to %1, the %2 one only to %3</source>
+        <translation>predice imágenes reservadas a %1, el modelo %2 solo a %3</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.foretells_by_chance</name>
+    <message>
+        <source>it foretells pictures held out to %1, the %2 one to %3, which may be chance</source>
+        <translation>predice imágenes reservadas a %1, el modelo %2 a %3, lo que puede ser casualidad</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.four_common_markers</name>
+    <message>
+        <source>four markers are needed that the layout and the picture have in common</source>
+        <translation>se necesitan cuatro marcadores comunes al plano y a la imagen</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.four_markers_unchecked</name>
+    <message>
+        <source>Four markers hardly check one another</source>
+        <translation>Cuatro marcadores apenas se comprueban entre sí</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.four_points_unchecked</name>
+    <message>
+        <source>Four points hardly check one another</source>
+        <translation>Cuatro puntos apenas se comprueban entre sí</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.four_shared_points</name>
+    <message>
+        <source>four points are needed that both cameras see</source>
+        <translation>se necesitan cuatro puntos que vean ambas cámaras</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.give_board_size</name>
+    <message>
+        <source>give 3x3 at least, like 9x6, or leave the size out</source>
+        <translation>dé al menos 3x3, como 9x6, u omita el tamaño</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.give_distance</name>
+    <message>
+        <source>give a distance of 0 m to 1000 m</source>
+        <translation>dé una distancia de 0 m a 1000 m</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.give_field_of_view</name>
+    <message>
+        <source>give 2° to 150°, and the size of its pictures</source>
+        <translation>dé de 2° a 150°, y el tamaño de sus imágenes</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.give_height</name>
+    <message>
+        <source>give a height of 0.05 m to 100 m</source>
+        <translation>dé una altura de 0,05 m a 100 m</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.give_one_of_them</name>
+    <message>
+        <source>give one of them</source>
+        <translation>dé uno de ellos</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.give_plain_numbers</name>
+    <message>
+        <source>give plain numbers</source>
+        <translation>dé números corrientes</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.give_positive_number</name>
+    <message>
+        <source>give a number above 0</source>
+        <translation>dé un número mayor que 0</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.give_square_size</name>
+    <message>
+        <source>give it like 25mm</source>
+        <translation>dé por ejemplo 25mm</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.give_tape_sigma</name>
+    <message>
+        <source>give some 2 mm</source>
+        <translation>dé unos 2 mm</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.give_taped_length</name>
+    <message>
+        <source>give the length as it was measured with a tape</source>
+        <translation>dé la longitud medida con una cinta métrica</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.glue_board</name>
+    <message>
+        <source>glue the board onto something stiff</source>
+        <translation>pegue el tablero sobre algo rígido</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.glue_board_flat</name>
+    <message>
+        <source>glue the board onto something stiff and flat</source>
+        <translation>pegue el tablero sobre algo rígido y plano</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.good</name>
+    <message>
+        <source>Good: %1.</source>
+        <translation>Bueno: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.halves_contradict</name>
+    <message>
+        <source>two halves of the pictures give focal lengths that differ by %1</source>
+        <translation>dos mitades de las imágenes dan distancias focales que difieren en un %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.halves_foretell</name>
+    <message>
+        <source>each half of them foretells the other to %1</source>
+        <translation>cada mitad predice la otra a %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.halves_foretell_apart</name>
+    <message>
+        <source>each half of them foretells the other to %1, %2 apart at worst on that floor</source>
+        <translation>cada mitad predice la otra a %1, con %2 de separación como máximo en ese suelo</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.hold_board_closer</name>
+    <message>
+        <source>hold it closer to the camera</source>
+        <translation>acérquelo a la cámara</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.hold_board_still</name>
+    <message>
+        <source>hold it still, and focus the camera</source>
+        <translation>manténgalo quieto y enfoque la cámara</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.inches</name>
+    <message>
+        <source>inches</source>
+        <translation>pulgadas</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.inside</name>
+    <message>
+        <source>inside</source>
+        <translation>en el interior</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.inside_expected_error</name>
+    <message>
+        <source>inside the expected error of %1.</source>
+        <translation>dentro del error esperado de %1.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.keep_board_clear</name>
+    <message>
+        <source>keep the board clear and well lit</source>
+        <translation>mantenga el tablero despejado y bien iluminado</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.keep_whole_board</name>
+    <message>
+        <source>keep the whole board in the picture</source>
+        <translation>mantenga todo el tablero en la imagen</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.label_each_point</name>
+    <message>
+        <source>give each point a label of its own</source>
+        <translation>dé a cada punto un rótulo propio</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.labels_called</name>
+    <message>
+        <source>with %1 called %2 they fit to %3</source>
+        <translation>llamando a %1 como %2 encajan a %3</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.labels_exchanged</name>
+    <message>
+        <source>with %1 and %2 exchanged they fit to %3</source>
+        <translation>con %1 y %2 intercambiados encajan a %3</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.lay_stick_nearer</name>
+    <message>
+        <source>lay the stick on the floor, nearer to the camera</source>
+        <translation>ponga la vara en el suelo, más cerca de la cámara</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.layout_in_mm</name>
+    <message>
+        <source>it is given in mm</source>
+        <translation>se da en mm</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.layout_not_in_mm</name>
+    <message>
+        <source>if that is wrong, the layout&apos;s numbers are no mm</source>
+        <translation>si no es así, los números del plano no son mm</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.layout_too_small</name>
+    <message>
+        <source>the layout has %1 markers, four are needed</source>
+        <translation>el plano tiene %1 marcadores, hacen falta cuatro</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.layout_written_mirrored</name>
+    <message>
+        <source>if the layout was written down mirrored, correct its signs and add it anew</source>
+        <translation>si el plano se anotó en espejo, corrija sus signos y añádalo de nuevo</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.leave_one_tag</name>
+    <message>
+        <source>leave one of them on the floor</source>
+        <translation>deje uno de ellos en el suelo</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.leave_out_pictures</name>
+    <message>
+        <source>leave out these pictures if the board is bent, cut or covered there.</source>
+        <translation>omita estas imágenes si el tablero está doblado, cortado o tapado ahí.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.left_edge</name>
+    <message>
+        <source>at the left edge</source>
+        <translation>en el borde izquierdo</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.length_factor</name>
+    <message>
+        <source>a length factor of %1 makes no floor</source>
+        <translation>un factor de longitud de %1 no da un suelo</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.length_is</name>
+    <message>
+        <source>The length is %1 ± %2.</source>
+        <translation>La longitud es %1 ± %2.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.length_longer</name>
+    <message>
+        <source>It is %1 longer than the %2 told</source>
+        <translation>Es %1 más larga que los %2 indicados</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.length_shorter</name>
+    <message>
+        <source>It is %1 shorter than the %2 told</source>
+        <translation>Es %1 más corta que los %2 indicados</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.length_unmeasured</name>
+    <message>
+        <source>the length cannot be measured</source>
+        <translation>no se puede medir la longitud</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.length_unseen</name>
+    <message>
+        <source>no camera was given that sees it</source>
+        <translation>no se dio ninguna cámara que la vea</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.lens_on_floor</name>
+    <message>
+        <source>±%1 in the middle and ±%2 at worst (%3) on %4, as far as the lens is concerned</source>
+        <translation>±%1 en el centro y ±%2 en el peor caso (%3) en %4, en lo que respecta a la lente</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.lens_told</name>
+    <message>
+        <source>told</source>
+        <translation>indicado</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.lens_unknown_elsewhere</name>
+    <message>
+        <source>how the lens bends elsewhere stays unknown</source>
+        <translation>se desconoce cómo deforma la lente en otros lugares</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.likely_unit</name>
+    <message>
+        <source>its numbers look like %1, then it would stand %2 above the floor</source>
+        <translation>sus números parecen %1, y entonces estaría a %2 sobre el suelo</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.look_at</name>
+    <message>
+        <source>Look at %1</source>
+        <translation>Mire %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.look_at_ends</name>
+    <message>
+        <source>look whether the same ends are marked in each picture, and register it again if they are.</source>
+        <translation>mire si están marcados los mismos extremos en cada imagen y, si lo están, regístrela de nuevo.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.look_at_pictures</name>
+    <message>
+        <source>look at these pictures and leave out those that are blurred, bent or of another board.</source>
+        <translation>mire estas imágenes y omita las borrosas, dobladas o de otro tablero.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.looking_about</name>
+    <message>
+        <source>looking about the best place</source>
+        <translation>buscando alrededor del mejor lugar</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.make_larger_layout</name>
+    <message>
+        <source>make a layout of four markers or more</source>
+        <translation>haga un plano de cuatro marcadores o más</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.mark_ends_in_one</name>
+    <message>
+        <source>mark its ends in one picture at least</source>
+        <translation>marque sus extremos en al menos una imagen</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.mark_more</name>
+    <message>
+        <source>mark more of the layout&apos;s markers, under the layout&apos;s names</source>
+        <translation>marque más marcadores del plano, con los nombres del plano</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.mark_there_again</name>
+    <message>
+        <source>mark it there again.</source>
+        <translation>márquelo ahí de nuevo.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.mark_two_ends</name>
+    <message>
+        <source>mark the two ends where they are seen</source>
+        <translation>marque los dos extremos donde se ven</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.mark_where_seen</name>
+    <message>
+        <source>mark each of them where it is seen</source>
+        <translation>marque cada uno donde se ve</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.marker_against_lens</name>
+    <message>
+        <source>%1 lies where this camera&apos;s lens cannot have put it</source>
+        <translation>%1 está donde la lente de esta cámara no puede haberlo puesto</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.marker_beyond_horizon</name>
+    <message>
+        <source>marker %1 would lie at or beyond the horizon</source>
+        <translation>el marcador %1 estaría en el horizonte o más allá</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.marker_moved</name>
+    <message>
+        <source>Marker %1 has moved %2 = %3, %4 has not</source>
+        <translation>El marcador %1 se ha movido %2 = %3, %4 no</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.marker_off_by_all</name>
+    <message>
+        <source>%1 is %2 off by all cameras</source>
+        <translation>%1 está desviado %2 según todas las cámaras</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.marker_off_by_one</name>
+    <message>
+        <source>%1 is %2 off by the one camera that sees it</source>
+        <translation>%1 está desviado %2 según la única cámara que lo ve</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.marker_pixel_no_number</name>
+    <message>
+        <source>the pixel of marker %1 is not a finite number</source>
+        <translation>el píxel del marcador %1 no es un número finito</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.marker_place_no_number</name>
+    <message>
+        <source>the place of marker %1 is not a finite number</source>
+        <translation>el lugar del marcador %1 no es un número finito</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.marker_twice_in_layout</name>
+    <message>
+        <source>marker %1 stands twice in the layout</source>
+        <translation>el marcador %1 está dos veces en el plano</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.marker_twice_in_picture</name>
+    <message>
+        <source>marker %1 stands twice in the picture</source>
+        <translation>el marcador %1 está dos veces en la imagen</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_at_one_place</name>
+    <message>
+        <source>markers %1 and %2 lie at one place of the floor</source>
+        <translation>los marcadores %1 y %2 están en un mismo lugar del suelo</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_fit</name>
+    <message>
+        <source>%1 markers fit to %2 RMS (worst %3, %4), and the floor among them is known to ±%5</source>
+        <translation>%1 marcadores se ajustan a %2 RMS (el peor %3, %4), y el suelo entre ellos se conoce a ±%5</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_fit_many_ways</name>
+    <message>
+        <source>in %1 ways they fit the layout equally well, which looks the same from several sides</source>
+        <translation>se ajustan igual de bien al plano de %1 maneras, ya que se ve igual desde varios lados</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_fit_together</name>
+    <message>
+        <source>with %1 together %2 markers fit to %3 RMS, and the floor among them is known to ±%4</source>
+        <translation>junto con %1, %2 marcadores se ajustan a %3 RMS, y el suelo entre ellos se conoce a ±%4</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_found</name>
+    <message>
+        <source>%1 of %2 were found, four are needed</source>
+        <translation>se encontraron %1 de %2, hacen falta cuatro</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_in_place</name>
+    <message>
+        <source>%1 markers lie within %2 = %3 of their places.</source>
+        <translation>%1 marcadores están a menos de %2 = %3 de su sitio.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_mirrored</name>
+    <message>
+        <source>the markers are mirrored</source>
+        <translation>los marcadores están en espejo</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_missing</name>
+    <message>
+        <source>missing: %1</source>
+        <translation>faltan: %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_moved</name>
+    <message>
+        <source>Markers %1 have moved %2 = %3, %4 has not</source>
+        <translation>Los marcadores %1 se han movido %2 = %3, %4 no</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_nearly_on_line</name>
+    <message>
+        <source>the markers lie so nearly on one line (%1 the most) that the floor is known only to ±%2</source>
+        <translation>los marcadores están casi en una línea (%1 los que más), de modo que el suelo solo se conoce a ±%2</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_not_found</name>
+    <message>
+        <source>the floor markers cannot be found</source>
+        <translation>no se encuentran los marcadores del suelo</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_not_told_apart</name>
+    <message>
+        <source>the markers cannot be told apart</source>
+        <translation>los marcadores no se distinguen entre sí</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_on_one_pixel</name>
+    <message>
+        <source>markers %1 and %2 lie on one pixel</source>
+        <translation>los marcadores %1 y %2 están en un mismo píxel</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_read</name>
+    <message>
+        <source>%1 of its markers could be read</source>
+        <translation>se pudieron leer %1 de sus marcadores</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_too_close</name>
+    <message>
+        <source>markers %1 and %2 lie only %3 apart, too close for two of four</source>
+        <translation>los marcadores %1 y %2 están a solo %3, demasiado cerca para ser dos de cuatro</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.measure_again</name>
+    <message>
+        <source>mark and measure them again, or add another</source>
+        <translation>márquelos y mídalos de nuevo, o añada otro</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.measure_it_again</name>
+    <message>
+        <source>measure it again.</source>
+        <translation>mídalo de nuevo.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.measure_or_mark_again</name>
+    <message>
+        <source>measure it, or mark it in the picture, again.</source>
+        <translation>mídalo de nuevo, o márquelo de nuevo en la imagen.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.metres</name>
+    <message>
+        <source>metres</source>
+        <translation>metros</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.middle_and_corner</name>
+    <message>
+        <source>±%1 in the middle, ±%2 in the corner near %3.</source>
+        <translation>±%1 en el centro, ±%2 en la esquina cercana a %3.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.middle_and_edge</name>
+    <message>
+        <source>±%1 in the middle, ±%2 at the edge near %3.</source>
+        <translation>±%1 en el centro, ±%2 en el borde cercano a %3.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.middle_and_near</name>
+    <message>
+        <source>±%1 in the middle, ±%2 near %3.</source>
+        <translation>±%1 en el centro, ±%2 cerca de %3.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.misfit_most_at</name>
+    <message>
+        <source>%1 RMS, most at %2 (%3)</source>
+        <translation>%1 RMS, sobre todo en %2 (%3)</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.misfit_unexplained</name>
+    <message>
+        <source>the %1 markers misfit by %2 (%3) and check one another too little to tell which of them</source>
+        <translation>los %1 marcadores se desajustan %2 (%3) y se comprueban demasiado poco entre sí para saber cuál de ellos es</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.more_pictures</name>
+    <message>
+        <source>More pictures (%1 or more) would make it surer.</source>
+        <translation>Más imágenes (%1 o más) lo harían más seguro.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.move_board</name>
+    <message>
+        <source>move it elsewhere, turn it or tilt it</source>
+        <translation>muévalo, gírelo o inclínelo</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.move_planned_back</name>
+    <message>
+        <source>move it back or up, or choose a wider lens</source>
+        <translation>aléjela o súbala, o elija una lente más angular</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.name_dictionary</name>
+    <message>
+        <source>name one like DICT_6X6_250, or leave it out</source>
+        <translation>nombre uno como DICT_6X6_250, u omítalo</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.name_each_camera</name>
+    <message>
+        <source>name each camera once</source>
+        <translation>nombre cada cámara una sola vez</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.name_each_marker</name>
+    <message>
+        <source>give each marker a name of its own</source>
+        <translation>dé a cada marcador un nombre propio</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.name_one_marker</name>
+    <message>
+        <source>name one of %1</source>
+        <translation>nombre uno de %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.name_two_apart</name>
+    <message>
+        <source>name two that lie apart</source>
+        <translation>nombre dos que estén separados</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.near_edge</name>
+    <message>
+        <source>at the near edge</source>
+        <translation>en el borde cercano</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.near_left_corner</name>
+    <message>
+        <source>in the near left corner</source>
+        <translation>en la esquina izquierda cercana</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.near_right_corner</name>
+    <message>
+        <source>in the near right corner</source>
+        <translation>en la esquina derecha cercana</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_board_found</name>
+    <message>
+        <source>no board found</source>
+        <translation>no se encontró ningún tablero</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_charuco</name>
+    <message>
+        <source>the markers that were read do not lie as on a ChArUco board</source>
+        <translation>los marcadores leídos no están como en un tablero ChArUco</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_charuco_of_size</name>
+    <message>
+        <source>the markers that were read do not lie as on a ChArUco board of %1 inner corners</source>
+        <translation>los marcadores leídos no están como en un tablero ChArUco de %1 esquinas interiores</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_common_marker</name>
+    <message>
+        <source>no two of the cameras see the same marker</source>
+        <translation>ningún par de cámaras ve el mismo marcador</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_dictionary</name>
+    <message>
+        <source>there is no marker dictionary %1</source>
+        <translation>no existe el diccionario de marcadores %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_flat_floor</name>
+    <message>
+        <source>the markers do not fit a flat floor</source>
+        <translation>los marcadores no se ajustan a un suelo plano</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_lens_fits</name>
+    <message>
+        <source>no lens fits these pictures</source>
+        <translation>ninguna lente se ajusta a estas imágenes</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_millimetres</name>
+    <message>
+        <source>no figure in millimetres, since this lens holds only for a part of the picture</source>
+        <translation>sin valor en milímetros, porque esta lente solo vale para una parte de la imagen</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_other_lens</name>
+    <message>
+        <source>no other model fits</source>
+        <translation>ningún otro modelo se ajusta</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_pose</name>
+    <message>
+        <source>no pose</source>
+        <translation>sin posición</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_such_marker</name>
+    <message>
+        <source>it has no marker %1</source>
+        <translation>no tiene el marcador %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.not_all_foretold</name>
+    <message>
+        <source>not all</source>
+        <translation>no todas</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.not_found_again</name>
+    <message>
+        <source>Not found again: %1.</source>
+        <translation>No encontrados de nuevo: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.not_registered_through</name>
+    <message>
+        <source>the camera cannot be registered through another</source>
+        <translation>la cámara no se puede registrar mediante otra</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.not_registered_together</name>
+    <message>
+        <source>the cameras cannot be registered together</source>
+        <translation>las cámaras no se pueden registrar juntas</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.other_order_fits</name>
+    <message>
+        <source>the markers fit only to %1, but %2</source>
+        <translation>los marcadores se ajustan solo a %1, pero %2</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.other_picture_size</name>
+    <message>
+        <source>it is %1×%2, the first picture %3×%4</source>
+        <translation>tiene %1×%2, la primera imagen %3×%4</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.outside_expected_error</name>
+    <message>
+        <source>outside the expected error of %1.</source>
+        <translation>fuera del error esperado de %1.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.picture_covered</name>
+    <message>
+        <source>Only %1 of the picture was covered</source>
+        <translation>Solo se cubrió el %1 de la imagen</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.picture_stands_out</name>
+    <message>
+        <source>its %1 stand out.</source>
+        <translation>sus %1 se apartan.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.picture_too_small</name>
+    <message>
+        <source>the picture is too small</source>
+        <translation>la imagen es demasiado pequeña</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.picture_with_corners</name>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.picture_without_size</name>
+    <message>
+        <source>the picture has no size</source>
+        <translation>la imagen no tiene tamaño</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pictures_fit</name>
+    <message>
+        <source>%1 pictures fit to %2, focal length %3 ± %4</source>
+        <translation>%1 imágenes se ajustan a %2, distancia focal %3 ± %4</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pictures_fit_halves_apart</name>
+    <message>
+        <source>%1 pictures fit to %2, focal length %3 ± %4, %5 apart at worst on that floor</source>
+        <translation>%1 imágenes se ajustan a %2, distancia focal %3 ± %4, con %5 de separación como máximo en ese suelo</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.place_left</name>
+    <message>
+        <source>left</source>
+        <translation>izquierdo</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.place_lower</name>
+    <message>
+        <source>lower</source>
+        <translation>inferior</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.place_lower_left</name>
+    <message>
+        <source>lower left</source>
+        <translation>inferior izquierdo</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.place_lower_right</name>
+    <message>
+        <source>lower right</source>
+        <translation>inferior derecho</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.place_middle</name>
+    <message>
+        <source>middle</source>
+        <translation>central</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.place_right</name>
+    <message>
+        <source>right</source>
+        <translation>derecho</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.place_upper</name>
+    <message>
+        <source>upper</source>
+        <translation>superior</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.place_upper_left</name>
+    <message>
+        <source>upper left</source>
+        <translation>superior izquierdo</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.place_upper_right</name>
+    <message>
+        <source>upper right</source>
+        <translation>superior derecho</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.planned_camera</name>
+    <message>
+        <source>the planned camera</source>
+        <translation>la cámara prevista</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.planned_distance</name>
+    <message>
+        <source>it cannot stand %1 away</source>
+        <translation>no puede estar a %1 de distancia</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.planned_field_of_view</name>
+    <message>
+        <source>its field of view is %1</source>
+        <translation>su campo de visión es de %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.planned_height</name>
+    <message>
+        <source>it cannot stand %1 above the floor</source>
+        <translation>no puede estar a %1 sobre el suelo</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.planned_not_held</name>
+    <message>
+        <source>the markers that it would see do not hold it</source>
+        <translation>los marcadores que vería no fijan su posición</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.planned_sees_too_few</name>
+    <message>
+        <source>from there it would see %1 of the layout&apos;s markers (%2), four are needed</source>
+        <translation>desde ahí vería %1 de los marcadores del plano (%2), hacen falta cuatro</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.point_against_lens</name>
+    <message>
+        <source>point %1 lies where a lens cannot have put it</source>
+        <translation>el punto %1 está donde ninguna lente puede haberlo puesto</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.point_beyond_horizon</name>
+    <message>
+        <source>point %1 would lie at or beyond the horizon</source>
+        <translation>el punto %1 estaría en el horizonte o más allá</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.point_beyond_through</name>
+    <message>
+        <source>point %1 lies at or beyond the horizon of %2</source>
+        <translation>el punto %1 está en el horizonte de %2 o más allá</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.point_outside_own</name>
+    <message>
+        <source>point %1 lies outside the picture of the camera to register (%2)</source>
+        <translation>el punto %1 está fuera de la imagen de la cámara por registrar (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.point_outside_through</name>
+    <message>
+        <source>point %1 lies outside the picture of %2 (%3)</source>
+        <translation>el punto %1 está fuera de la imagen de %2 (%3)</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.point_pixel_no_number</name>
+    <message>
+        <source>the pixel of point %1 is not a finite number</source>
+        <translation>el píxel del punto %1 no es un número finito</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.point_twice</name>
+    <message>
+        <source>point %1 is there twice</source>
+        <translation>el punto %1 está dos veces</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.points_fit</name>
+    <message>
+        <source>through %1 %2 points of the floor fit to %3 RMS (worst %4, %5), and the floor among them is known to ±%6, of which ±%7 come from %8</source>
+        <translation>mediante %1, %2 puntos del suelo se ajustan a %3 RMS (el peor %4, %5), y el suelo entre ellos se conoce a ±%6, de los que ±%7 vienen de %8</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.points_mirrored</name>
+    <message>
+        <source>the points are mirrored between the pictures of the two cameras</source>
+        <translation>los puntos están en espejo entre las imágenes de las dos cámaras</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.points_on_one_pixel</name>
+    <message>
+        <source>points %1 and %2 lie on one pixel</source>
+        <translation>los puntos %1 y %2 están en un mismo píxel</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.points_undetermined</name>
+    <message>
+        <source>the points do not determine where the camera stands</source>
+        <translation>los puntos no determinan dónde está la cámara</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.poor</name>
+    <message>
+        <source>Poor: %1.</source>
+        <translation>Deficiente: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.poor_measure_again</name>
+    <message>
+        <source>Poor, measure the markers again: %1.</source>
+        <translation>Deficiente, mida de nuevo los marcadores: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.put_marker_back</name>
+    <message>
+        <source>put it back, or measure again and register all cameras.</source>
+        <translation>vuelva a ponerlo en su sitio, o mida de nuevo y registre todas las cámaras.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.put_markers_back</name>
+    <message>
+        <source>put them back, or measure again and register all cameras.</source>
+        <translation>vuelva a ponerlos en su sitio, o mida de nuevo y registre todas las cámaras.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.rational</name>
+    <message>
+        <source>rational</source>
+        <translation>racional</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.rational_lens</name>
+    <message>
+        <source>Rational lens</source>
+        <translation>Lente racional</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.register_before_recording</name>
+    <message>
+        <source>register it again before you record.</source>
+        <translation>regístrela de nuevo antes de grabar.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.register_by_more</name>
+    <message>
+        <source>register it by more of them first</source>
+        <translation>regístrela antes con más de ellos</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.register_if_gone</name>
+    <message>
+        <source>if they are gone or the camera looks elsewhere, register it again</source>
+        <translation>si ya no están o la cámara mira a otro lado, regístrela de nuevo</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.register_one_by_one</name>
+    <message>
+        <source>register the cameras one by one by this layout first</source>
+        <translation>registre antes las cámaras una a una con este plano</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.reverse_both</name>
+    <message>
+        <source>reverse both (a half turn), or turn the axes</source>
+        <translation>invierta ambos (media vuelta), o gire los ejes</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.reversed_x_alone</name>
+    <message>
+        <source>reversing X alone would mirror the floor, and no camera above it sees it so</source>
+        <translation>invertir solo X reflejaría el suelo, y ninguna cámara sobre él lo ve así</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.reversed_y_alone</name>
+    <message>
+        <source>reversing Y alone would mirror the floor, and no camera above it sees it so</source>
+        <translation>invertir solo Y reflejaría el suelo, y ninguna cámara sobre él lo ve así</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.right_edge</name>
+    <message>
+        <source>at the right edge</source>
+        <translation>en el borde derecho</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.same_attitude</name>
+    <message>
+        <source>all %1 pictures show the board in nearly the same attitude, which does not determine the focal length</source>
+        <translation>las %1 imágenes muestran el tablero casi en la misma postura, lo que no determina la distancia focal</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.second_end_beyond</name>
+    <message>
+        <source>the second end lies at or beyond the horizon of camera &apos;%1&apos;</source>
+        <translation>el segundo extremo está en el horizonte de la cámara &apos;%1&apos; o más allá</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.see_same_floor</name>
+    <message>
+        <source>let them see some of the same floor</source>
+        <translation>haga que vean parte del mismo suelo</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.sees_too_few_anywhere</name>
+    <message>
+        <source>from nowhere within %1 beyond the markers would it see four of them at the height and with the lens given</source>
+        <translation>desde ningún lugar a menos de %1 de los marcadores vería cuatro de ellos con la altura y la lente dadas</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.sentence</name>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.shapes_fit_nowhere</name>
+    <message>
+        <source>none of the ways to name the %1 rings and dots fits the layout</source>
+        <translation>ninguna forma de nombrar los %1 anillos y puntos se ajusta al plano</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.shared_points</name>
+    <message>
+        <source>there are %1</source>
+        <translation>hay %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.show_board_larger</name>
+    <message>
+        <source>show the board larger, sharp and well lit</source>
+        <translation>muestre el tablero más grande, nítido y bien iluminado</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.show_everywhere</name>
+    <message>
+        <source>show the board in the middle and near each corner of the picture, and closer</source>
+        <translation>muestre el tablero en el centro y cerca de cada esquina de la imagen, y más cerca</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.show_missing_tags</name>
+    <message>
+        <source>show the missing tags (AprilTag 36h11, numbered from 0 in the layout&apos;s order) or rings, or mark the markers by hand</source>
+        <translation>muestre los tags que faltan (AprilTag 36h11, numerados desde 0 en el orden del plano) o anillos, o marque los marcadores a mano</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.show_more_of_board</name>
+    <message>
+        <source>show more of the board</source>
+        <translation>muestre más del tablero</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.show_more_of_it</name>
+    <message>
+        <source>show more of it</source>
+        <translation>muestre más de él</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.show_more_shapes</name>
+    <message>
+        <source>show more of them, larger or in better light, or mark the markers by hand</source>
+        <translation>muestre más, más grandes o con mejor luz, o marque los marcadores a mano</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.show_near_edges</name>
+    <message>
+        <source>show the board near its edges too.</source>
+        <translation>muestre el tablero también cerca de los bordes.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.show_one_charuco</name>
+    <message>
+        <source>show one ChArUco board</source>
+        <translation>muestre un tablero ChArUco</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.show_whole_board</name>
+    <message>
+        <source>show the whole board, flat, sharp and well lit</source>
+        <translation>muestre todo el tablero, plano, nítido y bien iluminado</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.spread_markers</name>
+    <message>
+        <source>spread the markers over the floor</source>
+        <translation>reparta los marcadores por el suelo</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.spread_or_register_better</name>
+    <message>
+        <source>spread the points over the floor, or register %1 better first</source>
+        <translation>reparta los puntos por el suelo, o registre mejor antes %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.spread_points</name>
+    <message>
+        <source>spread the points over the floor, not along a line</source>
+        <translation>reparta los puntos por el suelo, no a lo largo de una línea</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.spread_them</name>
+    <message>
+        <source>spread them over the floor</source>
+        <translation>repártalos por el suelo</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.squares_without_size</name>
+    <message>
+        <source>the squares have no size</source>
+        <translation>las casillas no tienen tamaño</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.stand_higher</name>
+    <message>
+        <source>let it stand higher or farther away, or choose a wider lens</source>
+        <translation>colóquela más alta o más lejos, o elija una lente más angular</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.standard</name>
+    <message>
+        <source>standard</source>
+        <translation>estándar</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.standard_lens</name>
+    <message>
+        <source>Standard lens</source>
+        <translation>Lente estándar</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.tag_seen_often</name>
+    <message>
+        <source>tag %1 (marker %2) is seen %3 times</source>
+        <translation>el tag %1 (marcador %2) se ve %3 veces</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.take_ten</name>
+    <message>
+        <source>take ten or more, the board tilted differently in each</source>
+        <translation>tome diez o más, con el tablero inclinado de otra forma en cada una</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.tape_sigma_not_positive</name>
+    <message>
+        <source>the σ of the tape measure is not above 0</source>
+        <translation>el σ de la cinta métrica no es mayor que 0</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.tell_by_hand</name>
+    <message>
+        <source>tell by hand which of them is %1</source>
+        <translation>indique a mano cuál de ellos es %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.tenths_of_mm</name>
+    <message>
+        <source>tenths of a mm</source>
+        <translation>décimas de mm</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.thousandths_of_mm</name>
+    <message>
+        <source>thousandths of a mm</source>
+        <translation>milésimas de mm</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.tilt_board</name>
+    <message>
+        <source>take pictures with the board tilted by 30 to 45 degrees, to each side</source>
+        <translation>tome imágenes con el tablero inclinado de 30 a 45 grados, hacia cada lado</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.tilt_less</name>
+    <message>
+        <source>tilt it by 30 to 45 degrees</source>
+        <translation>inclínelo de 30 a 45 grados</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.told_board_too_small</name>
+    <message>
+        <source>a board of %1 inner corners is too small</source>
+        <translation>un tablero de %1 esquinas interiores es demasiado pequeño</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.told_length_not_positive</name>
+    <message>
+        <source>the told length is not above 0</source>
+        <translation>la longitud indicada no es mayor que 0</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.too_few_corners</name>
+    <message>
+        <source>it has %1 corners of the board, six are needed</source>
+        <translation>tiene %1 esquinas del tablero, hacen falta seis</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.too_few_found_again</name>
+    <message>
+        <source>%1 of its %2 markers were found again, two are needed</source>
+        <translation>se encontraron de nuevo %1 de sus %2 marcadores, hacen falta dos</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.too_few_pictures</name>
+    <message>
+        <source>three pictures of the board are needed, %1 can be used</source>
+        <translation>se necesitan tres imágenes del tablero, %1 sirven</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.too_few_shapes</name>
+    <message>
+        <source>%1 rings or dots were found, four are needed</source>
+        <translation>se encontraron %1 anillos o puntos, hacen falta cuatro</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.too_few_to_compare</name>
+    <message>
+        <source>too few pictures to compare it with others</source>
+        <translation>muy pocas imágenes para compararlo con otros</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.too_frontal</name>
+    <message>
+        <source>the board is seen too nearly frontal</source>
+        <translation>el tablero se ve demasiado de frente</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.too_small_for_board</name>
+    <message>
+        <source>the picture is too small to hold a board</source>
+        <translation>la imagen es demasiado pequeña para un tablero</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.two_cameras_needed</name>
+    <message>
+        <source>there is %1 camera on layout &apos;%2&apos;, two are needed</source>
+        <translation>hay %1 cámara en el plano &apos;%2&apos;, hacen falta dos</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.two_directions</name>
+    <message>
+        <source>both an angle and a pair of markers were given for X</source>
+        <translation>para X se dieron un ángulo y un par de marcadores</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.two_focal_lengths</name>
+    <message>
+        <source>the pictures ask for two focal lengths</source>
+        <translation>las imágenes piden dos distancias focales</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.two_origins</name>
+    <message>
+        <source>both a marker and a point were given for the origin</source>
+        <translation>para el origen se dieron un marcador y un punto</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.typical_testbed</name>
+    <message>
+        <source>a %1 × %2 floor seen from %3 above</source>
+        <translation>un suelo de %1 × %2 visto desde %3 de altura</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.unit</name>
+    <message>
+        <source>unit &apos;%1&apos;</source>
+        <translation>unidad &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.unit_unknown</name>
+    <message>
+        <source>it is not known</source>
+        <translation>no se conoce</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.unseen_middle_corner</name>
+    <message>
+        <source>The middle is not seen, ±%1 in the corner near %2.</source>
+        <translation>El centro no se ve, ±%1 en la esquina cercana a %2.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.unseen_middle_edge</name>
+    <message>
+        <source>The middle is not seen, ±%1 at the edge near %2.</source>
+        <translation>El centro no se ve, ±%1 en el borde cercano a %2.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.unseen_middle_near</name>
+    <message>
+        <source>The middle is not seen, ±%1 near %2.</source>
+        <translation>El centro no se ve, ±%1 cerca de %2.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.usable</name>
+    <message>
+        <source>Usable: %1.</source>
+        <translation>Utilizable: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.use_another_picture</name>
+    <message>
+        <source>use another picture</source>
+        <translation>use otra imagen</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.use_camera_picture</name>
+    <message>
+        <source>use a picture of the camera</source>
+        <translation>use una imagen de la cámara</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.use_camera_pictures</name>
+    <message>
+        <source>use pictures of the camera</source>
+        <translation>use imágenes de la cámara</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.use_known_unit</name>
+    <message>
+        <source>use mm, cm, m or inch</source>
+        <translation>use mm, cm, m o inch</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.use_one_camera</name>
+    <message>
+        <source>use pictures of one camera at one zoom and focus</source>
+        <translation>use imágenes de una cámara con un mismo zoom y enfoque</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.use_one_resolution</name>
+    <message>
+        <source>use pictures of one camera at one resolution</source>
+        <translation>use imágenes de una cámara con una misma resolución</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.were_kept</name>
+    <message>
+        <source>they were kept</source>
+        <translation>se conservaron</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.whether_moved</name>
+    <message>
+        <source>whether %1 has moved cannot be told</source>
+        <translation>no se puede saber si %1 se ha movido</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.wrong_by_more</name>
+    <message>
+        <source>it may be wrong by much more</source>
+        <translation>el error puede ser mucho mayor</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.x_without_length</name>
+    <message>
+        <source>the markers that X is to run along lie at one place</source>
+        <translation>los marcadores por los que debe ir X están en un mismo lugar</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.y_left_of_x</name>
+    <message>
+        <source>seen from above, Y must point to the left of X</source>
+        <translation>visto desde arriba, Y debe apuntar a la izquierda de X</translation>
+    </message>
+</context>
+<context>
+    <name>capture.access_to_cameras</name>
+    <message>
+        <source>Access to cameras</source>
+        <translation>Acceso a las cámaras</translation>
+    </message>
+</context>
+<context>
+    <name>capture.all_pictures_damaged</name>
+    <message>
+        <source>all its pictures come damaged</source>
+        <translation>todas sus imágenes llegan dañadas</translation>
+    </message>
+</context>
+<context>
+    <name>capture.answers_but_silent</name>
+    <message>
+        <source>it answers, but sends no pictures</source>
+        <translation>responde, pero no envía imágenes</translation>
+    </message>
+</context>
+<context>
+    <name>capture.answers_but_silent_advice</name>
+    <message>
+        <source>check its trigger and this computer&apos;s firewall</source>
+        <translation>revise su disparador y el cortafuegos de esta computadora</translation>
+    </message>
+</context>
+<context>
+    <name>capture.aravis_place_missing</name>
+    <message>
+        <source>it says neither an address nor a serial number</source>
+        <translation>no indica ni una dirección ni un número de serie</translation>
+    </message>
+</context>
+<context>
+    <name>capture.aravis_wishes</name>
+    <message>
+        <source>take rate, exposure_ms, gain, format, size, trigger=software, packet_size or packet_delay_us, as in ?rate=30&amp;size=640x480</source>
+        <translation>use rate, exposure_ms, gain, format, size, trigger=software, packet_size o packet_delay_us, como en ?rate=30&amp;size=640x480</translation>
+    </message>
+</context>
+<context>
+    <name>capture.ask_for_less</name>
+    <message>
+        <source>ask for a smaller size or rate</source>
+        <translation>pida un tamaño o una frecuencia menor</translation>
+    </message>
+</context>
+<context>
+    <name>capture.ask_for_other_mode</name>
+    <message>
+        <source>ask for another size or format</source>
+        <translation>pida otro tamaño o formato</translation>
+    </message>
+</context>
+<context>
+    <name>capture.ask_for_something_else</name>
+    <message>
+        <source>ask it for something else, or leave that to the camera</source>
+        <translation>pida otra cosa, o déjelo a la cámara</translation>
+    </message>
+</context>
+<context>
+    <name>capture.ask_for_usable_format</name>
+    <message>
+        <source>ask it for one of %1</source>
+        <translation>pida uno de %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.ask_within_sensor</name>
+    <message>
+        <source>ask it for a size within that</source>
+        <translation>pida un tamaño que quepa en eso</translation>
+    </message>
+</context>
+<context>
+    <name>capture.automatics_held</name>
+    <message>
+        <source>exposure, gain, white balance and focus are held</source>
+        <translation>exposición, ganancia, balance de blancos y enfoque están fijos</translation>
+    </message>
+</context>
+<context>
+    <name>capture.automatics_of_camera</name>
+    <message>
+        <source>Automatics, camera %1</source>
+        <translation>Automatismos, cámara %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.buffer_enough</name>
+    <message>
+        <source>up to %1, enough for network cameras</source>
+        <translation>hasta %1, suficiente para cámaras de red</translation>
+    </message>
+</context>
+<context>
+    <name>capture.buffer_not_known</name>
+    <message>
+        <source>the system does not say how large it may be (net.core.rmem_max)</source>
+        <translation>el sistema no dice qué tamaño puede tener (net.core.rmem_max)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.buffer_small</name>
+    <message>
+        <source>only %1</source>
+        <translation>solo %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.buffer_without_use</name>
+    <message>
+        <source>%1, which only network cameras would find too small</source>
+        <translation>%1, que solo sería poco para cámaras de red</translation>
+    </message>
+</context>
+<context>
+    <name>capture.bus_of_speed_shared</name>
+    <message>
+        <source>cameras %1 share the bus %2, of %3</source>
+        <translation>las cámaras %1 comparten el bus %2, de %3</translation>
+    </message>
+</context>
+<context>
+    <name>capture.bus_shared</name>
+    <message>
+        <source>cameras %1 share the bus %2</source>
+        <translation>las cámaras %1 comparten el bus %2</translation>
+    </message>
+</context>
+<context>
+    <name>capture.came_back_changed</name>
+    <message>
+        <source>it came back with pictures of another size or format</source>
+        <translation>volvió con imágenes de otro tamaño o formato</translation>
+    </message>
+</context>
+<context>
+    <name>capture.camera_at_address</name>
+    <message>
+        <source>camera %1</source>
+        <translation>cámara %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.camera_does_not_deliver</name>
+    <message>
+        <source>a camera does not deliver</source>
+        <translation>una cámara no entrega imágenes</translation>
+    </message>
+</context>
+<context>
+    <name>capture.cameras_are_listed</name>
+    <message>
+        <source>odograph cameras lists them</source>
+        <translation>odograph cameras las enumera</translation>
+    </message>
+</context>
+<context>
+    <name>capture.cameras_will_lose</name>
+    <message>
+        <source>%1 will lose pictures</source>
+        <translation>%1 perderá imágenes</translation>
+    </message>
+</context>
+<context>
+    <name>capture.cannot_be_opened</name>
+    <message>
+        <source>it cannot be opened (%1)</source>
+        <translation>no se puede abrir (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.check_cable</name>
+    <message>
+        <source>check its cable</source>
+        <translation>revise su cable</translation>
+    </message>
+</context>
+<context>
+    <name>capture.check_cable_and_address</name>
+    <message>
+        <source>check its cable and address</source>
+        <translation>compruebe su cable y su dirección</translation>
+    </message>
+</context>
+<context>
+    <name>capture.check_cable_and_network</name>
+    <message>
+        <source>check its cable and the network</source>
+        <translation>revise su cable y la red</translation>
+    </message>
+</context>
+<context>
+    <name>capture.check_power_and_cable</name>
+    <message>
+        <source>check its power and cable</source>
+        <translation>compruebe su alimentación y su cable</translation>
+    </message>
+</context>
+<context>
+    <name>capture.check_power_and_network</name>
+    <message>
+        <source>check its power and cable, and that this computer has an address in the camera&apos;s network</source>
+        <translation>compruebe su alimentación y su cable, y que esta computadora tiene una dirección en la red de la cámara</translation>
+    </message>
+</context>
+<context>
+    <name>capture.check_usb_rights</name>
+    <message>
+        <source>check that you may use it (a udev rule), and that no other program does</source>
+        <translation>compruebe que puede usarla (una regla de udev) y que ningún otro programa la usa</translation>
+    </message>
+</context>
+<context>
+    <name>capture.choose_another_value</name>
+    <message>
+        <source>choose another one</source>
+        <translation>elija otro</translation>
+    </message>
+</context>
+<context>
+    <name>capture.choose_listed</name>
+    <message>
+        <source>choose one of those that odograph cameras lists</source>
+        <translation>elija una de las que muestra odograph cameras</translation>
+    </message>
+</context>
+<context>
+    <name>capture.choose_of_offer</name>
+    <message>
+        <source>choose of what it offers</source>
+        <translation>elija de lo que ofrece</translation>
+    </message>
+</context>
+<context>
+    <name>capture.choose_value_between</name>
+    <message>
+        <source>choose a value between</source>
+        <translation>elija un valor intermedio</translation>
+    </message>
+</context>
+<context>
+    <name>capture.close_that_program</name>
+    <message>
+        <source>close that program</source>
+        <translation>cierre ese programa</translation>
+    </message>
+</context>
+<context>
+    <name>capture.connect_right_camera</name>
+    <message>
+        <source>connect the one that belongs there, or begin anew with this one</source>
+        <translation>conecte la que corresponde, o empiece de nuevo con esta</translation>
+    </message>
+</context>
+<context>
+    <name>capture.control_automatic</name>
+    <message>
+        <source>%1 cannot be set while it is automatic</source>
+        <translation>%1 no se puede ajustar mientras sea automático</translation>
+    </message>
+</context>
+<context>
+    <name>capture.control_goes</name>
+    <message>
+        <source>%1 goes from %2 to %3</source>
+        <translation>%1 va de %2 a %3</translation>
+    </message>
+</context>
+<context>
+    <name>capture.control_inactive</name>
+    <message>
+        <source>%1 cannot be set as the camera stands now</source>
+        <translation>%1 no se puede ajustar con la cámara como está ahora</translation>
+    </message>
+</context>
+<context>
+    <name>capture.control_not_taken</name>
+    <message>
+        <source>it does not take this for %1 (%2)</source>
+        <translation>no admite esto para %1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.control_value_refused</name>
+    <message>
+        <source>it refuses this value of %1</source>
+        <translation>rechaza este valor de %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.damaged_advice</name>
+    <message>
+        <source>try another cable or port, or ask for fewer or smaller pictures</source>
+        <translation>pruebe otro cable o puerto, o pida menos imágenes o más pequeñas</translation>
+    </message>
+</context>
+<context>
+    <name>capture.dim_light_halves_rate</name>
+    <message>
+        <source>in dim light a camera halves its rate by itself, unless its automatic exposure is off</source>
+        <translation>con poca luz una cámara reduce sola su frecuencia a la mitad, salvo que la exposición automática esté desactivada</translation>
+    </message>
+</context>
+<context>
+    <name>capture.disk_full</name>
+    <message>
+        <source>its disk has only %1 left, of which %2 are kept free</source>
+        <translation>a su disco solo le quedan %1, de los que %2 se mantienen libres</translation>
+    </message>
+</context>
+<context>
+    <name>capture.disk_of</name>
+    <message>
+        <source>the disk of %1</source>
+        <translation>el disco de %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.disk_too_slow</name>
+    <message>
+        <source>it is too slow</source>
+        <translation>es demasiado lento</translation>
+    </message>
+</context>
+<context>
+    <name>capture.does_not_answer</name>
+    <message>
+        <source>it does not answer</source>
+        <translation>no responde</translation>
+    </message>
+</context>
+<context>
+    <name>capture.does_not_start</name>
+    <message>
+        <source>it does not start (%1)</source>
+        <translation>no arranca (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.does_not_start_advice</name>
+    <message>
+        <source>check its cable, and that no other program uses it</source>
+        <translation>compruebe su cable y que ningún otro programa la use</translation>
+    </message>
+</context>
+<context>
+    <name>capture.end_other_writers</name>
+    <message>
+        <source>end what else writes to it</source>
+        <translation>termine lo que más escriba en él</translation>
+    </message>
+</context>
+<context>
+    <name>capture.enlarge_buffer</name>
+    <message>
+        <source>sudo sysctl -w net.core.rmem_max=%1, and put the same into /etc/sysctl.d/ to keep it</source>
+        <translation>sudo sysctl -w net.core.rmem_max=%1, y ponga lo mismo en /etc/sysctl.d/ para conservarlo</translation>
+    </message>
+</context>
+<context>
+    <name>capture.expose_for_mains</name>
+    <message>
+        <source>expose for 10 or 20 ms with mains of 50 Hz, 8.3 or 16.7 ms with 60 Hz</source>
+        <translation>exponga 10 o 20 ms con red de 50 Hz, 8,3 o 16,7 ms con 60 Hz</translation>
+    </message>
+</context>
+<context>
+    <name>capture.exposed_for</name>
+    <message>
+        <source>exposed for %1</source>
+        <translation>expuesta %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.exposure_and_gain</name>
+    <message>
+        <source>Exposure and gain</source>
+        <translation>Exposición y ganancia</translation>
+    </message>
+</context>
+<context>
+    <name>capture.exposure_not_taken</name>
+    <message>
+        <source>it does not take this exposure (%1)</source>
+        <translation>no admite esta exposición (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.exposure_not_told</name>
+    <message>
+        <source>it does not tell its exposure</source>
+        <translation>no indica su exposición</translation>
+    </message>
+</context>
+<context>
+    <name>capture.exposure_suits_lamps</name>
+    <message>
+        <source>exposed for %1, which suits lamps</source>
+        <translation>expuesta %1, adecuado para lámparas</translation>
+    </message>
+</context>
+<context>
+    <name>capture.failed</name>
+    <message>
+        <source>it failed (%1)</source>
+        <translation>falló (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.failed_advice</name>
+    <message>
+        <source>unplug it and plug it in again if that lasts</source>
+        <translation>desconéctela y conéctela de nuevo si eso persiste</translation>
+    </message>
+</context>
+<context>
+    <name>capture.flicker_filter_off</name>
+    <message>
+        <source>its filter is off</source>
+        <translation>su filtro está desactivado</translation>
+    </message>
+</context>
+<context>
+    <name>capture.flicker_filtered</name>
+    <message>
+        <source>filtered by the camera (%1)</source>
+        <translation>filtrado por la cámara (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.flicker_of_camera</name>
+    <message>
+        <source>Lamps&apos; flicker, camera %1</source>
+        <translation>Parpadeo de lámparas, cámara %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.forbidden</name>
+    <message>
+        <source>you may not use it</source>
+        <translation>no tiene permiso para usarla</translation>
+    </message>
+</context>
+<context>
+    <name>capture.forbidden_advice</name>
+    <message>
+        <source>join the group video (sudo usermod -aG video YOUR-NAME) and log in again</source>
+        <translation>únase al grupo video (sudo usermod -aG video YOUR-NAME) y vuelva a entrar</translation>
+    </message>
+</context>
+<context>
+    <name>capture.format</name>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 a los %2</translation>
+    </message>
+</context>
+<context>
+    <name>capture.format_not_told</name>
+    <message>
+        <source>it does not tell its pixel format (%1)</source>
+        <translation>no dice su formato de píxel (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.format_not_understood</name>
+    <message>
+        <source>its pixel format is not understood</source>
+        <translation>su formato de píxel no se entiende</translation>
+    </message>
+</context>
+<context>
+    <name>capture.free_after_crash</name>
+    <message>
+        <source>a camera whose program has crashed is free again after some seconds</source>
+        <translation>una cámara cuyo programa se bloqueó vuelve a estar libre tras unos segundos</translation>
+    </message>
+</context>
+<context>
+    <name>capture.gain_not_taken</name>
+    <message>
+        <source>it does not take this gain (%1)</source>
+        <translation>no admite esta ganancia (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.give_address</name>
+    <message>
+        <source>give one as v4l2:/dev/video0, aravis:192.168.1.20, sim:A or file:PATH</source>
+        <translation>dé una como v4l2:/dev/video0, aravis:192.168.1.20, sim:A o file:PATH</translation>
+    </message>
+</context>
+<context>
+    <name>capture.give_aravis_place</name>
+    <message>
+        <source>give one as aravis:192.168.1.20 or aravis:SERIAL</source>
+        <translation>dé una como aravis:192.168.1.20 o aravis:SERIAL</translation>
+    </message>
+</context>
+<context>
+    <name>capture.gives_no_pictures</name>
+    <message>
+        <source>%1 gives no pictures</source>
+        <translation>%1 no da imágenes</translation>
+    </message>
+</context>
+<context>
+    <name>capture.has_been_away</name>
+    <message>
+        <source>it has been away</source>
+        <translation>ha estado ausente</translation>
+    </message>
+</context>
+<context>
+    <name>capture.held_while_recording</name>
+    <message>
+        <source>they are held while recording</source>
+        <translation>se mantienen fijos al grabar</translation>
+    </message>
+</context>
+<context>
+    <name>capture.in_step</name>
+    <message>
+        <source>in step to %1</source>
+        <translation>sincronizada a %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.in_step_as_way</name>
+    <message>
+        <source>at %1 that is %2</source>
+        <translation>a %1 son %2</translation>
+    </message>
+</context>
+<context>
+    <name>capture.join_video_group</name>
+    <message>
+        <source>add yourself to the group video (sudo usermod -aG video $USER), then log out and in again</source>
+        <translation>añádase al grupo video (sudo usermod -aG video $USER), luego cierre la sesión y vuelva a entrar</translation>
+    </message>
+</context>
+<context>
+    <name>capture.keep_awake</name>
+    <message>
+        <source>keep it awake while it records</source>
+        <translation>manténgala despierta mientras graba</translation>
+    </message>
+</context>
+<context>
+    <name>capture.kept_before_sleep</name>
+    <message>
+        <source>what came before is kept</source>
+        <translation>lo anterior se conserva</translation>
+    </message>
+</context>
+<context>
+    <name>capture.large_packets</name>
+    <message>
+        <source>large packets are allowed</source>
+        <translation>se permiten paquetes grandes</translation>
+    </message>
+</context>
+<context>
+    <name>capture.largest_picture</name>
+    <message>
+        <source>its pictures have %1 pixels at most</source>
+        <translation>sus imágenes tienen %1 píxeles como máximo</translation>
+    </message>
+</context>
+<context>
+    <name>capture.leave_control_out</name>
+    <message>
+        <source>leave it out</source>
+        <translation>omítalo</translation>
+    </message>
+</context>
+<context>
+    <name>capture.look_again</name>
+    <message>
+        <source>wait a few seconds, and look again</source>
+        <translation>espere unos segundos y vuelva a mirar</translation>
+    </message>
+</context>
+<context>
+    <name>capture.look_at_cable</name>
+    <message>
+        <source>look at its cable</source>
+        <translation>revise su cable</translation>
+    </message>
+</context>
+<context>
+    <name>capture.lost_by_slow_machine</name>
+    <message>
+        <source>%1, %2 lost because this machine is too slow</source>
+        <translation>%1, %2 perdidos porque esta computadora es demasiado lenta</translation>
+    </message>
+</context>
+<context>
+    <name>capture.lost_here</name>
+    <message>
+        <source>%1, %2 lost here</source>
+        <translation>%1, %2 perdidos aquí</translation>
+    </message>
+</context>
+<context>
+    <name>capture.lost_on_wire</name>
+    <message>
+        <source>%1, %2 lost on the wire</source>
+        <translation>%1, %2 perdidos en el cable</translation>
+    </message>
+</context>
+<context>
+    <name>capture.lost_on_wire_and_here</name>
+    <message>
+        <source>%1, %2 lost (%3 on the wire, %4 here)</source>
+        <translation>%1, %2 perdidos (%3 en el cable, %4 aquí)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.machine_slept</name>
+    <message>
+        <source>it slept for %1, and nothing was recorded meanwhile</source>
+        <translation>estuvo suspendida %1 y entretanto no se grabó nada</translation>
+    </message>
+</context>
+<context>
+    <name>capture.make_room</name>
+    <message>
+        <source>make room, or move the project to another disk</source>
+        <translation>libere espacio, o mueva el proyecto a otro disco</translation>
+    </message>
+</context>
+<context>
+    <name>capture.mode_not_taken</name>
+    <message>
+        <source>it does not take %1</source>
+        <translation>no admite %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_automatics</name>
+    <message>
+        <source>it has none</source>
+        <translation>no tiene ninguno</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_network_camera</name>
+    <message>
+        <source>no network camera is used</source>
+        <translation>no se usa ninguna cámara de red</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_node</name>
+    <message>
+        <source>this machine shows no USB or built-in camera (/dev/video*)</source>
+        <translation>esta computadora no muestra ninguna cámara USB ni integrada (/dev/video*)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_node_advice</name>
+    <message>
+        <source>if one is connected, try another cable and port, without a hub</source>
+        <translation>si hay una conectada, pruebe otro cable y otro puerto, sin concentrador</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_pair_yet</name>
+    <message>
+        <source>no two pictures have been taken together yet</source>
+        <translation>aún no se han tomado dos imágenes a la vez</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_picture_came</name>
+    <message>
+        <source>no picture came for half a second</source>
+        <translation>no llegó ninguna imagen durante medio segundo</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_picture_for</name>
+    <message>
+        <source>no picture has come for %1</source>
+        <translation>no ha llegado ninguna imagen en %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_readable_format</name>
+    <message>
+        <source>it has no format that can be read</source>
+        <translation>no tiene ningún formato legible</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_simulated_camera</name>
+    <message>
+        <source>there is no simulated camera %1</source>
+        <translation>no hay ninguna cámara simulada %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_software_trigger</name>
+    <message>
+        <source>it has no software trigger (%1)</source>
+        <translation>no tiene disparo por software (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_such_address</name>
+    <message>
+        <source>no camera has such an address</source>
+        <translation>ninguna cámara tiene esa dirección</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_such_control</name>
+    <message>
+        <source>it has nothing named &apos;%1&apos; that could be set</source>
+        <translation>no tiene nada llamado &apos;%1&apos; que se pueda ajustar</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_such_format</name>
+    <message>
+        <source>it has no format %1 (%2)</source>
+        <translation>no tiene el formato %1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_usable_format</name>
+    <message>
+        <source>it has no pixel format that is understood</source>
+        <translation>no tiene ningún formato de píxel que se entienda</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_usb_camera</name>
+    <message>
+        <source>no USB camera is used</source>
+        <translation>no se usa ninguna cámara USB</translation>
+    </message>
+</context>
+<context>
+    <name>capture.nodes_forbidden</name>
+    <message>
+        <source>you may not use %1</source>
+        <translation>no tiene permiso para usar %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.nodes_usable</name>
+    <message>
+        <source>you may use all %1 video devices</source>
+        <translation>puede usar los %1 dispositivos de video</translation>
+    </message>
+</context>
+<context>
+    <name>capture.none_lost</name>
+    <message>
+        <source>%1, none lost</source>
+        <translation>%1, ninguno perdido</translation>
+    </message>
+</context>
+<context>
+    <name>capture.not_offered</name>
+    <message>
+        <source>it does not offer what was asked for</source>
+        <translation>no ofrece lo que se pidió</translation>
+    </message>
+</context>
+<context>
+    <name>capture.not_registered</name>
+    <message>
+        <source>it is not registered to the floor</source>
+        <translation>no está registrada respecto al suelo</translation>
+    </message>
+</context>
+<context>
+    <name>capture.not_there</name>
+    <message>
+        <source>it is not there</source>
+        <translation>no está</translation>
+    </message>
+</context>
+<context>
+    <name>capture.nothing_lost_yet</name>
+    <message>
+        <source>nothing is lost yet</source>
+        <translation>aún no se ha perdido nada</translation>
+    </message>
+</context>
+<context>
+    <name>capture.one_camera_in_step</name>
+    <message>
+        <source>one camera is always in step</source>
+        <translation>una sola cámara siempre está sincronizada</translation>
+    </message>
+</context>
+<context>
+    <name>capture.one_not_held</name>
+    <message>
+        <source>%1 goes on changing by itself</source>
+        <translation>%1 sigue cambiando por sí mismo</translation>
+    </message>
+</context>
+<context>
+    <name>capture.open_video_again</name>
+    <message>
+        <source>open it again to see it from the start</source>
+        <translation>ábralo de nuevo para verlo desde el principio</translation>
+    </message>
+</context>
+<context>
+    <name>capture.other_camera_in_place</name>
+    <message>
+        <source>another camera (%1) is in its place</source>
+        <translation>otra cámara (%1) está en su lugar</translation>
+    </message>
+</context>
+<context>
+    <name>capture.other_serial_in_place</name>
+    <message>
+        <source>another camera (%1) is in the place of camera %2</source>
+        <translation>otra cámara (%1) está en el lugar de la cámara %2</translation>
+    </message>
+</context>
+<context>
+    <name>capture.own_usb_buses</name>
+    <message>
+        <source>each USB camera has a bus of its own</source>
+        <translation>cada cámara USB tiene un bus propio</translation>
+    </message>
+</context>
+<context>
+    <name>capture.packet_delay_not_taken</name>
+    <message>
+        <source>it does not take this packet delay (%1)</source>
+        <translation>no admite este retardo de paquete (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.packet_size</name>
+    <message>
+        <source>Packet size</source>
+        <translation>Tamaño de paquete</translation>
+    </message>
+</context>
+<context>
+    <name>capture.packet_size_not_taken</name>
+    <message>
+        <source>it does not take this packet size (%1)</source>
+        <translation>no admite este tamaño de paquete (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.part_not_understood</name>
+    <message>
+        <source>&apos;%1&apos; is not understood</source>
+        <translation>no se entiende &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>capture.payload_not_told</name>
+    <message>
+        <source>it does not tell how large its pictures are (%1)</source>
+        <translation>no dice qué tamaño tienen sus imágenes (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.picture_of_camera</name>
+    <message>
+        <source>a picture of camera %1</source>
+        <translation>una imagen de la cámara %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.picture_size_of_camera</name>
+    <message>
+        <source>Picture size, camera %1</source>
+        <translation>Tamaño de imagen, cámara %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.picture_waits_for_disk</name>
+    <message>
+        <source>a picture has waited %1 for it, and %2 of the room to wait in is taken</source>
+        <translation>una imagen ha esperado %1 por él, y está ocupado el %2 del espacio de espera</translation>
+    </message>
+</context>
+<context>
+    <name>capture.pictures_being_lost</name>
+    <message>
+        <source>pictures are being lost</source>
+        <translation>se están perdiendo imágenes</translation>
+    </message>
+</context>
+<context>
+    <name>capture.pictures_incomplete</name>
+    <message>
+        <source>its pictures come incomplete</source>
+        <translation>sus imágenes llegan incompletas</translation>
+    </message>
+</context>
+<context>
+    <name>capture.pictures_may_pulse</name>
+    <message>
+        <source>pictures may pulse under lamps</source>
+        <translation>las imágenes pueden pulsar bajo lámparas</translation>
+    </message>
+</context>
+<context>
+    <name>capture.pictures_without_size</name>
+    <message>
+        <source>its pictures have no size</source>
+        <translation>sus imágenes no tienen tamaño</translation>
+    </message>
+</context>
+<context>
+    <name>capture.plug_camera_in_again</name>
+    <message>
+        <source>plug %1 in again</source>
+        <translation>conecte de nuevo %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.plug_in_again</name>
+    <message>
+        <source>plug it in again</source>
+        <translation>conéctela de nuevo</translation>
+    </message>
+</context>
+<context>
+    <name>capture.plug_in_or_choose</name>
+    <message>
+        <source>plug it in, or choose one of those that odograph cameras lists</source>
+        <translation>conéctela, o elija una de las que muestra odograph cameras</translation>
+    </message>
+</context>
+<context>
+    <name>capture.put_disk_back</name>
+    <message>
+        <source>put its disk or folder back where it was</source>
+        <translation>vuelva a poner su disco o carpeta donde estaba</translation>
+    </message>
+</context>
+<context>
+    <name>capture.rate_not_taken</name>
+    <message>
+        <source>it does not take this rate (%1)</source>
+        <translation>no admite esta frecuencia (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.rate_too_slow</name>
+    <message>
+        <source>%1 (too slow)</source>
+        <translation>%1 (demasiado lento)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.rates_differ</name>
+    <message>
+        <source>the cameras run at %1 and %2</source>
+        <translation>las cámaras funcionan a %1 y %2</translation>
+    </message>
+</context>
+<context>
+    <name>capture.receive_buffer</name>
+    <message>
+        <source>Receive buffer</source>
+        <translation>Búfer de recepción</translation>
+    </message>
+</context>
+<context>
+    <name>capture.receive_buffer_granted</name>
+    <message>
+        <source>the system keeps only %1 of the network&apos;s packets</source>
+        <translation>el sistema guarda solo %1 de los paquetes de la red</translation>
+    </message>
+</context>
+<context>
+    <name>capture.record_elsewhere</name>
+    <message>
+        <source>record to another disk, or fewer cameras</source>
+        <translation>grabe en otro disco, o con menos cámaras</translation>
+    </message>
+</context>
+<context>
+    <name>capture.recorded_is_kept</name>
+    <message>
+        <source>what was recorded so far is kept</source>
+        <translation>lo grabado hasta ahora se conserva</translation>
+    </message>
+</context>
+<context>
+    <name>capture.recorded_is_there</name>
+    <message>
+        <source>what was recorded so far is there</source>
+        <translation>lo grabado hasta ahora está allí</translation>
+    </message>
+</context>
+<context>
+    <name>capture.recording_file_gone</name>
+    <message>
+        <source>its file is no longer there</source>
+        <translation>su archivo ya no está</translation>
+    </message>
+</context>
+<context>
+    <name>capture.register_in_testbed</name>
+    <message>
+        <source>register it in Testbed, or its pictures cannot tell where a robot is</source>
+        <translation>regístrela en Banco, o sus imágenes no podrán decir dónde está un robot</translation>
+    </message>
+</context>
+<context>
+    <name>capture.room_for</name>
+    <message>
+        <source>room for %1</source>
+        <translation>espacio para %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.see_own_line</name>
+    <message>
+        <source>see its own line</source>
+        <translation>vea su propia línea</translation>
+    </message>
+</context>
+<context>
+    <name>capture.send_less</name>
+    <message>
+        <source>or let both send MJPEG, or smaller pictures</source>
+        <translation>o haga que ambas envíen MJPEG, o imágenes más pequeñas</translation>
+    </message>
+</context>
+<context>
+    <name>capture.send_registered_size</name>
+    <message>
+        <source>let it send the size it was registered at, or calibrate and register it anew</source>
+        <translation>haga que envíe el tamaño con que se registró, o calíbrela y regístrela de nuevo</translation>
+    </message>
+</context>
+<context>
+    <name>capture.sends_no_pictures</name>
+    <message>
+        <source>it sends no pictures</source>
+        <translation>no envía imágenes</translation>
+    </message>
+</context>
+<context>
+    <name>capture.serial_advice</name>
+    <message>
+        <source>check its power and cable; odograph cameras lists those that answer</source>
+        <translation>compruebe su alimentación y su cable; odograph cameras muestra las que responden</translation>
+    </message>
+</context>
+<context>
+    <name>capture.serial_does_not_answer</name>
+    <message>
+        <source>no camera of this serial number answers</source>
+        <translation>ninguna cámara con ese número de serie responde</translation>
+    </message>
+</context>
+<context>
+    <name>capture.set_as_before</name>
+    <message>
+        <source>set it as before, or begin anew with size and format in its address</source>
+        <translation>ajústela como antes, o empiece de nuevo con tamaño y formato en su dirección</translation>
+    </message>
+</context>
+<context>
+    <name>capture.set_between</name>
+    <message>
+        <source>set it to something between</source>
+        <translation>póngalo en algo intermedio</translation>
+    </message>
+</context>
+<context>
+    <name>capture.set_rate_or_trigger</name>
+    <message>
+        <source>set both to one rate, or trigger them together</source>
+        <translation>ponga ambas a la misma frecuencia, o dispárelas juntas</translation>
+    </message>
+</context>
+<context>
+    <name>capture.set_receive_buffer</name>
+    <message>
+        <source>sysctl -w net.core.rmem_max=%1</source>
+        <translation>sysctl -w net.core.rmem_max=%1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.set_to_mains</name>
+    <message>
+        <source>set &apos;%1&apos; to your mains</source>
+        <translation>ajuste &apos;%1&apos; a su red eléctrica</translation>
+    </message>
+</context>
+<context>
+    <name>capture.set_to_one_rate</name>
+    <message>
+        <source>set both to one rate</source>
+        <translation>ponga ambas a la misma frecuencia</translation>
+    </message>
+</context>
+<context>
+    <name>capture.set_to_something_else</name>
+    <message>
+        <source>set it to something else</source>
+        <translation>póngalo en otra cosa</translation>
+    </message>
+</context>
+<context>
+    <name>capture.set_width_and_height</name>
+    <message>
+        <source>set its width and height</source>
+        <translation>ajuste su ancho y su alto</translation>
+    </message>
+</context>
+<context>
+    <name>capture.several_not_held</name>
+    <message>
+        <source>%1 go on changing by themselves</source>
+        <translation>%1 siguen cambiando por sí mismos</translation>
+    </message>
+</context>
+<context>
+    <name>capture.simulated_camera</name>
+    <message>
+        <source>Simulated camera %1</source>
+        <translation>Cámara simulada %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.size_as_registered</name>
+    <message>
+        <source>%1, as it was registered</source>
+        <translation>%1, como se registró</translation>
+    </message>
+</context>
+<context>
+    <name>capture.size_not_as_registered</name>
+    <message>
+        <source>%1, but registered at %2</source>
+        <translation>%1, pero registrada a %2</translation>
+    </message>
+</context>
+<context>
+    <name>capture.size_not_taken</name>
+    <message>
+        <source>it does not take this size (%1)</source>
+        <translation>no admite este tamaño (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.size_not_told</name>
+    <message>
+        <source>it does not tell its size (%1)</source>
+        <translation>no dice su tamaño (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.slow_camera</name>
+    <message>
+        <source>it takes only %1 pictures a second of the %2 it was asked for</source>
+        <translation>solo toma %1 imágenes por segundo de las %2 pedidas</translation>
+    </message>
+</context>
+<context>
+    <name>capture.slow_camera_advice</name>
+    <message>
+        <source>give it more light or a shorter exposure, or ask for a lower rate</source>
+        <translation>dele más luz o una exposición más corta, o pida una frecuencia menor</translation>
+    </message>
+</context>
+<context>
+    <name>capture.small_packets</name>
+    <message>
+        <source>small packets on %1</source>
+        <translation>paquetes pequeños en %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.small_packets_advice</name>
+    <message>
+        <source>give the port that the camera is on an MTU of 9000 (sudo ip link set dev NAME mtu 9000), if camera and switch can take it</source>
+        <translation>dé al puerto de la cámara una MTU de 9000 (sudo ip link set dev NAME mtu 9000), si la cámara y el conmutador lo admiten</translation>
+    </message>
+</context>
+<context>
+    <name>capture.step</name>
+    <message>
+        <source>Step</source>
+        <translation>Sincronía</translation>
+    </message>
+</context>
+<context>
+    <name>capture.take_another_camera</name>
+    <message>
+        <source>take another camera</source>
+        <translation>use otra cámara</translation>
+    </message>
+</context>
+<context>
+    <name>capture.take_camera_with_format</name>
+    <message>
+        <source>take a camera that has one of %1</source>
+        <translation>use una cámara que tenga uno de %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.take_off_and_on</name>
+    <message>
+        <source>take it off and put it on again if it stays so</source>
+        <translation>desconéctela y conéctela de nuevo si sigue así</translation>
+    </message>
+</context>
+<context>
+    <name>capture.take_simulated_camera</name>
+    <message>
+        <source>take sim:A or sim:B</source>
+        <translation>use sim:A o sim:B</translation>
+    </message>
+</context>
+<context>
+    <name>capture.taken_up_by_itself</name>
+    <message>
+        <source>it is taken up again by itself</source>
+        <translation>se retoma por sí sola</translation>
+    </message>
+</context>
+<context>
+    <name>capture.the_picture</name>
+    <message>
+        <source>the picture</source>
+        <translation>la imagen</translation>
+    </message>
+</context>
+<context>
+    <name>capture.the_recording</name>
+    <message>
+        <source>the recording %1</source>
+        <translation>la grabación %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.there_but_silent</name>
+    <message>
+        <source>it is there but sends no pictures</source>
+        <translation>está ahí pero no envía imágenes</translation>
+    </message>
+</context>
+<context>
+    <name>capture.there_but_silent_advice</name>
+    <message>
+        <source>look at its cable, or plug it in again if that lasts</source>
+        <translation>revise su cable, o conéctela de nuevo si eso persiste</translation>
+    </message>
+</context>
+<context>
+    <name>capture.these_and_others</name>
+    <message>
+        <source>%1 and others</source>
+        <translation>%1 y otros</translation>
+    </message>
+</context>
+<context>
+    <name>capture.this_computer</name>
+    <message>
+        <source>this computer</source>
+        <translation>esta computadora</translation>
+    </message>
+</context>
+<context>
+    <name>capture.turn_automatic_off</name>
+    <message>
+        <source>turn the automatic off</source>
+        <translation>desactive el automatismo</translation>
+    </message>
+</context>
+<context>
+    <name>capture.turn_off_at_camera</name>
+    <message>
+        <source>turn it off in the camera&apos;s own program, or keep the light steady while robots run</source>
+        <translation>desactívelo en el programa de la cámara, o mantenga la luz constante mientras corren los robots</translation>
+    </message>
+</context>
+<context>
+    <name>capture.turn_off_automatic_first</name>
+    <message>
+        <source>turn off the automatic that moves it first</source>
+        <translation>desactive antes el automatismo que lo mueve</translation>
+    </message>
+</context>
+<context>
+    <name>capture.unplugged</name>
+    <message>
+        <source>it was unplugged</source>
+        <translation>se desconectó</translation>
+    </message>
+</context>
+<context>
+    <name>capture.usb_bus_full</name>
+    <message>
+        <source>its USB bus has no room left for its pictures (the bus is full, not the disk)</source>
+        <translation>su bus USB no tiene espacio para sus imágenes (está lleno el bus, no el disco)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.usb_bus_full_advice</name>
+    <message>
+        <source>plug it in where it shares no bus with another camera, or choose MJPEG, a smaller picture or a lower rate (?format=MJPG&amp;size=640x480&amp;rate=30)</source>
+        <translation>conéctela donde no comparta bus con otra cámara, o elija MJPEG, una imagen menor o una frecuencia menor (?format=MJPG&amp;size=640x480&amp;rate=30)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.usb_buses</name>
+    <message>
+        <source>USB buses</source>
+        <translation>Buses USB</translation>
+    </message>
+</context>
+<context>
+    <name>capture.use_daylight</name>
+    <message>
+        <source>or use daylight</source>
+        <translation>o use luz natural</translation>
+    </message>
+</context>
+<context>
+    <name>capture.use_other_port</name>
+    <message>
+        <source>plug one into a port on the other side of the computer, or a card of its own</source>
+        <translation>conecte una a un puerto del otro lado de la computadora, o a una tarjeta propia</translation>
+    </message>
+</context>
+<context>
+    <name>capture.used_by_another_program</name>
+    <message>
+        <source>another program uses it</source>
+        <translation>otro programa la usa</translation>
+    </message>
+</context>
+<context>
+    <name>capture.used_by_program</name>
+    <message>
+        <source>another program uses it (open in %1)</source>
+        <translation>otro programa la usa (abierta en %1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.usual_mains</name>
+    <message>
+        <source>50 Hz in most countries, 60 Hz in the Americas</source>
+        <translation>50 Hz en la mayoría de los países, 60 Hz en América</translation>
+    </message>
+</context>
+<context>
+    <name>capture.v4l2_address_example</name>
+    <message>
+        <source>write for instance v4l2:/dev/video0?size=1280x720&amp;rate=30&amp;format=MJPG</source>
+        <translation>escriba por ejemplo v4l2:/dev/video0?size=1280x720&amp;rate=30&amp;format=MJPG</translation>
+    </message>
+</context>
+<context>
+    <name>capture.video_has_ended</name>
+    <message>
+        <source>the video has ended</source>
+        <translation>el video ha terminado</translation>
+    </message>
+</context>
+<context>
+    <name>capture.wait_for_it</name>
+    <message>
+        <source>wait: it is taken up again</source>
+        <translation>espere: se retoma</translation>
+    </message>
+</context>
+<context>
+    <name>capture.wait_or_check_cable</name>
+    <message>
+        <source>wait, or check its cable</source>
+        <translation>espere, o compruebe su cable</translation>
+    </message>
+</context>
+<context>
+    <name>capture.waiting_for_first_picture</name>
+    <message>
+        <source>waiting for the first picture</source>
+        <translation>esperando la primera imagen</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.and_lines_more</name>
+    <message>
+        <source>and %1 lines more</source>
+        <translation>y %1 líneas más</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.archive_library_refused</name>
+    <message>
+        <source>the archive library refused</source>
+        <translation>la biblioteca de archivos se negó</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.at_line</name>
+    <message>
+        <source>%1:%2</source>
+        <translation>%1:%2</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.begin_roster</name>
+    <message>
+        <source>begin the file with the line class,team or class,team,pseudonym</source>
+        <translation>empiece el archivo con la línea class,team o class,team,pseudonym</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.begin_with_header_or_tum</name>
+    <message>
+        <source>begin the file with the line %1, or write lines of %2</source>
+        <translation>empiece el archivo con la línea %1, o escriba líneas de %2</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.begin_with_line</name>
+    <message>
+        <source>begin the file with the line %1</source>
+        <translation>empiece el archivo con la línea %1</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.cannot_be_read</name>
+    <message>
+        <source>it cannot be read</source>
+        <translation>no se puede leer</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.cannot_write_archive</name>
+    <message>
+        <source>cannot write &apos;%1&apos;</source>
+        <translation>no se puede escribir &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.cell_not_a_number</name>
+    <message>
+        <source>%1 &apos;%2&apos; is not a finite number</source>
+        <translation>%1 &apos;%2&apos; no es un número finito</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.cell_of_columns</name>
+    <message>
+        <source>it has %1 cell where the header has %2</source>
+        <translation>tiene %1 celda donde la cabecera tiene %2</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.cells_of_columns</name>
+    <message>
+        <source>it has %1 cells where the header has %2</source>
+        <translation>tiene %1 celdas donde la cabecera tiene %2</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.check_it_is_there</name>
+    <message>
+        <source>check that it is there and may be read</source>
+        <translation>compruebe que está ahí y se puede leer</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.check_one_run</name>
+    <message>
+        <source>check that all lines are of one run</source>
+        <translation>compruebe que todas las líneas son de un mismo recorrido</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.check_right_file</name>
+    <message>
+        <source>check that it is the right file</source>
+        <translation>compruebe que es el archivo correcto</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.check_room_and_rights</name>
+    <message>
+        <source>check the free space and the rights of its folder</source>
+        <translation>compruebe el espacio libre y los permisos de su carpeta</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.check_unit_of_places</name>
+    <message>
+        <source>check the unit of the places: m, cm or mm</source>
+        <translation>compruebe la unidad de los lugares: m, cm o mm</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.check_unit_of_times</name>
+    <message>
+        <source>check the unit of the times, and that all lines are of one run</source>
+        <translation>compruebe la unidad de los tiempos, y que todas las líneas son de un mismo recorrido</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.choose_longer_track</name>
+    <message>
+        <source>choose a file with three positions or more</source>
+        <translation>elija un archivo con tres posiciones o más</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.choose_new_folder</name>
+    <message>
+        <source>choose a folder that is not there yet</source>
+        <translation>elija una carpeta que aún no exista</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.choose_packed_file</name>
+    <message>
+        <source>choose a file that Odograph has packed, and copy it anew if it is damaged</source>
+        <translation>elija un archivo empaquetado por Odograph, y cópielo de nuevo si está dañado</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.choose_style</name>
+    <message>
+        <source>choose analysis, international or continental</source>
+        <translation>elija analysis, international o continental</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.close_quotes</name>
+    <message>
+        <source>close the quotes</source>
+        <translation>cierre las comillas</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.closed_neither</name>
+    <message>
+        <source>&apos;closed&apos; is neither true nor false</source>
+        <translation>&apos;closed&apos; no es ni true ni false</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.coefficients_no_row</name>
+    <message>
+        <source>&apos;distortion_coefficients&apos; is neither a row nor a column</source>
+        <translation>&apos;distortion_coefficients&apos; no es ni una fila ni una columna</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.csv_style</name>
+    <message>
+        <source>style &apos;%1&apos; of CSV</source>
+        <translation>estilo &apos;%1&apos; de CSV</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.does_not_belong</name>
+    <message>
+        <source>&apos;%1&apos; does not belong into a packed project</source>
+        <translation>&apos;%1&apos; no corresponde a un proyecto empaquetado</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.entry_is_missing</name>
+    <message>
+        <source>the entry &apos;%1&apos; is missing</source>
+        <translation>falta la entrada &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.file_is_empty</name>
+    <message>
+        <source>the file is empty</source>
+        <translation>el archivo está vacío</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.file_too_large</name>
+    <message>
+        <source>it is larger than %1</source>
+        <translation>ocupa más de %1</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.fill_in_all_cells</name>
+    <message>
+        <source>give each line as many cells as the header</source>
+        <translation>dé a cada línea tantas celdas como la cabecera</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.fill_in_both</name>
+    <message>
+        <source>fill in both or none</source>
+        <translation>rellene ambos o ninguno</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.give_known_units</name>
+    <message>
+        <source>give times in s or ms and places in m, cm or mm</source>
+        <translation>dé los tiempos en s o ms y los lugares en m, cm o mm</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.give_marker_label</name>
+    <message>
+        <source>give each marker a label</source>
+        <translation>dé un rótulo a cada marcador</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.give_marker_own_label</name>
+    <message>
+        <source>give each marker a label of its own</source>
+        <translation>dé a cada marcador un rótulo propio</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.give_one_path</name>
+    <message>
+        <source>give one of points_mm, circle, figure_eight or slalom</source>
+        <translation>dé uno de points_mm, circle, figure_eight o slalom</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.give_one_zone</name>
+    <message>
+        <source>give corners_mm, all the way round, or two opposite corners as rectangle_mm</source>
+        <translation>dé corners_mm, todo alrededor, o dos esquinas opuestas como rectangle_mm</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.give_point_label</name>
+    <message>
+        <source>give each point a label</source>
+        <translation>dé un rótulo a cada punto</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.give_point_own_label</name>
+    <message>
+        <source>give each point a label of its own</source>
+        <translation>dé a cada punto un rótulo propio</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.give_two_corners</name>
+    <message>
+        <source>give two opposite corners: [[x, y], [x, y]]</source>
+        <translation>dé dos esquinas opuestas: [[x, y], [x, y]]</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.has_become_shorter</name>
+    <message>
+        <source>it has become shorter meanwhile</source>
+        <translation>entretanto se ha acortado</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.is_in_it_twice</name>
+    <message>
+        <source>&apos;%1&apos; is in it twice</source>
+        <translation>&apos;%1&apos; está dos veces en él</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.is_no_utf8</name>
+    <message>
+        <source>it is not a UTF-8 text file</source>
+        <translation>no es un archivo de texto UTF-8</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.is_utf16</name>
+    <message>
+        <source>it is written in UTF-16</source>
+        <translation>está escrito en UTF-16</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.key_is_no_text</name>
+    <message>
+        <source>a key is no text, or a bracket is not closed</source>
+        <translation>una clave no es un texto o falta cerrar un paréntesis</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.key_is_there_twice</name>
+    <message>
+        <source>the key &apos;%1&apos; is there twice</source>
+        <translation>la clave &apos;%1&apos; está dos veces</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.key_not_known</name>
+    <message>
+        <source>the key &apos;%1&apos; is not known</source>
+        <translation>la clave &apos;%1&apos; no se conoce</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.label_is_empty</name>
+    <message>
+        <source>the label is empty</source>
+        <translation>el rótulo está vacío</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.label_is_there</name>
+    <message>
+        <source>the label &apos;%1&apos; is in line %2 already</source>
+        <translation>el rótulo &apos;%1&apos; ya está en la línea %2</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.lacks_column</name>
+    <message>
+        <source>it lacks the column %1</source>
+        <translation>le falta la columna %1</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.lacks_header</name>
+    <message>
+        <source>it lacks the expected header line</source>
+        <translation>le falta la línea de cabecera esperada</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.lens_model_not_known</name>
+    <message>
+        <source>the lens model &apos;%1&apos; is not known (plumb_bob, rational_polynomial, equidistant are)</source>
+        <translation>el modelo de lente &apos;%1&apos; no se conoce (sí plumb_bob, rational_polynomial, equidistant)</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.line_too_long</name>
+    <message>
+        <source>it is longer than 8 MiB</source>
+        <translation>tiene más de 8 MiB</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.line_without_class</name>
+    <message>
+        <source>line %1 has no class for team &apos;%2&apos;</source>
+        <translation>la línea %1 no tiene clase para el equipo &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.line_without_team</name>
+    <message>
+        <source>line %1 has no team</source>
+        <translation>la línea %1 no tiene equipo</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.longer_than_a_week</name>
+    <message>
+        <source>it is more than a week after the first line</source>
+        <translation>es más de una semana después de la primera línea</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.matrix_not_3_by_3</name>
+    <message>
+        <source>&apos;camera_matrix&apos; is not a 3 × 3 matrix</source>
+        <translation>&apos;camera_matrix&apos; no es una matriz de 3 × 3</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.matrix_of_other_form</name>
+    <message>
+        <source>&apos;camera_matrix&apos; is not of the form fx 0 cx, 0 fy cy, 0 0 1</source>
+        <translation>&apos;camera_matrix&apos; no tiene la forma fx 0 cx, 0 fy cy, 0 0 1</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.mend_lines</name>
+    <message>
+        <source>mend these lines</source>
+        <translation>corrija estas líneas</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.named_track_has_position</name>
+    <message>
+        <source>track &apos;%1&apos; has %2 position</source>
+        <translation>la traza &apos;%1&apos; tiene %2 posición</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.named_track_has_positions</name>
+    <message>
+        <source>track &apos;%1&apos; has %2 positions</source>
+        <translation>la traza &apos;%1&apos; tiene %2 posiciones</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.neither_header_nor_tum</name>
+    <message>
+        <source>it has no header with a time, x and y, and is no TUM either</source>
+        <translation>no tiene cabecera con tiempo, x e y, y tampoco es TUM</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.nested_too_deep</name>
+    <message>
+        <source>it is nested more than %1 deep</source>
+        <translation>está anidado a más de %1 niveles</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_anchors</name>
+    <message>
+        <source>anchors and aliases are not understood</source>
+        <translation>no se admiten anclas ni alias</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_markers</name>
+    <message>
+        <source>there are no markers below the header</source>
+        <translation>no hay marcadores debajo de la cabecera</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_project_inside</name>
+    <message>
+        <source>there is no project in it</source>
+        <translation>no contiene ningún proyecto</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_such_style</name>
+    <message>
+        <source>there is no such style</source>
+        <translation>no existe ese estilo</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_task</name>
+    <message>
+        <source>the file holds no task</source>
+        <translation>el archivo no contiene ninguna tarea</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_track_has_position</name>
+    <message>
+        <source>none of its tracks has a position</source>
+        <translation>ninguna de sus trazas tiene una posición</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_valid_yaml</name>
+    <message>
+        <source>it is no valid YAML (%1)</source>
+        <translation>no es YAML válido (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.not_a_finite_number</name>
+    <message>
+        <source>&apos;%1&apos; is not a finite number</source>
+        <translation>&apos;%1&apos; no es un número finito</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.not_a_list</name>
+    <message>
+        <source>&apos;%1&apos; is not a list in brackets</source>
+        <translation>&apos;%1&apos; no es una lista entre corchetes</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.not_a_point</name>
+    <message>
+        <source>&apos;%1&apos; is not a point [x, y] in mm</source>
+        <translation>&apos;%1&apos; no es un punto [x, y] en mm</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.not_a_time</name>
+    <message>
+        <source>&apos;%1&apos; is not a time</source>
+        <translation>&apos;%1&apos; no es un tiempo</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.not_a_time_in_seconds</name>
+    <message>
+        <source>&apos;%1&apos; is not a time in seconds</source>
+        <translation>&apos;%1&apos; no es un tiempo en segundos</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.not_a_whole_number</name>
+    <message>
+        <source>&apos;%1&apos; is not a whole number from %2 to %3</source>
+        <translation>&apos;%1&apos; no es un número entero de %2 a %3</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.not_above_zero</name>
+    <message>
+        <source>&apos;%1&apos; is not above zero</source>
+        <translation>&apos;%1&apos; no es mayor que cero</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.not_two_corners</name>
+    <message>
+        <source>&apos;rectangle_mm&apos; is not two corners</source>
+        <translation>&apos;rectangle_mm&apos; no son dos esquinas</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.nothing_imported</name>
+    <message>
+        <source>nothing was imported</source>
+        <translation>no se importó nada</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.object_expected</name>
+    <message>
+        <source>an object in braces is expected here</source>
+        <translation>aquí se espera un objeto entre llaves</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.one_error_blank</name>
+    <message>
+        <source>one of its two errors is blank</source>
+        <translation>uno de sus dos errores está en blanco</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.one_place_blank</name>
+    <message>
+        <source>one of its two places is blank</source>
+        <translation>uno de sus dos lugares está en blanco</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.order_lines</name>
+    <message>
+        <source>put the lines in the order of time, each time once</source>
+        <translation>ponga las líneas en orden de tiempo, cada tiempo una vez</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.pack</name>
+    <message>
+        <source>pack &apos;%1&apos;</source>
+        <translation>empaquetar &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.packing</name>
+    <message>
+        <source>packing %1</source>
+        <translation>empaquetando %1</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.path_given_twice</name>
+    <message>
+        <source>the reference path is given twice</source>
+        <translation>la trayectoria de referencia se da dos veces</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.path_not_given</name>
+    <message>
+        <source>the reference path is given by nothing</source>
+        <translation>la trayectoria de referencia no se da con nada</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.place_too_far</name>
+    <message>
+        <source>its place is more than 100 km away</source>
+        <translation>su lugar está a más de 100 km</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.quoted_cell_does_not_end</name>
+    <message>
+        <source>a quoted cell does not end</source>
+        <translation>una celda entre comillas no termina</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.reading_line</name>
+    <message>
+        <source>reading line %1</source>
+        <translation>leyendo la línea %1</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.roster</name>
+    <message>
+        <source>roster &apos;%1&apos;</source>
+        <translation>lista de clase &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.roster_is_empty</name>
+    <message>
+        <source>it has no team</source>
+        <translation>no tiene ningún equipo</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.save_as_csv_utf8</name>
+    <message>
+        <source>save it again as &quot;CSV UTF-8&quot; or as a UTF-8 text</source>
+        <translation>guárdelo de nuevo como &quot;CSV UTF-8&quot; o como texto UTF-8</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.save_as_utf8</name>
+    <message>
+        <source>save it again as UTF-8 text</source>
+        <translation>guárdelo de nuevo como texto UTF-8</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.save_with_commas</name>
+    <message>
+        <source>save it with commas</source>
+        <translation>guárdelo con comas</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.save_with_commas_and_points</name>
+    <message>
+        <source>save it with commas, and with a point in its numbers</source>
+        <translation>guárdelo con comas, y con punto en sus números</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.separated_by_semicolons</name>
+    <message>
+        <source>its columns are separated by semicolons</source>
+        <translation>sus columnas están separadas por punto y coma</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.several_documents</name>
+    <message>
+        <source>it holds more than one document</source>
+        <translation>contiene más de un documento</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.slalom_without_length</name>
+    <message>
+        <source>the slalom ends where it starts</source>
+        <translation>el eslalon termina donde empieza</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.team_named_again</name>
+    <message>
+        <source>line %1 names team &apos;%2&apos; again, as line %3</source>
+        <translation>la línea %1 nombra otra vez el equipo &apos;%2&apos;, como la línea %3</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.time_goes_back</name>
+    <message>
+        <source>its time is before that of the line before</source>
+        <translation>su tiempo es anterior al de la línea anterior</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.time_repeated</name>
+    <message>
+        <source>its time is that of the line before</source>
+        <translation>su tiempo es el de la línea anterior</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.too_many_files</name>
+    <message>
+        <source>it has too many files</source>
+        <translation>tiene demasiados archivos</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.too_many_places</name>
+    <message>
+        <source>the file has more than 1.5 million places</source>
+        <translation>el archivo tiene más de 1,5 millones de posiciones</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.too_many_values</name>
+    <message>
+        <source>it holds more than %1 values</source>
+        <translation>contiene más de %1 valores</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.track_has_position</name>
+    <message>
+        <source>the track has %1 position</source>
+        <translation>la traza tiene %1 posición</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.track_has_positions</name>
+    <message>
+        <source>the track has %1 positions</source>
+        <translation>la traza tiene %1 posiciones</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.tum_entries</name>
+    <message>
+        <source>it has %1 entries instead of the 8 of TUM</source>
+        <translation>tiene %1 entradas en lugar de las 8 de TUM</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.tum_entry</name>
+    <message>
+        <source>it has %1 entry instead of the 8 of TUM</source>
+        <translation>tiene %1 entrada en lugar de las 8 de TUM</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.unit_not_known</name>
+    <message>
+        <source>its column &apos;%1&apos; is in a unit that is not known</source>
+        <translation>su columna &apos;%1&apos; está en una unidad desconocida</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.unpack</name>
+    <message>
+        <source>unpack &apos;%1&apos;</source>
+        <translation>desempaquetar &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.unpack_into</name>
+    <message>
+        <source>unpack into &apos;%1&apos;</source>
+        <translation>desempaquetar en &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.unpacking</name>
+    <message>
+        <source>unpacking</source>
+        <translation>desempaquetando</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.unpacks_too_large</name>
+    <message>
+        <source>it unpacks to more than a hundred times its size</source>
+        <translation>al desempaquetarlo ocupa más de cien veces su tamaño</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.use_calibration_file</name>
+    <message>
+        <source>use a calibration file as ROS or OpenCV writes it</source>
+        <translation>use un archivo de calibración como los que escriben ROS u OpenCV</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.use_keys</name>
+    <message>
+        <source>use %1</source>
+        <translation>use %1</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.wait_for_writers</name>
+    <message>
+        <source>wait until nobody writes to it, and try again</source>
+        <translation>espere a que nadie escriba en él e inténtelo de nuevo</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.write_class_and_team</name>
+    <message>
+        <source>write a line with class and team below the header</source>
+        <translation>escriba bajo la cabecera una línea con clase y equipo</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.write_digits</name>
+    <message>
+        <source>write it with digits, like 12.5</source>
+        <translation>escríbalo con cifras, como 12.5</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.write_digits_or_blank</name>
+    <message>
+        <source>write it with digits, like 12.5, or leave the place blank</source>
+        <translation>escríbalo con cifras, como 12.5, o deje el lugar en blanco</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.write_line_for_marker</name>
+    <message>
+        <source>write one line for each marker</source>
+        <translation>escriba una línea por marcador</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.write_object_with</name>
+    <message>
+        <source>write one with %1</source>
+        <translation>escriba uno con %1</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.write_task_as_shown</name>
+    <message>
+        <source>write the task as odograph task list --json shows one</source>
+        <translation>escriba la tarea como la muestra odograph task list --json</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.write_tum_or_header</name>
+    <message>
+        <source>write %1, or begin the file with the line %2</source>
+        <translation>escriba %1, o empiece el archivo con la línea %2</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.write_value_for_each</name>
+    <message>
+        <source>write one value for each of %1</source>
+        <translation>escriba un valor para cada uno de %1</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.wrong_number_of_cells</name>
+    <message>
+        <source>it has %1 cells instead of %2</source>
+        <translation>tiene %1 celdas en lugar de %2</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.wrong_number_of_numbers</name>
+    <message>
+        <source>&apos;%1&apos; has %2 numbers instead of %3 × %4</source>
+        <translation>&apos;%1&apos; tiene %2 números en lugar de %3 × %4</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.wrong_poles</name>
+    <message>
+        <source>&apos;poles&apos; is not a whole number from 1 to 100</source>
+        <translation>&apos;poles&apos; no es un número entero de 1 a 100</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.zone_given_twice</name>
+    <message>
+        <source>the zone is given twice</source>
+        <translation>la zona se da dos veces</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.zone_not_given</name>
+    <message>
+        <source>the zone is given by nothing</source>
+        <translation>la zona no se da con nada</translation>
+    </message>
+</context>
+<context>
+    <name>files.cannot_be_looked_at</name>
+    <message>
+        <source>it cannot be looked at (%1)</source>
+        <translation>no se puede examinar (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>files.cannot_be_read</name>
+    <message>
+        <source>it cannot be read (%1)</source>
+        <translation>no se puede leer (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>files.cannot_be_written</name>
+    <message>
+        <source>it cannot be written (%1)</source>
+        <translation>no se puede escribir (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>files.check_file_is_there</name>
+    <message>
+        <source>check that the file is there and may be read</source>
+        <translation>compruebe que el archivo está ahí y se puede leer</translation>
+    </message>
+</context>
+<context>
+    <name>files.check_may_be_read</name>
+    <message>
+        <source>check that you may read the file</source>
+        <translation>compruebe que puede leer el archivo</translation>
+    </message>
+</context>
+<context>
+    <name>files.check_name</name>
+    <message>
+        <source>check the name and the folder</source>
+        <translation>compruebe el nombre y la carpeta</translation>
+    </message>
+</context>
+<context>
+    <name>files.choose_another_file</name>
+    <message>
+        <source>choose another file</source>
+        <translation>elija otro archivo</translation>
+    </message>
+</context>
+<context>
+    <name>files.choose_another_folder</name>
+    <message>
+        <source>choose another folder</source>
+        <translation>elija otra carpeta</translation>
+    </message>
+</context>
+<context>
+    <name>files.choose_another_name</name>
+    <message>
+        <source>choose another name</source>
+        <translation>elija otro nombre</translation>
+    </message>
+</context>
+<context>
+    <name>files.choose_folder_with_room</name>
+    <message>
+        <source>choose a folder that you may write to and that has room</source>
+        <translation>elija una carpeta con espacio en la que pueda escribir</translation>
+    </message>
+</context>
+<context>
+    <name>files.choose_name_or_folder</name>
+    <message>
+        <source>choose another name or folder</source>
+        <translation>elija otro nombre u otra carpeta</translation>
+    </message>
+</context>
+<context>
+    <name>files.choose_shorter_name</name>
+    <message>
+        <source>choose a shorter name</source>
+        <translation>elija un nombre más corto</translation>
+    </message>
+</context>
+<context>
+    <name>files.choose_writable_folder</name>
+    <message>
+        <source>choose a folder that you may write to</source>
+        <translation>elija una carpeta en la que pueda escribir</translation>
+    </message>
+</context>
+<context>
+    <name>files.disk_is_full</name>
+    <message>
+        <source>the disk is full</source>
+        <translation>el disco está lleno</translation>
+    </message>
+</context>
+<context>
+    <name>files.folder_cannot_be_used</name>
+    <message>
+        <source>its folder cannot be used (%1)</source>
+        <translation>no se puede usar su carpeta (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>files.folder_not_writable</name>
+    <message>
+        <source>the folder &apos;%1&apos; cannot be written to (%2)</source>
+        <translation>no se puede escribir en la carpeta &apos;%1&apos; (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>files.has_no_name</name>
+    <message>
+        <source>it has no name</source>
+        <translation>no tiene nombre</translation>
+    </message>
+</context>
+<context>
+    <name>files.is_a_database</name>
+    <message>
+        <source>it is a database</source>
+        <translation>es una base de datos</translation>
+    </message>
+</context>
+<context>
+    <name>files.is_another_project</name>
+    <message>
+        <source>it is another project</source>
+        <translation>es otro proyecto</translation>
+    </message>
+</context>
+<context>
+    <name>files.is_beside_project</name>
+    <message>
+        <source>it is the log, the lock or a backup of a project</source>
+        <translation>es el registro, el bloqueo o una copia de seguridad de un proyecto</translation>
+    </message>
+</context>
+<context>
+    <name>files.is_in_media_folder</name>
+    <message>
+        <source>it is in the media folder of project &apos;%1&apos;</source>
+        <translation>está en la carpeta de medios del proyecto &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>files.is_in_some_media_folder</name>
+    <message>
+        <source>it is in a media folder beside a project</source>
+        <translation>está en una carpeta de medios junto a un proyecto</translation>
+    </message>
+</context>
+<context>
+    <name>files.is_input</name>
+    <message>
+        <source>it is an input of the same call</source>
+        <translation>es una entrada de la misma llamada</translation>
+    </message>
+</context>
+<context>
+    <name>files.is_of_another_kind</name>
+    <message>
+        <source>a file of another kind has that name</source>
+        <translation>un archivo de otro tipo tiene ese nombre</translation>
+    </message>
+</context>
+<context>
+    <name>files.is_open_project</name>
+    <message>
+        <source>it is a project that is open here</source>
+        <translation>es un proyecto que está abierto aquí</translation>
+    </message>
+</context>
+<context>
+    <name>files.is_temporary_name</name>
+    <message>
+        <source>Odograph uses such names for temporary files</source>
+        <translation>Odograph usa esos nombres para archivos temporales</translation>
+    </message>
+</context>
+<context>
+    <name>files.is_the_project</name>
+    <message>
+        <source>it is the project itself</source>
+        <translation>es el propio proyecto</translation>
+    </message>
+</context>
+<context>
+    <name>files.is_there_already</name>
+    <message>
+        <source>it is there already</source>
+        <translation>ya existe</translation>
+    </message>
+</context>
+<context>
+    <name>files.log_left_beside</name>
+    <message>
+        <source>its folder has &apos;%1&apos;, the log or journal of another file of this name</source>
+        <translation>su carpeta contiene «%1», el registro o diario de otro archivo con este nombre</translation>
+    </message>
+</context>
+<context>
+    <name>files.make_folder_first</name>
+    <message>
+        <source>make the folder first, or choose another one</source>
+        <translation>cree antes la carpeta, o elija otra</translation>
+    </message>
+</context>
+<context>
+    <name>files.make_room</name>
+    <message>
+        <source>make room on the disk and try again</source>
+        <translation>libere espacio en el disco e inténtelo de nuevo</translation>
+    </message>
+</context>
+<context>
+    <name>files.move_log_away</name>
+    <message>
+        <source>choose another name, or move &apos;%1&apos; to another folder first</source>
+        <translation>elija otro nombre o mueva antes «%1» a otra carpeta</translation>
+    </message>
+</context>
+<context>
+    <name>files.name_a_file</name>
+    <message>
+        <source>name a file</source>
+        <translation>indique un archivo</translation>
+    </message>
+</context>
+<context>
+    <name>files.name_too_long</name>
+    <message>
+        <source>its name is too long</source>
+        <translation>su nombre es demasiado largo</translation>
+    </message>
+</context>
+<context>
+    <name>files.names_a_project</name>
+    <message>
+        <source>a name ending in .odo is for a project</source>
+        <translation>un nombre que termina en .odo es para un proyecto</translation>
+    </message>
+</context>
+<context>
+    <name>files.no_such_file</name>
+    <message>
+        <source>there is no such file</source>
+        <translation>no existe ese archivo</translation>
+    </message>
+</context>
+<context>
+    <name>files.no_such_folder</name>
+    <message>
+        <source>there is no folder &apos;%1&apos;</source>
+        <translation>no existe la carpeta &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>files.replace_by_force</name>
+    <message>
+        <source>choose another name, or replace it with --force</source>
+        <translation>elija otro nombre, o sustitúyalo con --force</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.add_points</name>
+    <message>
+        <source>add points</source>
+        <translation>añada puntos</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.at_one_place</name>
+    <message>
+        <source>%1 lie at one place</source>
+        <translation>%1 están en un mismo lugar</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.at_one_place_in_picture</name>
+    <message>
+        <source>%1 lie at one place in the picture</source>
+        <translation>%1 están en un mismo lugar de la imagen</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.beyond_horizon</name>
+    <message>
+        <source>%1 would lie beyond the horizon</source>
+        <translation>%1 estaría más allá del horizonte</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.bow_tie</name>
+    <message>
+        <source>the order of the points crosses over like a bow tie</source>
+        <translation>el orden de los puntos se cruza como una pajarita</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.calibrate_again</name>
+    <message>
+        <source>calibrate the camera again, or import another file</source>
+        <translation>calibre la cámara de nuevo, o importe otro archivo</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.check_points</name>
+    <message>
+        <source>check which point is which</source>
+        <translation>compruebe qué punto es cuál</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.coordinate_not_finite</name>
+    <message>
+        <source>a coordinate of %1 is not a finite number</source>
+        <translation>una coordenada de %1 no es un número finito</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.correct_it</name>
+    <message>
+        <source>correct it</source>
+        <translation>corríjalo</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.correct_one</name>
+    <message>
+        <source>correct one of them</source>
+        <translation>corrija uno de ellos</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.empty_chain</name>
+    <message>
+        <source>the chain has no links</source>
+        <translation>la cadena no tiene eslabones</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.focal_not_positive</name>
+    <message>
+        <source>the focal length %1 is not positive</source>
+        <translation>la distancia focal %1 no es positiva</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.four_points_needed</name>
+    <message>
+        <source>four points are needed, %1 given</source>
+        <translation>hacen falta cuatro puntos, se dieron %1</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.give_one_link</name>
+    <message>
+        <source>give at least one</source>
+        <translation>dé al menos uno</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.intrinsics_unusable</name>
+    <message>
+        <source>these intrinsics cannot be used</source>
+        <translation>estos parámetros intrínsecos no se pueden usar</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.no_homography</name>
+    <message>
+        <source>no homography</source>
+        <translation>sin homografía</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.on_one_line</name>
+    <message>
+        <source>%1 lie on one line</source>
+        <translation>%1 están en una línea</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.on_one_line_in_picture</name>
+    <message>
+        <source>%1 lie on one line in the picture</source>
+        <translation>%1 están en una línea de la imagen</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.point</name>
+    <message>
+        <source>point %1</source>
+        <translation>punto %1</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.points_do_not_tell</name>
+    <message>
+        <source>the points do not determine it</source>
+        <translation>los puntos no la determinan</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.singular_link</name>
+    <message>
+        <source>link %1 of %2 of the chain is singular</source>
+        <translation>el eslabón %1 de %2 de la cadena es singular</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.size_not_positive</name>
+    <message>
+        <source>the picture size %1 is not positive</source>
+        <translation>el tamaño de imagen %1 no es positivo</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.spread_points</name>
+    <message>
+        <source>spread the points</source>
+        <translation>separe los puntos</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.use_four_points</name>
+    <message>
+        <source>use four points of which no three are in line</source>
+        <translation>use cuatro puntos de los que no haya tres en línea</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.use_four_points_in_it</name>
+    <message>
+        <source>use four points in it of which no three are in line</source>
+        <translation>use en él cuatro puntos de los que no haya tres en línea</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.value_not_finite</name>
+    <message>
+        <source>one of the values is not a finite number</source>
+        <translation>uno de los valores no es un número finito</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.wrong_coefficients</name>
+    <message>
+        <source>%1 distortion coefficients do not belong to this lens model</source>
+        <translation>%1 coeficientes de distorsión no corresponden a este modelo de lente</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.wrong_covariance_size</name>
+    <message>
+        <source>the covariance has the wrong size</source>
+        <translation>la covarianza tiene un tamaño incorrecto</translation>
     </message>
 </context>
 <context>
@@ -9122,60 +8815,12 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Nueva clase</translation>
     </message>
     <message>
-        <source>add class %1</source>
-        <translation>añadir la clase %1</translation>
-    </message>
-    <message>
         <source>Rename class</source>
         <translation>Renombrar clase</translation>
     </message>
     <message>
-        <source>rename class %1 to %2</source>
-        <translation>renombrar la clase %1 como %2</translation>
-    </message>
-    <message>
-        <source>take class %1 out of the archive</source>
-        <translation>desarchivar la clase %1</translation>
-    </message>
-    <message>
-        <source>archive class %1</source>
-        <translation>archivar la clase %1</translation>
-    </message>
-    <message>
-        <source>delete class %1</source>
-        <translation>eliminar la clase %1</translation>
-    </message>
-    <message>
         <source>New team</source>
         <translation>Nuevo equipo</translation>
-    </message>
-    <message>
-        <source>add team %1</source>
-        <translation>añadir el equipo %1</translation>
-    </message>
-    <message>
-        <source>take team %1 out of its class</source>
-        <translation>sacar el equipo %1 de su clase</translation>
-    </message>
-    <message>
-        <source>move team %1 to class %2</source>
-        <translation>mover el equipo %1 a la clase %2</translation>
-    </message>
-    <message>
-        <source>delete team %1</source>
-        <translation>eliminar el equipo %1</translation>
-    </message>
-    <message>
-        <source>change members and robots of team %1</source>
-        <translation>cambiar los miembros y robots del equipo %1</translation>
-    </message>
-    <message>
-        <source>rename team %1 to %2</source>
-        <translation>renombrar el equipo %1 como %2</translation>
-    </message>
-    <message>
-        <source>change the pseudonym of team %1</source>
-        <translation>cambiar el seudónimo del equipo %1</translation>
     </message>
 </context>
 <context>
@@ -9718,20 +9363,12 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Demo de Odograph</translation>
     </message>
     <message>
-        <source>Making the demo lesson</source>
-        <translation>Creando la lección demo</translation>
-    </message>
-    <message>
         <source>Copy of %1</source>
         <translation>Copia de %1</translation>
     </message>
     <message>
         <source>Save a copy</source>
         <translation>Guardar copia</translation>
-    </message>
-    <message>
-        <source>Saving a copy</source>
-        <translation>Guardando la copia</translation>
     </message>
     <message>
         <source>A copy was saved as %1. Its videos stay where they are.</source>
@@ -9744,10 +9381,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>With its cameras, marker layouts, robots and tasks, without people and trials</source>
         <translation>Con sus cámaras, planos de marcadores, robots y tareas, sin personas ni ensayos</translation>
-    </message>
-    <message>
-        <source>Taking over the set-up</source>
-        <translation>Se toma la configuración</translation>
     </message>
 </context>
 <context>
@@ -10098,40 +9731,12 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
             <numerusform>Exportar %n ensayos: elija una carpeta</numerusform>
         </translation>
     </message>
-    <message>
-        <source>Exported trials: %1 of %2.</source>
-        <translation>Ensayos exportados: %1 de %2.</translation>
-    </message>
-    <message>
-        <source>Exporting %1 (%2 of %3)</source>
-        <translation>Exportando %1 (%2 de %3)</translation>
-    </message>
     <message numerus="yes">
         <source>Videos of %n trial(s)</source>
         <translation>
             <numerusform>Videos de %n ensayo</numerusform>
             <numerusform>Videos de %n ensayos</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Videos made: %1 of %2.</source>
-        <translation>Videos creados: %1 de %2.</translation>
-    </message>
-    <message>
-        <source>Making the video of %1 (%2 of %3)</source>
-        <translation>Creando el video de %1 (%2 de %3)</translation>
-    </message>
-    <message>
-        <source>Trials measured again: %1 of %2.</source>
-        <translation>Ensayos vueltos a medir: %1 de %2.</translation>
-    </message>
-    <message>
-        <source>Measuring %1 again (%2 of %3)</source>
-        <translation>Volviendo a medir %1 (%2 de %3)</translation>
-    </message>
-    <message>
-        <source>Emptying the bin</source>
-        <translation>Vaciando la papelera</translation>
     </message>
     <message numerus="yes">
         <source>%n trial(s) removed for good.</source>
@@ -10150,14 +9755,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>%1 could not be deleted; delete it by hand.</source>
         <translation>No se pudo eliminar %1; elimínelo a mano.</translation>
-    </message>
-    <message>
-        <source>and %1 more</source>
-        <translation>y %1 más</translation>
-    </message>
-    <message>
-        <source>mend what stands there, and choose these trials again</source>
-        <translation>corrija lo que se indica allí y vuelva a elegir estos ensayos</translation>
     </message>
 </context>
 <context>
@@ -11295,14 +10892,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>odo::MainWindow</name>
     <message>
-        <source>no project is open</source>
-        <translation>no hay ningún proyecto abierto</translation>
-    </message>
-    <message>
-        <source>open the project that it belongs to</source>
-        <translation>abra el proyecto al que pertenece</translation>
-    </message>
-    <message>
         <source>&amp;File</source>
         <translation>&amp;Archivo</translation>
     </message>
@@ -11373,54 +10962,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Vaciar &amp;papelera…</translation>
     </message>
     <message>
-        <source>star %1</source>
-        <translation>destacar %1</translation>
-    </message>
-    <message>
-        <source>take the star off %1</source>
-        <translation>quitar la estrella a %1</translation>
-    </message>
-    <message>
-        <source>star %1 trials</source>
-        <translation>destacar %1 ensayos</translation>
-    </message>
-    <message>
-        <source>take the star off %1 trials</source>
-        <translation>quitar la estrella a %1 ensayos</translation>
-    </message>
-    <message>
-        <source>archive %1</source>
-        <translation>archivar %1</translation>
-    </message>
-    <message>
-        <source>take %1 out of the archive</source>
-        <translation>desarchivar %1</translation>
-    </message>
-    <message>
-        <source>archive %1 trials</source>
-        <translation>archivar %1 ensayos</translation>
-    </message>
-    <message>
-        <source>take %1 trials out of the archive</source>
-        <translation>desarchivar %1 ensayos</translation>
-    </message>
-    <message>
-        <source>delete %1</source>
-        <translation>eliminar %1</translation>
-    </message>
-    <message>
-        <source>take %1 out of the bin</source>
-        <translation>sacar %1 de la papelera</translation>
-    </message>
-    <message>
-        <source>delete %1 trials</source>
-        <translation>eliminar %1 ensayos</translation>
-    </message>
-    <message>
-        <source>take %1 trials out of the bin</source>
-        <translation>sacar %1 ensayos de la papelera</translation>
-    </message>
-    <message>
         <source>Take the &amp;star off</source>
         <translation>Quitar &amp;estrella</translation>
     </message>
@@ -11439,10 +10980,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Puts the selected trials into the bin (Del); they can be put back</source>
         <translation>Lleva a la papelera los ensayos seleccionados (Supr); se pueden recuperar</translation>
-    </message>
-    <message>
-        <source>change the tags of %1</source>
-        <translation>cambiar las etiquetas de %1</translation>
     </message>
     <message>
         <source>Empty the bin</source>
@@ -12112,18 +11649,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Ensayos</translation>
     </message>
     <message>
-        <source>report</source>
-        <translation>informe</translation>
-    </message>
-    <message>
-        <source>there is no trial yet</source>
-        <translation>aún no hay ningún ensayo</translation>
-    </message>
-    <message>
-        <source>import or record one first</source>
-        <translation>importe o grabe uno primero</translation>
-    </message>
-    <message>
         <source>Save the report</source>
         <translation>Guardar el informe</translation>
     </message>
@@ -12138,10 +11663,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>The report is with the printer %1.</source>
         <translation>El informe está en la impresora %1.</translation>
-    </message>
-    <message>
-        <source>Making the report</source>
-        <translation>Creando el informe</translation>
     </message>
 </context>
 <context>
@@ -12739,18 +12260,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>%1 × %2</translation>
     </message>
     <message>
-        <source>add robot %1</source>
-        <translation>añadir el robot %1</translation>
-    </message>
-    <message>
-        <source>change robot %1</source>
-        <translation>cambiar el robot %1</translation>
-    </message>
-    <message>
-        <source>delete robot %1</source>
-        <translation>eliminar el robot %1</translation>
-    </message>
-    <message>
         <source>its silhouette</source>
         <translation>su silueta</translation>
     </message>
@@ -13087,10 +12596,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <source>P%1</source>
         <comment>a point</comment>
         <translation>P%1</translation>
-    </message>
-    <message>
-        <source>camera %1</source>
-        <translation>cámara %1</translation>
     </message>
     <message>
         <source>Click a point of the floor in the left picture, then the same one in the right picture. What lies near a click is taken to the tenth of a pixel; the arrow keys move the chosen point, Space snaps it.</source>
@@ -13782,36 +13287,12 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         </translation>
     </message>
     <message>
-        <source>add task %1</source>
-        <translation>añadir la tarea %1</translation>
-    </message>
-    <message>
-        <source>change task %1</source>
-        <translation>cambiar la tarea %1</translation>
-    </message>
-    <message>
         <source>Rename task</source>
         <translation>Renombrar tarea</translation>
     </message>
     <message>
         <source>Name:</source>
         <translation>Nombre:</translation>
-    </message>
-    <message>
-        <source>rename task %1 to %2</source>
-        <translation>renombrar la tarea %1 como %2</translation>
-    </message>
-    <message>
-        <source>archive task %1</source>
-        <translation>archivar la tarea %1</translation>
-    </message>
-    <message>
-        <source>take task %1 out of the archive</source>
-        <translation>desarchivar la tarea %1</translation>
-    </message>
-    <message>
-        <source>delete task %1</source>
-        <translation>eliminar la tarea %1</translation>
     </message>
 </context>
 <context>
@@ -14142,10 +13623,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>La cámara %1 está calibrada. %2</translation>
     </message>
     <message>
-        <source>register camera %1</source>
-        <translation>registrar la cámara %1</translation>
-    </message>
-    <message>
         <source>Camera %1 is registered. %2</source>
         <translation>La cámara %1 está registrada. %2</translation>
     </message>
@@ -14184,10 +13661,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Tables (*.csv *.txt);;All files (*)</source>
         <translation>Tablas (*.csv *.txt);;Todos los archivos (*)</translation>
-    </message>
-    <message>
-        <source>add layout %1</source>
-        <translation>añadir el plano %1</translation>
     </message>
     <message>
         <source>Layout %1 has %2 markers.</source>
@@ -14431,10 +13904,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Proyectos empaquetados (*%1)</translation>
     </message>
     <message>
-        <source>Packing the project</source>
-        <translation>Empaquetando el proyecto</translation>
-    </message>
-    <message>
         <source>The project is packed into %1. Elsewhere it is unpacked by &quot;Unpack a packed project&quot;.</source>
         <translation>El proyecto está empaquetado en %1. En otro lugar se desempaqueta con “Desempaquetar proyecto”.</translation>
     </message>
@@ -14455,16 +13924,8 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>¿Dónde desempaquetar el proyecto?</translation>
     </message>
     <message>
-        <source>Unpacking the project</source>
-        <translation>Desempaquetando el proyecto</translation>
-    </message>
-    <message>
         <source>In which folder, or below, may the lost videos lie?</source>
         <translation>¿En qué carpeta, o por debajo de cuál, pueden estar los videos perdidos?</translation>
-    </message>
-    <message>
-        <source>Looking for lost videos</source>
-        <translation>Buscando videos perdidos</translation>
     </message>
     <message>
         <source>%1 of %2 lost videos were found, by their content.</source>
@@ -14473,10 +13934,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Find &amp;stray files…</source>
         <translation>Buscar archivos s&amp;ueltos…</translation>
-    </message>
-    <message>
-        <source>Looking for stray files</source>
-        <translation>Buscando archivos sueltos</translation>
     </message>
     <message>
         <source>Every file in the media folder belongs to a trial, a lens calibration or a floor registration.</source>
@@ -14505,20 +13962,12 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <source>&amp;Remove files</source>
         <translation>&amp;Eliminar archivos</translation>
     </message>
-    <message>
-        <source>Adding stray videos as trials</source>
-        <translation>Añadiendo videos sueltos como ensayos</translation>
-    </message>
     <message numerus="yes">
         <source>%n trial(s) added. Their names begin with &quot;recovered&quot;.</source>
         <translation>
             <numerusform>%n ensayo añadido. Su nombre empieza por «recovered».</numerusform>
             <numerusform>%n ensayos añadidos. Sus nombres empiezan por «recovered».</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Removing stray files</source>
-        <translation>Eliminando archivos sueltos</translation>
     </message>
     <message numerus="yes">
         <source>%n stray file(s) removed.</source>
@@ -14597,30 +14046,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Añadir r&amp;obot…</translation>
     </message>
     <message>
-        <source>Importing %1</source>
-        <translation>Importando %1</translation>
-    </message>
-    <message>
-        <source>Tracking %1</source>
-        <translation>Rastreando %1</translation>
-    </message>
-    <message>
-        <source>the sample</source>
-        <translation>la muestra</translation>
-    </message>
-    <message>
-        <source>this project can only be read</source>
-        <translation>este proyecto es de solo lectura</translation>
-    </message>
-    <message>
-        <source>save a copy and work on that</source>
-        <translation>guarde una copia y trabaje en ella</translation>
-    </message>
-    <message>
-        <source>Measuring %1 again</source>
-        <translation>Volviendo a medir %1</translation>
-    </message>
-    <message>
         <source>The sample at %1 of %2 is not used. Undo takes it back.</source>
         <translation>La muestra a los %1 de %2 no se usa. Deshacer lo revierte.</translation>
     </message>
@@ -14637,39 +14062,12 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Videos MP4 (*.mp4)</translation>
     </message>
     <message>
-        <source>Making the video of %1</source>
-        <translation>Creando el video de %1</translation>
-    </message>
-    <message>
         <source>The video of %1 is there: %2</source>
         <translation>El video de %1 está listo: %2</translation>
     </message>
     <message>
-        <source>add robot %1</source>
-        <translation>añadir el robot %1</translation>
-    </message>
-    <message>
         <source>Robot %1 is known now.</source>
         <translation>Se añadió el robot %1.</translation>
-    </message>
-    <message>
-        <source>the trial</source>
-        <translation>el ensayo</translation>
-    </message>
-</context>
-<context>
-    <name>odo::TrialBatch</name>
-    <message>
-        <source>many trials</source>
-        <translation>muchos ensayos</translation>
-    </message>
-    <message>
-        <source>another job is running</source>
-        <translation>hay otro trabajo en curso</translation>
-    </message>
-    <message>
-        <source>wait until it is done, or cancel it</source>
-        <translation>espere a que termine o cancélelo</translation>
     </message>
 </context>
 <context>
@@ -14764,10 +14162,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>No trial selected</source>
         <translation>Ningún ensayo seleccionado</translation>
-    </message>
-    <message>
-        <source>write notes of %1</source>
-        <translation>escribir las notas de %1</translation>
     </message>
 </context>
 <context>
@@ -14984,18 +14378,6 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <source>&amp;Redo: %1</source>
         <translation>&amp;Rehacer: %1</translation>
     </message>
-    <message>
-        <source>undo</source>
-        <translation>deshacer</translation>
-    </message>
-    <message>
-        <source>a job is running on the project</source>
-        <translation>hay un trabajo en curso en el proyecto</translation>
-    </message>
-    <message>
-        <source>wait until it is done, or cancel it</source>
-        <translation>espere a que termine o cancélelo</translation>
-    </message>
 </context>
 <context>
     <name>odo::VideoDialog</name>
@@ -15128,52 +14510,8 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>odo::Workspace</name>
     <message>
-        <source>another job is running</source>
-        <translation>hay otro trabajo en curso</translation>
-    </message>
-    <message>
-        <source>wait until it is done, or cancel it</source>
-        <translation>espere a que termine o cancélelo</translation>
-    </message>
-    <message>
-        <source>cannot open another project</source>
-        <translation>no se puede abrir otro proyecto</translation>
-    </message>
-    <message>
-        <source>Opening %1</source>
-        <translation>Abriendo %1</translation>
-    </message>
-    <message>
         <source>%1: %2. Here it can only be looked at; to change it, close it there and open it here again.</source>
         <translation>%1: %2. Aquí solo se puede consultar; para modificarlo, ciérrelo allí y vuelva a abrirlo aquí.</translation>
-    </message>
-    <message>
-        <source>Completing a recording that was cut off</source>
-        <translation>Completando una grabación interrumpida</translation>
-    </message>
-    <message>
-        <source>Making the hashes of new recordings</source>
-        <translation>Calculando los hashes de las grabaciones nuevas</translation>
-    </message>
-    <message>
-        <source>cannot make another project</source>
-        <translation>no se puede crear otro proyecto</translation>
-    </message>
-    <message>
-        <source>no project is open</source>
-        <translation>no hay ningún proyecto abierto</translation>
-    </message>
-    <message>
-        <source>open or make a project first</source>
-        <translation>primero abra o cree un proyecto</translation>
-    </message>
-    <message>
-        <source>its backup of %1 is sound; what was done since is not in it</source>
-        <translation>su copia de seguridad del %1 está íntegra; lo hecho desde entonces no está en ella</translation>
-    </message>
-    <message>
-        <source>Restoring the backup</source>
-        <translation>Restaurando la copia de seguridad</translation>
     </message>
     <message>
         <source>The backup was restored. The damaged file is kept as “%1”.</source>
@@ -15233,6 +14571,6733 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
     <message>
         <source>Zone %1</source>
         <translation>Zona %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.add_another_layout</name>
+    <message>
+        <source>add another layout for other markers</source>
+        <translation>añada otro plano para otros marcadores</translation>
+    </message>
+</context>
+<context>
+    <name>project.add_one_first</name>
+    <message>
+        <source>add one first</source>
+        <translation>añada uno antes</translation>
+    </message>
+</context>
+<context>
+    <name>project.add_what_it_refers_to</name>
+    <message>
+        <source>add what it refers to first</source>
+        <translation>añada primero aquello a lo que se refiere</translation>
+    </message>
+</context>
+<context>
+    <name>project.adopt_or_remove</name>
+    <message>
+        <source>make a trial of it with odograph check P.odo --adopt, or remove it with --remove-strays; the window offers both under &apos;Find stray files…&apos;</source>
+        <translation>conviértalo en un ensayo con odograph check P.odo --adopt, o elimínelo con --remove-strays; la ventana ofrece ambas cosas en «Buscar archivos sueltos…»</translation>
+    </message>
+</context>
+<context>
+    <name>project.an_analysis</name>
+    <message>
+        <source>analysis of a trial</source>
+        <translation>análisis de un ensayo</translation>
+    </message>
+</context>
+<context>
+    <name>project.analyse_again</name>
+    <message>
+        <source>analyse the trial again</source>
+        <translation>vuelva a analizar el ensayo</translation>
+    </message>
+</context>
+<context>
+    <name>project.analysis_number</name>
+    <message>
+        <source>analysis %1</source>
+        <translation>análisis %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.analysis_of_project</name>
+    <message>
+        <source>analysis %1 of the project</source>
+        <translation>análisis %1 del proyecto</translation>
+    </message>
+</context>
+<context>
+    <name>project.another_program_writes</name>
+    <message>
+        <source>another program is writing to it</source>
+        <translation>otro programa está escribiendo en él</translation>
+    </message>
+</context>
+<context>
+    <name>project.being_recorded</name>
+    <message>
+        <source>it is being recorded</source>
+        <translation>se está grabando</translation>
+    </message>
+</context>
+<context>
+    <name>project.calibration_of_project</name>
+    <message>
+        <source>calibration %1 of the project</source>
+        <translation>calibración %1 del proyecto</translation>
+    </message>
+</context>
+<context>
+    <name>project.calibration_origin</name>
+    <message>
+        <source>origin of a calibration</source>
+        <translation>origen de una calibración</translation>
+    </message>
+</context>
+<context>
+    <name>project.calibration_picture_of</name>
+    <message>
+        <source>the calibration picture &apos;%1&apos; of camera &apos;%2&apos;</source>
+        <translation>la imagen de calibración &apos;%1&apos; de la cámara &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.camera_address</name>
+    <message>
+        <source>address of a camera</source>
+        <translation>dirección de una cámara</translation>
+    </message>
+</context>
+<context>
+    <name>project.cannot_be_looked_at</name>
+    <message>
+        <source>it cannot be looked at (%1)</source>
+        <translation>no se puede examinar (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>project.cannot_be_read</name>
+    <message>
+        <source>it cannot be read</source>
+        <translation>no se puede leer</translation>
+    </message>
+</context>
+<context>
+    <name>project.cannot_be_written_to</name>
+    <message>
+        <source>it cannot be written to</source>
+        <translation>no se puede escribir en él</translation>
+    </message>
+</context>
+<context>
+    <name>project.cannot_hold</name>
+    <message>
+        <source>cannot hold %1</source>
+        <translation>no se puede bloquear %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.cannot_record_into</name>
+    <message>
+        <source>cannot record into %1</source>
+        <translation>no se puede grabar en %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.cannot_remove</name>
+    <message>
+        <source>cannot remove &apos;%1&apos;</source>
+        <translation>no se puede eliminar &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.change_list</name>
+    <message>
+        <source>the list of changes</source>
+        <translation>la lista de cambios</translation>
+    </message>
+</context>
+<context>
+    <name>project.change_not_noted</name>
+    <message>
+        <source>the change could not be noted (%1)</source>
+        <translation>no se pudo anotar el cambio (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>project.change_something_first</name>
+    <message>
+        <source>change something first</source>
+        <translation>cambie algo antes</translation>
+    </message>
+</context>
+<context>
+    <name>project.change_words</name>
+    <message>
+        <source>words of a change</source>
+        <translation>palabras de un cambio</translation>
+    </message>
+</context>
+<context>
+    <name>project.changed_since</name>
+    <message>
+        <source>what it concerns has been changed or used since</source>
+        <translation>aquello a lo que afecta se ha cambiado o usado desde entonces</translation>
+    </message>
+</context>
+<context>
+    <name>project.check</name>
+    <message>
+        <source>check of the project</source>
+        <translation>comprobación del proyecto</translation>
+    </message>
+</context>
+<context>
+    <name>project.check_disk</name>
+    <message>
+        <source>check the disk</source>
+        <translation>compruebe el disco</translation>
+    </message>
+</context>
+<context>
+    <name>project.check_disk_and_retry</name>
+    <message>
+        <source>check the disk and try again</source>
+        <translation>compruebe el disco e inténtelo de nuevo</translation>
+    </message>
+</context>
+<context>
+    <name>project.check_folder_is_there</name>
+    <message>
+        <source>check that the folder is there and may be read</source>
+        <translation>compruebe que la carpeta está ahí y se puede leer</translation>
+    </message>
+</context>
+<context>
+    <name>project.check_its_folder</name>
+    <message>
+        <source>check the free space and the rights of its folder</source>
+        <translation>compruebe el espacio libre y los permisos de su carpeta</translation>
+    </message>
+</context>
+<context>
+    <name>project.check_its_input</name>
+    <message>
+        <source>check the input that it was computed from</source>
+        <translation>compruebe los datos de los que se calculó</translation>
+    </message>
+</context>
+<context>
+    <name>project.check_name_or_make</name>
+    <message>
+        <source>check the name, or make a new project</source>
+        <translation>compruebe el nombre, o cree un proyecto nuevo</translation>
+    </message>
+</context>
+<context>
+    <name>project.check_numbers</name>
+    <message>
+        <source>check the numbers</source>
+        <translation>compruebe los números</translation>
+    </message>
+</context>
+<context>
+    <name>project.check_project_folder</name>
+    <message>
+        <source>check the free space and the rights of the project&apos;s folder</source>
+        <translation>compruebe el espacio libre y los permisos de la carpeta del proyecto</translation>
+    </message>
+</context>
+<context>
+    <name>project.check_rights</name>
+    <message>
+        <source>check the rights of the project&apos;s folder</source>
+        <translation>compruebe los permisos de la carpeta del proyecto</translation>
+    </message>
+</context>
+<context>
+    <name>project.checking</name>
+    <message>
+        <source>checking %1</source>
+        <translation>comprobando %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.checking_database</name>
+    <message>
+        <source>checking the database</source>
+        <translation>comprobando la base de datos</translation>
+    </message>
+</context>
+<context>
+    <name>project.choose_its_own</name>
+    <message>
+        <source>choose one of its own (odograph revisions P.odo CAMERA --use), or restore the project from a backup copy</source>
+        <translation>elija una propia (odograph revisions P.odo CAMERA --use), o restaure el proyecto desde una copia de seguridad</translation>
+    </message>
+</context>
+<context>
+    <name>project.choose_our_file</name>
+    <message>
+        <source>choose a file that Odograph has written</source>
+        <translation>elija un archivo escrito por Odograph</translation>
+    </message>
+</context>
+<context>
+    <name>project.choose_shorter_name</name>
+    <message>
+        <source>choose a shorter name</source>
+        <translation>elija un nombre más corto</translation>
+    </message>
+</context>
+<context>
+    <name>project.choose_writable_folder</name>
+    <message>
+        <source>choose a folder that can be written to and has room</source>
+        <translation>elija una carpeta con espacio en la que se pueda escribir</translation>
+    </message>
+</context>
+<context>
+    <name>project.class_has_team</name>
+    <message>
+        <source>a team belongs to it</source>
+        <translation>un equipo pertenece a ella</translation>
+    </message>
+</context>
+<context>
+    <name>project.class_has_teams</name>
+    <message>
+        <source>%1 teams belong to it</source>
+        <translation>%1 equipos pertenecen a ella</translation>
+    </message>
+</context>
+<context>
+    <name>project.close_it_there</name>
+    <message>
+        <source>close it there first</source>
+        <translation>ciérrelo allí primero</translation>
+    </message>
+</context>
+<context>
+    <name>project.close_other_program</name>
+    <message>
+        <source>close the other program and try again</source>
+        <translation>cierre el otro programa e inténtelo de nuevo</translation>
+    </message>
+</context>
+<context>
+    <name>project.complete_recording</name>
+    <message>
+        <source>open the project to write, which completes it: odograph record P.odo --recover</source>
+        <translation>abra el proyecto para escritura, lo que lo completa: odograph record P.odo --recover</translation>
+    </message>
+</context>
+<context>
+    <name>project.copy</name>
+    <message>
+        <source>copy &apos;%1&apos;</source>
+        <translation>copia &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.copy_again</name>
+    <message>
+        <source>copy it again from where it came, or restore a backup copy</source>
+        <translation>cópielo de nuevo desde su origen, o restaure una copia de seguridad</translation>
+    </message>
+</context>
+<context>
+    <name>project.copy_differs</name>
+    <message>
+        <source>the copy differs from what was written</source>
+        <translation>la copia difiere de lo escrito</translation>
+    </message>
+</context>
+<context>
+    <name>project.copy_file_beside</name>
+    <message>
+        <source>copy the file beside the project</source>
+        <translation>copie el archivo junto al proyecto</translation>
+    </message>
+</context>
+<context>
+    <name>project.copy_of_project</name>
+    <message>
+        <source>copy of project &apos;%1&apos;</source>
+        <translation>copia del proyecto &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.copy_sound_backup</name>
+    <message>
+        <source>copy &apos;%1&apos;, which is sound, to a new name and open that, and keep the damaged file</source>
+        <translation>copie «%1», que está íntegro, con un nombre nuevo y abra esa copia, y conserve el archivo dañado</translation>
+    </message>
+</context>
+<context>
+    <name>project.copy_to_another_disk</name>
+    <message>
+        <source>check the disk, and copy the project to another one</source>
+        <translation>compruebe el disco y copie el proyecto a otro</translation>
+    </message>
+</context>
+<context>
+    <name>project.copy_to_writable_folder</name>
+    <message>
+        <source>copy it to a folder that you may write to, and open the copy</source>
+        <translation>cópielo a una carpeta en la que pueda escribir y abra la copia</translation>
+    </message>
+</context>
+<context>
+    <name>project.copy_with_side_files</name>
+    <message>
+        <source>copy it with the files beside it to a folder that you may write to, and open the copy</source>
+        <translation>cópielo, con los archivos que están junto a él, a una carpeta en la que pueda escribir y abra la copia</translation>
+    </message>
+</context>
+<context>
+    <name>project.copy_with_videos</name>
+    <message>
+        <source>copy it with its videos to a folder that you may write to, and open the copy</source>
+        <translation>cópielo con sus videos a una carpeta en la que pueda escribir y abra la copia</translation>
+    </message>
+</context>
+<context>
+    <name>project.corners_of</name>
+    <message>
+        <source>corners of &apos;%1&apos;</source>
+        <translation>esquinas de &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.covariance_not_6_by_6</name>
+    <message>
+        <source>its stored covariance is not a 6 by 6 matrix</source>
+        <translation>su covarianza guardada no es una matriz de 6 por 6</translation>
+    </message>
+</context>
+<context>
+    <name>project.database_refused</name>
+    <message>
+        <source>the database refused</source>
+        <translation>la base de datos lo rechazó</translation>
+    </message>
+</context>
+<context>
+    <name>project.database_refused_because</name>
+    <message>
+        <source>the database refused (%1)</source>
+        <translation>la base de datos lo rechazó (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>project.delete_its_trials</name>
+    <message>
+        <source>delete them for good first, or archive its class</source>
+        <translation>elimínelos antes definitivamente, o archive su clase</translation>
+    </message>
+</context>
+<context>
+    <name>project.disk_error</name>
+    <message>
+        <source>the disk reported an error, the change was not saved</source>
+        <translation>el disco comunicó un error, el cambio no se guardó</translation>
+    </message>
+</context>
+<context>
+    <name>project.disk_full</name>
+    <message>
+        <source>the disk is full, the change was not saved</source>
+        <translation>el disco está lleno, el cambio no se guardó</translation>
+    </message>
+</context>
+<context>
+    <name>project.disk_read_only</name>
+    <message>
+        <source>the disk has become read-only, the change was not saved</source>
+        <translation>el disco ha pasado a ser de solo lectura, el cambio no se guardó</translation>
+    </message>
+</context>
+<context>
+    <name>project.disk_unreadable</name>
+    <message>
+        <source>the disk could not be read, and nothing was changed</source>
+        <translation>no se pudo leer el disco, y no se cambió nada</translation>
+    </message>
+</context>
+<context>
+    <name>project.duration_of_recordings_differs</name>
+    <message>
+        <source>its duration is stored as %1, its recordings last %2</source>
+        <translation>su duración guardada es %1, sus grabaciones duran %2</translation>
+    </message>
+</context>
+<context>
+    <name>project.duration_of_tracks_differs</name>
+    <message>
+        <source>its duration is stored as %1, its imported tracks last %2</source>
+        <translation>su duración guardada es %1, sus trazas importadas duran %2</translation>
+    </message>
+</context>
+<context>
+    <name>project.earlier_step_failed</name>
+    <message>
+        <source>an earlier step of this change failed</source>
+        <translation>falló un paso anterior de este cambio</translation>
+    </message>
+</context>
+<context>
+    <name>project.end_recording_first</name>
+    <message>
+        <source>end its recording first</source>
+        <translation>termine antes su grabación</translation>
+    </message>
+</context>
+<context>
+    <name>project.figures_without_task</name>
+    <message>
+        <source>their figures would not say any more what they were measured by</source>
+        <translation>sus indicadores ya no dirían con qué se midieron</translation>
+    </message>
+</context>
+<context>
+    <name>project.file_changed</name>
+    <message>
+        <source>%1 was changed since it was made</source>
+        <translation>%1 se modificó después de su creación</translation>
+    </message>
+</context>
+<context>
+    <name>project.file_cut_off</name>
+    <message>
+        <source>the file is cut off</source>
+        <translation>el archivo está truncado</translation>
+    </message>
+</context>
+<context>
+    <name>project.file_damaged</name>
+    <message>
+        <source>the file is damaged</source>
+        <translation>el archivo está dañado</translation>
+    </message>
+</context>
+<context>
+    <name>project.file_empty</name>
+    <message>
+        <source>the file is empty</source>
+        <translation>el archivo está vacío</translation>
+    </message>
+</context>
+<context>
+    <name>project.file_lost</name>
+    <message>
+        <source>its file was deleted, renamed or replaced while it was open; nothing was stored</source>
+        <translation>su archivo se ha borrado, renombrado o sustituido mientras estaba abierto; no se ha guardado nada</translation>
+    </message>
+</context>
+<context>
+    <name>project.file_there_already</name>
+    <message>
+        <source>a file of that name is there already</source>
+        <translation>ya existe un archivo con ese nombre</translation>
+    </message>
+</context>
+<context>
+    <name>project.file_unused</name>
+    <message>
+        <source>no trial, lens calibration or floor registration uses this file</source>
+        <translation>ningún ensayo, calibración de la lente ni registro al suelo usa este archivo</translation>
+    </message>
+</context>
+<context>
+    <name>project.find_or_put_back</name>
+    <message>
+        <source>take it from there with odograph check P.odo --find FOLDER or Find lost videos… in the window, or put it back in its place</source>
+        <translation>recupérela de ahí con odograph check P.odo --find FOLDER o con Buscar videos perdidos… en la ventana, o devuélvala a su lugar</translation>
+    </message>
+</context>
+<context>
+    <name>project.folder_read_only</name>
+    <message>
+        <source>its folder cannot be written to</source>
+        <translation>no se puede escribir en su carpeta</translation>
+    </message>
+</context>
+<context>
+    <name>project.foreign_log</name>
+    <message>
+        <source>the log beside it (&apos;%1&apos;) belongs to another file or to another state of this one</source>
+        <translation>el registro que está a su lado («%1») pertenece a otro archivo o a otro estado de este</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_1</name>
+    <message>
+        <source>the first schema</source>
+        <translation>el primer esquema</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_10</name>
+    <message>
+        <source>what a school year needs: stars, tags, archive, bin, pseudonyms, scoring and the list of changes</source>
+        <translation>lo que necesita un año escolar: estrellas, etiquetas, archivo, papelera, seudónimos, puntuación y la lista de cambios</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_11</name>
+    <message>
+        <source>members and robots of teams, zones and the archive of tasks, and imported tracks</source>
+        <translation>miembros y robots de los equipos, zonas y archivo de tareas, y trazas importadas</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_12</name>
+    <message>
+        <source>digests of analyses, and long series in chunks</source>
+        <translation>resúmenes criptográficos de los análisis, y series largas en bloques</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_13</name>
+    <message>
+        <source>the point of a robot that is measured</source>
+        <translation>el punto del robot que se mide</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_14</name>
+    <message>
+        <source>when robots of one look could not be told apart</source>
+        <translation>cuándo no se podían distinguir robots del mismo aspecto</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_15</name>
+    <message>
+        <source>robots that a person pointed out in a picture</source>
+        <translation>robots que una persona señaló en una imagen</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_16</name>
+    <message>
+        <source>sentences as codes with their arguments</source>
+        <translation>frases como códigos con sus argumentos</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_2</name>
+    <message>
+        <source>samples overruled by hand</source>
+        <translation>muestras decididas a mano</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_3</name>
+    <message>
+        <source>rates of the cameras&apos; clocks</source>
+        <translation>frecuencias de los relojes de las cámaras</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_4</name>
+    <message>
+        <source>tasks with gates, a reference path and limits</source>
+        <translation>tareas con puertas, una trayectoria de referencia y límites</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_5</name>
+    <message>
+        <source>how each view was put in step</source>
+        <translation>cómo se sincronizó cada vista</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_6</name>
+    <message>
+        <source>calibrations with their boards, corners and pictures</source>
+        <translation>calibraciones con sus tableros, esquinas e imágenes</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_7</name>
+    <message>
+        <source>revisions that are chosen, and checks of registrations</source>
+        <translation>revisiones elegidas, y comprobaciones de registros</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_8</name>
+    <message>
+        <source>trials while they are being recorded, and the raw times of their pictures</source>
+        <translation>ensayos mientras se graban, y los tiempos sin procesar de sus imágenes</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_9</name>
+    <message>
+        <source>pictures of registrations</source>
+        <translation>imágenes de registros</translation>
+    </message>
+</context>
+<context>
+    <name>project.frame_times_of</name>
+    <message>
+        <source>frame times of &apos;%1&apos;</source>
+        <translation>tiempos de los fotogramas de &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.gate</name>
+    <message>
+        <source>gate &apos;%1&apos;</source>
+        <translation>puerta &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.give_a_height</name>
+    <message>
+        <source>give a height, or let it be estimated</source>
+        <translation>dé una altura, o deje que se estime</translation>
+    </message>
+</context>
+<context>
+    <name>project.give_a_name</name>
+    <message>
+        <source>give the %1 a name</source>
+        <translation>dé un nombre (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>project.give_a_title</name>
+    <message>
+        <source>give the project a title</source>
+        <translation>dé un título al proyecto</translation>
+    </message>
+</context>
+<context>
+    <name>project.give_another_task</name>
+    <message>
+        <source>give them another task first</source>
+        <translation>deles antes otra tarea</translation>
+    </message>
+</context>
+<context>
+    <name>project.give_file_a_name</name>
+    <message>
+        <source>give the file a name</source>
+        <translation>dé un nombre al archivo</translation>
+    </message>
+</context>
+<context>
+    <name>project.give_members</name>
+    <message>
+        <source>give the names of the people in the team</source>
+        <translation>dé los nombres de las personas del equipo</translation>
+    </message>
+</context>
+<context>
+    <name>project.give_robot_size</name>
+    <message>
+        <source>give length and width in millimetres, like 260x190</source>
+        <translation>dé largo y ancho en milímetros, como 260x190</translation>
+    </message>
+</context>
+<context>
+    <name>project.give_whole_truth</name>
+    <message>
+        <source>give position, velocity and acceleration for each time</source>
+        <translation>dé posición, velocidad y aceleración para cada tiempo</translation>
+    </message>
+</context>
+<context>
+    <name>project.has_bytes_of</name>
+    <message>
+        <source>it has %1 of %2 bytes</source>
+        <translation>tiene %1 de %2 bytes</translation>
+    </message>
+</context>
+<context>
+    <name>project.has_characters</name>
+    <message>
+        <source>it has %1 characters</source>
+        <translation>tiene %1 caracteres</translation>
+    </message>
+</context>
+<context>
+    <name>project.has_names</name>
+    <message>
+        <source>it has %1</source>
+        <translation>tiene %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.has_none_yet</name>
+    <message>
+        <source>it has no %1 yet</source>
+        <translation>aún no tiene: %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.has_other_size</name>
+    <message>
+        <source>%1 has %2 bytes instead of %3</source>
+        <translation>%1 tiene %2 bytes en lugar de %3</translation>
+    </message>
+</context>
+<context>
+    <name>project.has_robots</name>
+    <message>
+        <source>it has %1 robots</source>
+        <translation>tiene %1 robots</translation>
+    </message>
+</context>
+<context>
+    <name>project.has_views</name>
+    <message>
+        <source>it has %1 views</source>
+        <translation>tiene %1 vistas</translation>
+    </message>
+</context>
+<context>
+    <name>project.height_below_floor</name>
+    <message>
+        <source>its height is below the floor</source>
+        <translation>su altura está por debajo del suelo</translation>
+    </message>
+</context>
+<context>
+    <name>project.height_from_0</name>
+    <message>
+        <source>give a height of 0 or more</source>
+        <translation>dé una altura de 0 o más</translation>
+    </message>
+</context>
+<context>
+    <name>project.height_not_given</name>
+    <message>
+        <source>its height is to be told, but none is given</source>
+        <translation>su altura debe indicarse, pero no se da</translation>
+    </message>
+</context>
+<context>
+    <name>project.holds_invisible</name>
+    <message>
+        <source>it holds an invisible character, %1</source>
+        <translation>contiene un carácter invisible, %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.holds_line_break</name>
+    <message>
+        <source>it holds a line break or another control character</source>
+        <translation>contiene un salto de línea u otro carácter de control</translation>
+    </message>
+</context>
+<context>
+    <name>project.import_another_file</name>
+    <message>
+        <source>import another file</source>
+        <translation>importe otro archivo</translation>
+    </message>
+</context>
+<context>
+    <name>project.impossible_format</name>
+    <message>
+        <source>it says of itself to have the format %1</source>
+        <translation>dice tener el formato %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.in_synced_folder</name>
+    <message>
+        <source>it lies in a folder that %1 copies while it changes, so that a copy may have half a change</source>
+        <translation>está en una carpeta que %1 copia mientras cambia, de modo que una copia puede tener medio cambio</translation>
+    </message>
+</context>
+<context>
+    <name>project.is_missing</name>
+    <message>
+        <source>%1 is missing</source>
+        <translation>falta %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.is_missing_recording</name>
+    <message>
+        <source>this is a missing recording</source>
+        <translation>es una grabación perdida</translation>
+    </message>
+</context>
+<context>
+    <name>project.journal_of_another</name>
+    <message>
+        <source>the journal beside it names another file</source>
+        <translation>el diario que está a su lado nombra otro archivo</translation>
+    </message>
+</context>
+<context>
+    <name>project.keep_it</name>
+    <message>
+        <source>keep it</source>
+        <translation>consérvelo</translation>
+    </message>
+</context>
+<context>
+    <name>project.keep_on_own_disk</name>
+    <message>
+        <source>keep it on a disk of this computer, and pack it to share it</source>
+        <translation>guárdelo en un disco de este ordenador, y empaquételo para compartirlo</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_calibration</name>
+    <message>
+        <source>calibration</source>
+        <translation>calibración</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_camera</name>
+    <message>
+        <source>camera</source>
+        <translation>cámara</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_class</name>
+    <message>
+        <source>class</source>
+        <translation>clase</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_figure</name>
+    <message>
+        <source>figure</source>
+        <translation>indicador</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_gate</name>
+    <message>
+        <source>gate</source>
+        <translation>puerta</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_layout</name>
+    <message>
+        <source>layout</source>
+        <translation>plano</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_lens</name>
+    <message>
+        <source>lens</source>
+        <translation>lente</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_marker</name>
+    <message>
+        <source>marker</source>
+        <translation>marcador</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_member</name>
+    <message>
+        <source>member</source>
+        <translation>miembro</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_pseudonym</name>
+    <message>
+        <source>pseudonym</source>
+        <translation>seudónimo</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_registration</name>
+    <message>
+        <source>registration</source>
+        <translation>registro</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_robot</name>
+    <message>
+        <source>robot</source>
+        <translation>robot</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_tag</name>
+    <message>
+        <source>tag</source>
+        <translation>etiqueta</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_task</name>
+    <message>
+        <source>task</source>
+        <translation>tarea</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_team</name>
+    <message>
+        <source>team</source>
+        <translation>equipo</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_track</name>
+    <message>
+        <source>track</source>
+        <translation>traza</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_trial</name>
+    <message>
+        <source>trial</source>
+        <translation>ensayo</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_zone</name>
+    <message>
+        <source>zone</source>
+        <translation>zona</translation>
+    </message>
+</context>
+<context>
+    <name>project.label_twice</name>
+    <message>
+        <source>the label &apos;%1&apos; is there twice</source>
+        <translation>el rótulo &apos;%1&apos; está dos veces</translation>
+    </message>
+</context>
+<context>
+    <name>project.leave_it</name>
+    <message>
+        <source>leave it</source>
+        <translation>déjelo así</translation>
+    </message>
+</context>
+<context>
+    <name>project.leave_one_out</name>
+    <message>
+        <source>leave out one of the two</source>
+        <translation>deje fuera uno de los dos</translation>
+    </message>
+</context>
+<context>
+    <name>project.leave_out_unseen_markers</name>
+    <message>
+        <source>leave out those that no camera sees</source>
+        <translation>omita las que ninguna cámara ve</translation>
+    </message>
+</context>
+<context>
+    <name>project.lengths_differ</name>
+    <message>
+        <source>samples and profile differ in length</source>
+        <translation>muestras y perfil difieren en longitud</translation>
+    </message>
+</context>
+<context>
+    <name>project.lens_kept</name>
+    <message>
+        <source>the lens is kept without it</source>
+        <translation>la lente se conserva sin ella</translation>
+    </message>
+</context>
+<context>
+    <name>project.lens_of_project</name>
+    <message>
+        <source>lens %1 of the project</source>
+        <translation>lente %1 del proyecto</translation>
+    </message>
+</context>
+<context>
+    <name>project.lies_in_media</name>
+    <message>
+        <source>a project lies in the media folder of another one</source>
+        <translation>un proyecto está en la carpeta de medios de otro</translation>
+    </message>
+</context>
+<context>
+    <name>project.lists_too_long</name>
+    <message>
+        <source>%1: more than %2 of one %3: %4</source>
+        <translation>%1: más de %2 de un mismo %3: %4</translation>
+    </message>
+</context>
+<context>
+    <name>project.look_for_strays</name>
+    <message>
+        <source>look for stray files</source>
+        <translation>buscar archivos sueltos</translation>
+    </message>
+</context>
+<context>
+    <name>project.look_in</name>
+    <message>
+        <source>look in &apos;%1&apos;</source>
+        <translation>buscar en &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.make_room</name>
+    <message>
+        <source>make room on the disk and try again</source>
+        <translation>libere espacio en el disco e inténtelo de nuevo</translation>
+    </message>
+</context>
+<context>
+    <name>project.marker_errors_differ</name>
+    <message>
+        <source>the marker errors of registration %1 are not those that its markers give</source>
+        <translation>los errores de los marcadores del registro %1 no son los que dan sus marcadores</translation>
+    </message>
+</context>
+<context>
+    <name>project.marker_off_floor</name>
+    <message>
+        <source>marker &apos;%1&apos; is not on a floor of 1 km</source>
+        <translation>la marca &apos;%1&apos; no está en un suelo de 1 km</translation>
+    </message>
+</context>
+<context>
+    <name>project.matrix_not_square</name>
+    <message>
+        <source>its stored matrix of %1 numbers is not square</source>
+        <translation>su matriz guardada de %1 números no es cuadrada</translation>
+    </message>
+</context>
+<context>
+    <name>project.may_be_used_beside</name>
+    <message>
+        <source>project &apos;%1&apos; beside it may use them, and cannot be read (%2)</source>
+        <translation>el proyecto «%1» que está junto a él puede usarlos y no se puede leer (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>project.measured_by_task</name>
+    <message>
+        <source>trials were measured by it</source>
+        <translation>se midieron ensayos con ella</translation>
+    </message>
+</context>
+<context>
+    <name>project.measurements_changed</name>
+    <message>
+        <source>the measurements have changed since robot &apos;%1&apos; was analysed</source>
+        <translation>las mediciones han cambiado desde que se analizó el robot &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.metric</name>
+    <message>
+        <source>metric &apos;%1&apos;</source>
+        <translation>indicador &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.metric_differs</name>
+    <message>
+        <source>metric &apos;%1&apos; of robot &apos;%2&apos; is stored as %3, its positions give %4</source>
+        <translation>el indicador &apos;%1&apos; del robot &apos;%2&apos; está guardado como %3, sus posiciones dan %4</translation>
+    </message>
+</context>
+<context>
+    <name>project.metric_missing</name>
+    <message>
+        <source>metric &apos;%1&apos; of robot &apos;%2&apos; is missing, its positions give %3</source>
+        <translation>falta el indicador &apos;%1&apos; del robot &apos;%2&apos;, sus posiciones dan %3</translation>
+    </message>
+</context>
+<context>
+    <name>project.metric_sigma_differs</name>
+    <message>
+        <source>the standard deviation of metric &apos;%1&apos; of robot &apos;%2&apos; is stored as %3, its positions give %4</source>
+        <translation>la desviación estándar del indicador &apos;%1&apos; del robot &apos;%2&apos; está guardada como %3, sus posiciones dan %4</translation>
+    </message>
+</context>
+<context>
+    <name>project.metric_without_source</name>
+    <message>
+        <source>metric &apos;%1&apos; of robot &apos;%2&apos; is stored, but its positions give none</source>
+        <translation>el indicador &apos;%1&apos; del robot &apos;%2&apos; está guardado, pero sus posiciones no dan ninguno</translation>
+    </message>
+</context>
+<context>
+    <name>project.more_names</name>
+    <message>
+        <source>%1 more</source>
+        <translation>%1 más</translation>
+    </message>
+</context>
+<context>
+    <name>project.move_file_away</name>
+    <message>
+        <source>move it to another folder</source>
+        <translation>muévalo a otra carpeta</translation>
+    </message>
+</context>
+<context>
+    <name>project.move_log_away</name>
+    <message>
+        <source>move the log to another folder to open the file without it, or put the file back that the log belongs to</source>
+        <translation>mueva el registro a otra carpeta para abrir el archivo sin él, o vuelva a poner el archivo al que pertenece</translation>
+    </message>
+</context>
+<context>
+    <name>project.move_project_away</name>
+    <message>
+        <source>move it with its videos to a folder of its own</source>
+        <translation>muévalo con sus videos a una carpeta propia</translation>
+    </message>
+</context>
+<context>
+    <name>project.move_teams_first</name>
+    <message>
+        <source>move its teams to another class first, or archive it</source>
+        <translation>pase antes sus equipos a otra clase, o archívela</translation>
+    </message>
+</context>
+<context>
+    <name>project.name_empty</name>
+    <message>
+        <source>it is empty</source>
+        <translation>está vacío</translation>
+    </message>
+</context>
+<context>
+    <name>project.name_of</name>
+    <message>
+        <source>name of a %1</source>
+        <translation>nombre (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>project.name_robots_once</name>
+    <message>
+        <source>name each of its robots once</source>
+        <translation>nombre cada robot una vez</translation>
+    </message>
+</context>
+<context>
+    <name>project.name_taken</name>
+    <message>
+        <source>the project has a %1 of that name already</source>
+        <translation>el proyecto ya tiene un elemento «%1» con ese nombre</translation>
+    </message>
+</context>
+<context>
+    <name>project.name_too_long</name>
+    <message>
+        <source>its name is too long</source>
+        <translation>su nombre es demasiado largo</translation>
+    </message>
+</context>
+<context>
+    <name>project.name_video_file</name>
+    <message>
+        <source>name the video&apos;s file</source>
+        <translation>nombre el archivo del video</translation>
+    </message>
+</context>
+<context>
+    <name>project.newer_format</name>
+    <message>
+        <source>it was written by a newer Odograph (format %1, this one knows formats up to %2)</source>
+        <translation>lo escribió un Odograph más reciente (formato %1, este conoce formatos hasta %2)</translation>
+    </message>
+</context>
+<context>
+    <name>project.no_file_but_other</name>
+    <message>
+        <source>it is a folder or a device, not a file</source>
+        <translation>es una carpeta o un dispositivo, no un archivo</translation>
+    </message>
+</context>
+<context>
+    <name>project.no_file_name</name>
+    <message>
+        <source>it has no file name</source>
+        <translation>no tiene nombre de archivo</translation>
+    </message>
+</context>
+<context>
+    <name>project.no_ordinary_number</name>
+    <message>
+        <source>a value to be stored is not a number of ordinary size</source>
+        <translation>un valor que se iba a guardar no es un número de tamaño normal</translation>
+    </message>
+</context>
+<context>
+    <name>project.no_place_to_rescue_to</name>
+    <message>
+        <source>its folder is gone, and there is no home folder to rescue it to</source>
+        <translation>su carpeta ha desaparecido y no hay carpeta personal donde rescatarlo</translation>
+    </message>
+</context>
+<context>
+    <name>project.no_samples</name>
+    <message>
+        <source>it has no samples</source>
+        <translation>no tiene muestras</translation>
+    </message>
+</context>
+<context>
+    <name>project.no_sound_backup</name>
+    <message>
+        <source>no sound backup lies beside it</source>
+        <translation>no hay ninguna copia de seguridad íntegra a su lado</translation>
+    </message>
+</context>
+<context>
+    <name>project.no_such_name</name>
+    <message>
+        <source>there is no such %1 in the project</source>
+        <translation>no existe en el proyecto: %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.no_such_number</name>
+    <message>
+        <source>it has no %1 with the number %2</source>
+        <translation>no contiene %1 con el número %2</translation>
+    </message>
+</context>
+<context>
+    <name>project.not_a_project</name>
+    <message>
+        <source>it is not a project file</source>
+        <translation>no es un archivo de proyecto</translation>
+    </message>
+</context>
+<context>
+    <name>project.not_brought_to_format</name>
+    <message>
+        <source>it could not be brought to format %1 (%2)</source>
+        <translation>no se pudo llevar al formato %1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>project.not_complete_yet</name>
+    <message>
+        <source>it is not complete yet</source>
+        <translation>aún no está completo</translation>
+    </message>
+</context>
+<context>
+    <name>project.not_copied</name>
+    <message>
+        <source>it could not be copied to be read (%1)</source>
+        <translation>no se pudo copiar para leerlo (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>project.not_finite</name>
+    <message>
+        <source>it is not a finite number</source>
+        <translation>no es un número finito</translation>
+    </message>
+</context>
+<context>
+    <name>project.not_in_bin</name>
+    <message>
+        <source>it is not in the bin</source>
+        <translation>no está en la papelera</translation>
+    </message>
+</context>
+<context>
+    <name>project.not_utf8</name>
+    <message>
+        <source>it is not valid UTF-8 text</source>
+        <translation>no es texto UTF-8 válido</translation>
+    </message>
+</context>
+<context>
+    <name>project.nothing_to_redo</name>
+    <message>
+        <source>nothing has been undone</source>
+        <translation>no se ha deshecho nada</translation>
+    </message>
+</context>
+<context>
+    <name>project.nothing_to_undo</name>
+    <message>
+        <source>nothing has been changed since the project was opened</source>
+        <translation>no se ha cambiado nada desde que se abrió el proyecto</translation>
+    </message>
+</context>
+<context>
+    <name>project.numbers_too_large</name>
+    <message>
+        <source>%1: numbers beyond %2: %3</source>
+        <translation>%1: números más allá de %2: %3</translation>
+    </message>
+</context>
+<context>
+    <name>project.observations_do_not_fit</name>
+    <message>
+        <source>view &apos;%1&apos; has %2 frames, but the observations of &apos;%3&apos; (%4) do not fit them</source>
+        <translation>la vista &apos;%1&apos; tiene %2 fotogramas, pero las observaciones de &apos;%3&apos; (%4) no corresponden a ellos</translation>
+    </message>
+</context>
+<context>
+    <name>project.observations_of_project</name>
+    <message>
+        <source>observations %1 of the project</source>
+        <translation>observaciones %1 del proyecto</translation>
+    </message>
+</context>
+<context>
+    <name>project.older_format</name>
+    <message>
+        <source>it has the older format %1 and must be brought up to date before it can be read, but %2</source>
+        <translation>tiene el formato anterior %1 y debe actualizarse antes de leerse, pero %2</translation>
+    </message>
+</context>
+<context>
+    <name>project.on_network_disk</name>
+    <message>
+        <source>it lies on a network disk (%1), where a recording can stall and two computers can damage it</source>
+        <translation>está en un disco de red (%1), donde una grabación puede detenerse y dos ordenadores pueden dañarlo</translation>
+    </message>
+</context>
+<context>
+    <name>project.open_again</name>
+    <message>
+        <source>open it again; if you were recording, look for stray files (odograph check --adopt)</source>
+        <translation>ábralo de nuevo; si estaba grabando, busque archivos sueltos (odograph check --adopt)</translation>
+    </message>
+</context>
+<context>
+    <name>project.open_elsewhere</name>
+    <message>
+        <source>it is open in another window</source>
+        <translation>está abierto en otra ventana</translation>
+    </message>
+</context>
+<context>
+    <name>project.open_elsewhere_by</name>
+    <message>
+        <source>it is open in another window (%1)</source>
+        <translation>está abierto en otra ventana (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>project.open_or_move_that</name>
+    <message>
+        <source>open that project, or move it to a folder of its own with its videos</source>
+        <translation>abra ese proyecto o muévalo con sus vídeos a una carpeta propia</translation>
+    </message>
+</context>
+<context>
+    <name>project.open_with_newer_odograph</name>
+    <message>
+        <source>open the project with a newer Odograph</source>
+        <translation>abra el proyecto con un Odograph más reciente</translation>
+    </message>
+</context>
+<context>
+    <name>project.open_with_that_odograph</name>
+    <message>
+        <source>open it with that Odograph, or update this one</source>
+        <translation>ábralo con ese Odograph, o actualice este</translation>
+    </message>
+</context>
+<context>
+    <name>project.other_database</name>
+    <message>
+        <source>it is a database of another program</source>
+        <translation>es una base de datos de otro programa</translation>
+    </message>
+</context>
+<context>
+    <name>project.other_labels</name>
+    <message>
+        <source>the labels are not those that it has</source>
+        <translation>los rótulos no son los que tiene</translation>
+    </message>
+</context>
+<context>
+    <name>project.other_tables</name>
+    <message>
+        <source>its tables are not those of a project</source>
+        <translation>sus tablas no son las de un proyecto</translation>
+    </message>
+</context>
+<context>
+    <name>project.others_calibration_chosen</name>
+    <message>
+        <source>calibration %1 was chosen for it, which is camera &apos;%2&apos;s; its newest own one is used</source>
+        <translation>para ella se eligió la calibración %1, que es de la cámara &apos;%2&apos;; se usa la propia más reciente</translation>
+    </message>
+</context>
+<context>
+    <name>project.others_registration_chosen</name>
+    <message>
+        <source>registration %1 was chosen for it, which is camera &apos;%2&apos;s; its newest own one is used</source>
+        <translation>para ella se eligió el registro %1, que es de la cámara &apos;%2&apos;; se usa el propio más reciente</translation>
+    </message>
+</context>
+<context>
+    <name>project.overrides_changed</name>
+    <message>
+        <source>the manual overrides have changed since robot &apos;%1&apos; was analysed</source>
+        <translation>las decisiones hechas a mano han cambiado desde que se analizó el robot &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.own_labels</name>
+    <message>
+        <source>give each marker a label of its own</source>
+        <translation>dé a cada marcador un rótulo propio</translation>
+    </message>
+</context>
+<context>
+    <name>project.path_cut_off</name>
+    <message>
+        <source>its reference path ends within a point</source>
+        <translation>su trayectoria de referencia termina en medio de un punto</translation>
+    </message>
+</context>
+<context>
+    <name>project.path_leaves_folder</name>
+    <message>
+        <source>its relative path leaves the project&apos;s folder</source>
+        <translation>su ruta relativa sale de la carpeta del proyecto</translation>
+    </message>
+</context>
+<context>
+    <name>project.picture_name</name>
+    <message>
+        <source>name of a calibration picture</source>
+        <translation>nombre de una imagen de calibración</translation>
+    </message>
+</context>
+<context>
+    <name>project.picture_path</name>
+    <message>
+        <source>path of a calibration picture</source>
+        <translation>ruta de una imagen de calibración</translation>
+    </message>
+</context>
+<context>
+    <name>project.position_no_number</name>
+    <message>
+        <source>a position or its covariance is no number</source>
+        <translation>una posición o su covarianza no es un número</translation>
+    </message>
+</context>
+<context>
+    <name>project.positions_changed</name>
+    <message>
+        <source>the positions of robot &apos;%1&apos; are not those that its analysis gave</source>
+        <translation>las posiciones del robot &apos;%1&apos; no son las que dio su análisis</translation>
+    </message>
+</context>
+<context>
+    <name>project.project</name>
+    <message>
+        <source>project &apos;%1&apos;</source>
+        <translation>proyecto &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.project_file_damaged</name>
+    <message>
+        <source>the project file is damaged</source>
+        <translation>el archivo del proyecto está dañado</translation>
+    </message>
+</context>
+<context>
+    <name>project.put_back_and_open</name>
+    <message>
+        <source>put the file back in its place, and open the project again</source>
+        <translation>devuelva el archivo a su lugar y abra de nuevo el proyecto</translation>
+    </message>
+</context>
+<context>
+    <name>project.put_back_and_retry</name>
+    <message>
+        <source>put it back in its place and try again</source>
+        <translation>devuélvalo a su sitio e inténtelo de nuevo</translation>
+    </message>
+</context>
+<context>
+    <name>project.put_back_or_find</name>
+    <message>
+        <source>put the file back in its place, or find it by its content with odograph check P.odo --find FOLDER or Find lost videos… in the window</source>
+        <translation>devuelva el archivo a su lugar, o búsquelo por su contenido con odograph check P.odo --find FOLDER o con Buscar videos perdidos… en la ventana</translation>
+    </message>
+</context>
+<context>
+    <name>project.put_file_back</name>
+    <message>
+        <source>put the file back in its place</source>
+        <translation>devuelva el archivo a su lugar</translation>
+    </message>
+</context>
+<context>
+    <name>project.put_into_bin_first</name>
+    <message>
+        <source>put it into the bin first</source>
+        <translation>póngalo antes en la papelera</translation>
+    </message>
+</context>
+<context>
+    <name>project.put_original_back</name>
+    <message>
+        <source>put the original file back in its place</source>
+        <translation>vuelva a poner el archivo original en su sitio</translation>
+    </message>
+</context>
+<context>
+    <name>project.raw_times_of</name>
+    <message>
+        <source>raw times of recording %1</source>
+        <translation>tiempos sin procesar de la grabación %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.reading</name>
+    <message>
+        <source>reading %1</source>
+        <translation>leyendo %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.reading_failed</name>
+    <message>
+        <source>reading it failed (%1)</source>
+        <translation>falló la lectura (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>project.record_another</name>
+    <message>
+        <source>record another trial</source>
+        <translation>grabe otro ensayo</translation>
+    </message>
+</context>
+<context>
+    <name>project.recorded_into_now</name>
+    <message>
+        <source>a trial is being recorded into it just now</source>
+        <translation>se está grabando un ensayo en él ahora mismo</translation>
+    </message>
+</context>
+<context>
+    <name>project.recording</name>
+    <message>
+        <source>recording</source>
+        <translation>grabando</translation>
+    </message>
+</context>
+<context>
+    <name>project.recording_at</name>
+    <message>
+        <source>recording &apos;%1&apos;</source>
+        <translation>grabación &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.recording_cut_off</name>
+    <message>
+        <source>its recording was cut off</source>
+        <translation>su grabación se interrumpió</translation>
+    </message>
+</context>
+<context>
+    <name>project.recording_ended</name>
+    <message>
+        <source>its recording has ended already</source>
+        <translation>su grabación ya terminó</translation>
+    </message>
+</context>
+<context>
+    <name>project.recording_kept</name>
+    <message>
+        <source>its recording has ended, and is kept</source>
+        <translation>su grabación ha terminado y se conserva</translation>
+    </message>
+</context>
+<context>
+    <name>project.recording_of_view</name>
+    <message>
+        <source>the recording of view &apos;%1&apos;</source>
+        <translation>la grabación de la vista &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.recording_path</name>
+    <message>
+        <source>path of a recording</source>
+        <translation>ruta de una grabación</translation>
+    </message>
+</context>
+<context>
+    <name>project.recording_without_file</name>
+    <message>
+        <source>it has no file</source>
+        <translation>no tiene archivo</translation>
+    </message>
+</context>
+<context>
+    <name>project.recordings_changed</name>
+    <message>
+        <source>the recordings or their synchronisation have changed since robot &apos;%1&apos; was analysed</source>
+        <translation>las grabaciones o su sincronización han cambiado desde que se analizó el robot &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.redo</name>
+    <message>
+        <source>redo</source>
+        <translation>rehacer</translation>
+    </message>
+</context>
+<context>
+    <name>project.redo_of</name>
+    <message>
+        <source>redo &apos;%1&apos;</source>
+        <translation>rehacer &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.reference_too_far</name>
+    <message>
+        <source>its reference point is farther from its centre than %1</source>
+        <translation>su punto de referencia está a más de %1 de su centro</translation>
+    </message>
+</context>
+<context>
+    <name>project.reference_without_heading</name>
+    <message>
+        <source>a reference point beside its centre takes a heading, which is not known where the height changes</source>
+        <translation>un punto de referencia fuera del centro necesita un rumbo, que no se conoce donde cambia la altura</translation>
+    </message>
+</context>
+<context>
+    <name>project.refers_to_nothing</name>
+    <message>
+        <source>it refers to something that is not in the project, or a value is missing</source>
+        <translation>se refiere a algo que no está en el proyecto, o falta un valor</translation>
+    </message>
+</context>
+<context>
+    <name>project.registration_kept</name>
+    <message>
+        <source>the registration is kept without it</source>
+        <translation>el registro se conserva sin ella</translation>
+    </message>
+</context>
+<context>
+    <name>project.registration_of_project</name>
+    <message>
+        <source>registration %1 of the project</source>
+        <translation>registro %1 del proyecto</translation>
+    </message>
+</context>
+<context>
+    <name>project.registration_picture_of</name>
+    <message>
+        <source>the picture of registration %1 of camera &apos;%2&apos;</source>
+        <translation>la imagen del registro %1 de la cámara &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.registration_picture_path</name>
+    <message>
+        <source>path of a registration&apos;s picture</source>
+        <translation>ruta de la imagen de un registro</translation>
+    </message>
+</context>
+<context>
+    <name>project.registrations_changed</name>
+    <message>
+        <source>the registrations have changed since robot &apos;%1&apos; was analysed</source>
+        <translation>los registros han cambiado desde que se analizó el robot &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.remove_file_first</name>
+    <message>
+        <source>choose another name, or remove that file first</source>
+        <translation>elija otro nombre, o elimine antes ese archivo</translation>
+    </message>
+</context>
+<context>
+    <name>project.rest_not_read</name>
+    <message>
+        <source>the rest is not read; change it here, or where the file comes from</source>
+        <translation>el resto no se lee; cámbielo aquí o donde se hizo el archivo</translation>
+    </message>
+</context>
+<context>
+    <name>project.restore_file</name>
+    <message>
+        <source>restore it from a backup copy</source>
+        <translation>restáurelo desde una copia de seguridad</translation>
+    </message>
+</context>
+<context>
+    <name>project.restore_or_register_again</name>
+    <message>
+        <source>restore the project from a backup copy, or register the camera again</source>
+        <translation>restaure el proyecto desde una copia de seguridad, o registre de nuevo la cámara</translation>
+    </message>
+</context>
+<context>
+    <name>project.restore_or_track_again</name>
+    <message>
+        <source>restore the project from a backup copy, or track the trial again</source>
+        <translation>restaure el proyecto desde una copia de seguridad, o rastree de nuevo el ensayo</translation>
+    </message>
+</context>
+<context>
+    <name>project.restore_project</name>
+    <message>
+        <source>restore the project from a backup copy</source>
+        <translation>restaure el proyecto desde una copia de seguridad</translation>
+    </message>
+</context>
+<context>
+    <name>project.results_changed</name>
+    <message>
+        <source>the metrics, spikes or settings of robot &apos;%1&apos; are not those that its analysis gave</source>
+        <translation>los indicadores, valores atípicos o ajustes del robot &apos;%1&apos; no son los que dio su análisis</translation>
+    </message>
+</context>
+<context>
+    <name>project.robot_can_be_renamed</name>
+    <message>
+        <source>it can be given another name</source>
+        <translation>se le puede dar otro nombre</translation>
+    </message>
+</context>
+<context>
+    <name>project.robot_drove</name>
+    <message>
+        <source>it drove in a trial</source>
+        <translation>corrió en un ensayo</translation>
+    </message>
+</context>
+<context>
+    <name>project.robot_too_large</name>
+    <message>
+        <source>it is larger than %1</source>
+        <translation>ocupa más de %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.robot_twice</name>
+    <message>
+        <source>a robot belongs to it twice</source>
+        <translation>un robot le pertenece dos veces</translation>
+    </message>
+</context>
+<context>
+    <name>project.row_refers_to_nothing</name>
+    <message>
+        <source>row %1 of &apos;%2&apos; refers to a row of &apos;%3&apos; that is not there</source>
+        <translation>la fila %1 de &apos;%2&apos; se refiere a una fila de &apos;%3&apos; que no está</translation>
+    </message>
+</context>
+<context>
+    <name>project.run_check</name>
+    <message>
+        <source>run a check of the project</source>
+        <translation>ejecute una comprobación del proyecto</translation>
+    </message>
+</context>
+<context>
+    <name>project.series_differ</name>
+    <message>
+        <source>its series differ in length</source>
+        <translation>sus series difieren en longitud</translation>
+    </message>
+</context>
+<context>
+    <name>project.series_missing</name>
+    <message>
+        <source>its series are missing</source>
+        <translation>faltan sus series</translation>
+    </message>
+</context>
+<context>
+    <name>project.series_of_other_kind</name>
+    <message>
+        <source>its stored series is not of the expected kind</source>
+        <translation>su serie guardada no es del tipo esperado</translation>
+    </message>
+</context>
+<context>
+    <name>project.series_of_other_length</name>
+    <message>
+        <source>its stored series announces %1 rows but holds %2 bytes</source>
+        <translation>su serie guardada anuncia %1 filas pero contiene %2 bytes</translation>
+    </message>
+</context>
+<context>
+    <name>project.size_not_above_0</name>
+    <message>
+        <source>its size is not above 0</source>
+        <translation>su tamaño no es mayor que 0</translation>
+    </message>
+</context>
+<context>
+    <name>project.spike_without_sample</name>
+    <message>
+        <source>a spike refers to a sample that is not there</source>
+        <translation>un valor atípico se refiere a una muestra que no está</translation>
+    </message>
+</context>
+<context>
+    <name>project.split_recording</name>
+    <message>
+        <source>split the recording into shorter ones</source>
+        <translation>divida la grabación en otras más cortas</translation>
+    </message>
+</context>
+<context>
+    <name>project.strays_unknown</name>
+    <message>
+        <source>it cannot be told which files belong to no trial</source>
+        <translation>no se puede saber qué archivos no pertenecen a ningún ensayo</translation>
+    </message>
+</context>
+<context>
+    <name>project.synchronisation_differs</name>
+    <message>
+        <source>its stored synchronisation is not that of its second view</source>
+        <translation>su sincronización guardada no es la de su segunda vista</translation>
+    </message>
+</context>
+<context>
+    <name>project.synchronisation_of_one_view</name>
+    <message>
+        <source>a synchronisation is stored, but it has no second view</source>
+        <translation>hay una sincronización guardada, pero no tiene segunda vista</translation>
+    </message>
+</context>
+<context>
+    <name>project.take_later_back</name>
+    <message>
+        <source>take the later change back first, or leave it</source>
+        <translation>deshaga primero el cambio posterior, o déjelo</translation>
+    </message>
+</context>
+<context>
+    <name>project.task_changed</name>
+    <message>
+        <source>the task has changed since robot &apos;%1&apos; was analysed</source>
+        <translation>la tarea ha cambiado desde que se analizó el robot &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.task_has_trial</name>
+    <message>
+        <source>a trial has it</source>
+        <translation>un ensayo la tiene</translation>
+    </message>
+</context>
+<context>
+    <name>project.task_has_trials</name>
+    <message>
+        <source>%1 trials have it</source>
+        <translation>%1 ensayos la tienen</translation>
+    </message>
+</context>
+<context>
+    <name>project.team_has_trial</name>
+    <message>
+        <source>a trial is its</source>
+        <translation>un ensayo es suyo</translation>
+    </message>
+</context>
+<context>
+    <name>project.team_has_trials</name>
+    <message>
+        <source>%1 trials are its</source>
+        <translation>%1 ensayos son suyos</translation>
+    </message>
+</context>
+<context>
+    <name>project.texts_too_long</name>
+    <message>
+        <source>%1: texts of more than %2 characters: %3</source>
+        <translation>%1: textos de más de %2 caracteres: %3</translation>
+    </message>
+</context>
+<context>
+    <name>project.times_do_not_rise</name>
+    <message>
+        <source>its times do not rise</source>
+        <translation>sus tiempos no crecen</translation>
+    </message>
+</context>
+<context>
+    <name>project.title</name>
+    <message>
+        <source>title of the project</source>
+        <translation>título del proyecto</translation>
+    </message>
+</context>
+<context>
+    <name>project.too_many_markers</name>
+    <message>
+        <source>it has more than %1 markers</source>
+        <translation>tiene más de %1 marcas</translation>
+    </message>
+</context>
+<context>
+    <name>project.too_many_members</name>
+    <message>
+        <source>it has more than %1 members</source>
+        <translation>tiene más de %1 miembros</translation>
+    </message>
+</context>
+<context>
+    <name>project.too_many_samples</name>
+    <message>
+        <source>it has more than %1 samples</source>
+        <translation>tiene más de %1 muestras</translation>
+    </message>
+</context>
+<context>
+    <name>project.track</name>
+    <message>
+        <source>track &apos;%1&apos;</source>
+        <translation>traza &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.track_again</name>
+    <message>
+        <source>track the trial again</source>
+        <translation>rastree de nuevo el ensayo</translation>
+    </message>
+</context>
+<context>
+    <name>project.track_kept</name>
+    <message>
+        <source>the measured track is kept without it</source>
+        <translation>la traza medida se conserva sin ella</translation>
+    </message>
+</context>
+<context>
+    <name>project.track_reading</name>
+    <message>
+        <source>reading of a track</source>
+        <translation>lectura de una traza</translation>
+    </message>
+</context>
+<context>
+    <name>project.trial_notes</name>
+    <message>
+        <source>notes of a trial</source>
+        <translation>notas de un ensayo</translation>
+    </message>
+</context>
+<context>
+    <name>project.trial_of_project</name>
+    <message>
+        <source>trial %1 of the project</source>
+        <translation>ensayo %1 del proyecto</translation>
+    </message>
+</context>
+<context>
+    <name>project.truth</name>
+    <message>
+        <source>truth of a trial</source>
+        <translation>verdad de un ensayo</translation>
+    </message>
+</context>
+<context>
+    <name>project.truth_of_trial</name>
+    <message>
+        <source>truth of trial %1</source>
+        <translation>verdad del ensayo %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.try_again</name>
+    <message>
+        <source>try it again</source>
+        <translation>inténtelo de nuevo</translation>
+    </message>
+</context>
+<context>
+    <name>project.try_change_again</name>
+    <message>
+        <source>try the whole change again</source>
+        <translation>intente de nuevo todo el cambio</translation>
+    </message>
+</context>
+<context>
+    <name>project.type_name_anew</name>
+    <message>
+        <source>type the name anew</source>
+        <translation>escriba el nombre de nuevo</translation>
+    </message>
+</context>
+<context>
+    <name>project.type_text_anew</name>
+    <message>
+        <source>type the text anew</source>
+        <translation>escriba el texto de nuevo</translation>
+    </message>
+</context>
+<context>
+    <name>project.undo</name>
+    <message>
+        <source>undo</source>
+        <translation>deshacer</translation>
+    </message>
+</context>
+<context>
+    <name>project.undo_of</name>
+    <message>
+        <source>undo &apos;%1&apos;</source>
+        <translation>deshacer &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.undo_something_first</name>
+    <message>
+        <source>undo something first</source>
+        <translation>deshaga algo antes</translation>
+    </message>
+</context>
+<context>
+    <name>project.unknown_series_layout</name>
+    <message>
+        <source>its stored series has the unknown layout %1</source>
+        <translation>su serie guardada tiene la disposición desconocida %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.unknown_setting</name>
+    <message>
+        <source>its stored setting &apos;%1&apos; is unknown</source>
+        <translation>su ajuste guardado &apos;%1&apos; es desconocido</translation>
+    </message>
+</context>
+<context>
+    <name>project.use_at_most</name>
+    <message>
+        <source>use at most %1</source>
+        <translation>use como máximo %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.use_one_line</name>
+    <message>
+        <source>use a name of one line</source>
+        <translation>use un nombre de una línea</translation>
+    </message>
+</context>
+<context>
+    <name>project.value_too_large</name>
+    <message>
+        <source>a value is too large to be stored</source>
+        <translation>un valor es demasiado grande para guardarlo</translation>
+    </message>
+</context>
+<context>
+    <name>project.views_differ</name>
+    <message>
+        <source>views and registrations differ in number</source>
+        <translation>vistas y registros difieren en número</translation>
+    </message>
+</context>
+<context>
+    <name>project.wait_until_ended</name>
+    <message>
+        <source>wait until that has ended</source>
+        <translation>espere a que termine</translation>
+    </message>
+</context>
+<context>
+    <name>project.writing_failed</name>
+    <message>
+        <source>writing it failed (%1)</source>
+        <translation>falló la escritura (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>project.written_over</name>
+    <message>
+        <source>another program wrote over its file while it was open; nothing more was stored</source>
+        <translation>otro programa ha sobrescrito su archivo mientras estaba abierto; no se ha guardado nada más</translation>
+    </message>
+</context>
+<context>
+    <name>project.zone</name>
+    <message>
+        <source>zone &apos;%1&apos;</source>
+        <translation>zona &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.zone_cut_off</name>
+    <message>
+        <source>its zone &apos;%1&apos; ends within a point</source>
+        <translation>su zona &apos;%1&apos; termina en medio de un punto</translation>
+    </message>
+</context>
+<context>
+    <name>simulation.cannot_render</name>
+    <message>
+        <source>cannot render %1</source>
+        <translation>no se puede generar %1</translation>
+    </message>
+</context>
+<context>
+    <name>simulation.lengthen_scene</name>
+    <message>
+        <source>give the scene a longer duration or start the camera earlier</source>
+        <translation>dé a la escena más duración o inicie antes la cámara</translation>
+    </message>
+</context>
+<context>
+    <name>simulation.no_frame</name>
+    <message>
+        <source>camera %1 takes no frame while the scene lasts</source>
+        <translation>la cámara %1 no toma ningún fotograma mientras dura la escena</translation>
+    </message>
+</context>
+<context>
+    <name>simulation.rendering</name>
+    <message>
+        <source>rendering %1</source>
+        <translation>generación de %1</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.every_offset_fits</name>
+    <message>
+        <source>the robot stood still or ran straight at constant speed, so every offset fits</source>
+        <translation>el robot estuvo quieto o fue recto a velocidad constante, así que cualquier desfase encaja</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.flash_disagrees</name>
+    <message>
+        <source>the motion tells an offset of %1, which was taken, and the flash of light %2</source>
+        <translation>el movimiento indica un desfase de %1, que fue el tomado, y el destello de luz %2</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.flash_lights</name>
+    <message>
+        <source>flash the room lights once while both cameras record, or give --sync SECONDS</source>
+        <translation>destelle una vez las luces de la sala mientras graban ambas cámaras, o indique el desfase</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.flashes_fit_alike</name>
+    <message>
+        <source>the flashes of light fit alike at offsets of %1 and %2</source>
+        <translation>los destellos de luz encajan por igual con desfases de %1 y %2</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.from_flash</name>
+    <message>
+        <source>from a flash of light, to %1 only, for %2</source>
+        <translation>por un destello de luz, solo a %1, pues %2</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.light_flickers</name>
+    <message>
+        <source>the light flickers</source>
+        <translation>la luz parpadea</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.motion_repeats</name>
+    <message>
+        <source>the motion repeats itself</source>
+        <translation>el movimiento se repite</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.neither_tells</name>
+    <message>
+        <source>%1, and %2</source>
+        <translation>%1, y %2</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.no_flash</name>
+    <message>
+        <source>neither view shows a flash of light</source>
+        <translation>ninguna vista muestra un destello de luz</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.no_offset_fits</name>
+    <message>
+        <source>the views&apos; tracks do not coincide at any offset looked at</source>
+        <translation>las trazas de las vistas no coinciden con ningún desfase examinado</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.of_clips</name>
+    <message>
+        <source>synchronisation of the clips</source>
+        <translation>sincronización de los videos</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.offset</name>
+    <message>
+        <source>%1 ±%2</source>
+        <translation>%1 ±%2</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.offsets_fit_alike</name>
+    <message>
+        <source>offsets of %1 and %2 fit alike</source>
+        <translation>desfases de %1 y %2 encajan por igual</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.one_flash</name>
+    <message>
+        <source>only one of the views shows a flash of light</source>
+        <translation>solo una de las vistas muestra un destello de luz</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.other_flashes</name>
+    <message>
+        <source>the flashes of light in the views do not belong together</source>
+        <translation>los destellos de luz de las vistas no se corresponden</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.robots_disagree</name>
+    <message>
+        <source>robot %1 tells an offset of %2, robot %3 %4, which was taken</source>
+        <translation>el robot %1 indica un desfase de %2, el robot %3 %4, que fue el tomado</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.seldom_seen</name>
+    <message>
+        <source>one view saw the robot in fewer than %1 pictures</source>
+        <translation>una vista vio el robot en menos de %1 imágenes</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.seldom_together</name>
+    <message>
+        <source>the views hardly ever saw the robot at the same time</source>
+        <translation>las vistas casi nunca vieron el robot a la vez</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.tracks_differ</name>
+    <message>
+        <source>the views&apos; tracks do not resemble one another</source>
+        <translation>las trazas de las vistas no se parecen entre sí</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.add_robot</name>
+    <message>
+        <source>add a robot with its colour first</source>
+        <translation>añada antes un robot con su color</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.add_without_colour</name>
+    <message>
+        <source>add the robot without a colour, so that it is found by how it differs from the floor</source>
+        <translation>añada el robot sin color, para que se encuentre por lo que lo distingue del suelo</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.box_is_grey</name>
+    <message>
+        <source>what differs from the floor around it is grey, black or white</source>
+        <translation>lo que difiere del suelo de alrededor es gris, negro o blanco</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.box_leaves_nothing</name>
+    <message>
+        <source>the box leaves nothing of the floor to compare with</source>
+        <translation>el recuadro no deja nada del suelo para comparar</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.box_too_small</name>
+    <message>
+        <source>the box is too small, or outside the picture</source>
+        <translation>el recuadro es demasiado pequeño o está fuera de la imagen</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.box_without_colour</name>
+    <message>
+        <source>it holds no colour that differs from the floor around it</source>
+        <translation>no contiene ningún color distinto del suelo de alrededor</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.cannot_track</name>
+    <message>
+        <source>Cannot track</source>
+        <translation>No se puede rastrear</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.cannot_track_robot</name>
+    <message>
+        <source>Cannot track robot %1</source>
+        <translation>No se puede rastrear el robot %1</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.colour_in_box</name>
+    <message>
+        <source>colour in the box</source>
+        <translation>color en el recuadro</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.colour_is_grey</name>
+    <message>
+        <source>its colour %1 is grey, and only hue tells a robot from the floor</source>
+        <translation>su color %1 es gris, y solo el tono distingue un robot del suelo</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.draw_box_closely</name>
+    <message>
+        <source>draw it closely round the robot</source>
+        <translation>dibújelo ceñido al robot</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.draw_box_larger</name>
+    <message>
+        <source>draw it round the robot, at least 8 pixels wide and high</source>
+        <translation>dibújelo alrededor del robot, de al menos 8 píxeles de ancho y alto</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.no_robot_given</name>
+    <message>
+        <source>no robot is given</source>
+        <translation>no se indica ningún robot</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.put_plate_on_it</name>
+    <message>
+        <source>draw it closely round the robot, or put a plate of another colour on it</source>
+        <translation>dibújelo ceñido al robot, o póngale una placa de otro color</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.tell_no_colour</name>
+    <message>
+        <source>tell no colour, so that it is found by how it differs from the floor</source>
+        <translation>no indique ningún color, para que se encuentre por lo que lo distingue del suelo</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.add_view</name>
+    <message>
+        <source>add a second view, or give the robot one height</source>
+        <translation>añada una segunda vista, o dé al robot una altura</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.analysing_position</name>
+    <message>
+        <source>analysing position %1</source>
+        <translation>analizando la posición %1</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.camera_not_registered</name>
+    <message>
+        <source>camera %1 is not registered to the floor</source>
+        <translation>la cámara %1 no está registrada respecto al suelo</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.cameras_not_registered</name>
+    <message>
+        <source>cameras %1 are not registered to the floor</source>
+        <translation>las cámaras %1 no están registradas respecto al suelo</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.centre_reference</name>
+    <message>
+        <source>give it the reference point 0,0 and track again</source>
+        <translation>dele el punto de referencia 0,0 y vuelva a seguirlo</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.check_robot_and_light</name>
+    <message>
+        <source>check that the robot moves in the pictures, that a colour that was told is the one it has there, and that the light is sufficient</source>
+        <translation>compruebe que el robot se mueve en las imágenes, que un color indicado es el que tiene allí y que la luz es suficiente</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.choose_longer_track</name>
+    <message>
+        <source>choose a track with more positions</source>
+        <translation>elija una traza con más posiciones</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.choose_longer_video</name>
+    <message>
+        <source>choose a longer video, or check the robot&apos;s colour and the light</source>
+        <translation>elija un video más largo, o compruebe el color del robot y la luz</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.cut_by_edge</name>
+    <message>
+        <source>cut by the picture&apos;s edge</source>
+        <translation>cortado por el borde de la imagen</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.cut_by_frames_edge</name>
+    <message>
+        <source>cut by the frame&apos;s edge in view %1</source>
+        <translation>cortado por el borde de la imagen en la vista %1</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.faster_than_limit</name>
+    <message>
+        <source>faster than the limit</source>
+        <translation>más rápido que el límite</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.figures_of_seen</name>
+    <message>
+        <source>the figures are of the part that was seen</source>
+        <translation>los indicadores son de la parte que se vio</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.frames_that_tell</name>
+    <message>
+        <source>of %1 frames %2 give a position that can be used</source>
+        <translation>de %1 fotogramas, %2 dan una posición utilizable</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.harder_than_limit</name>
+    <message>
+        <source>harder than the limit of acceleration</source>
+        <translation>aceleración mayor que el límite</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.heading_unknown</name>
+    <message>
+        <source>its reference point lies beside its centre, but its outlines do not tell its heading</source>
+        <translation>su punto de referencia está fuera de su centro, pero sus contornos no indican su rumbo</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.hidden_behind</name>
+    <message>
+        <source>hidden behind %1 in view %2</source>
+        <translation>oculto tras %1 en la vista %2</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.import_video</name>
+    <message>
+        <source>import at least one video for it</source>
+        <translation>importe al menos un video para él</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.jump</name>
+    <message>
+        <source>jump</source>
+        <translation>salto</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.jump_of</name>
+    <message>
+        <source>jump of %1</source>
+        <translation>salto de %1</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.look_and_register</name>
+    <message>
+        <source>look at the outlines, and register the cameras again</source>
+        <translation>mire los contornos y vuelva a registrar las cámaras</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.move_camera</name>
+    <message>
+        <source>move or add a camera so that the whole task is seen</source>
+        <translation>mueva o añada una cámara para que se vea toda la tarea</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.no_such_smoother</name>
+    <message>
+        <source>there is none of that name</source>
+        <translation>no hay ninguno con ese nombre</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.no_view</name>
+    <message>
+        <source>the trial has no view</source>
+        <translation>el ensayo no tiene ninguna vista</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.no_view_trusted</name>
+    <message>
+        <source>none could be trusted</source>
+        <translation>ninguna era fiable</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.not_enough_data</name>
+    <message>
+        <source>not enough data</source>
+        <translation>datos insuficientes</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.not_visible</name>
+    <message>
+        <source>not visible in view %1</source>
+        <translation>no visible en la vista %1</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.occlusion_span</name>
+    <message>
+        <source>%1 (%2 to %3)</source>
+        <translation>%1 (de %2 a %3)</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.one_outline</name>
+    <message>
+        <source>one outline with %1 in view %2</source>
+        <translation>un solo contorno con %1 en la vista %2</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.only_unregistered</name>
+    <message>
+        <source>only cameras that are not registered to the floor saw the robot</source>
+        <translation>solo vieron el robot cámaras no registradas respecto al suelo</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.outline_larger</name>
+    <message>
+        <source>outline larger than usual in view %1</source>
+        <translation>contorno mayor de lo habitual en la vista %1</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.outline_smaller</name>
+    <message>
+        <source>outline smaller than usual in view %1</source>
+        <translation>contorno menor de lo habitual en la vista %1</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.partly_hidden_behind</name>
+    <message>
+        <source>partly hidden behind %1 in view %2</source>
+        <translation>parcialmente oculto tras %1 en la vista %2</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.path_not_measured</name>
+    <message>
+        <source>the robot&apos;s path cannot be measured</source>
+        <translation>no se puede medir la trayectoria del robot</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.register_one</name>
+    <message>
+        <source>run odograph register for at least one of them</source>
+        <translation>registre al menos una de ellas</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.register_them</name>
+    <message>
+        <source>run odograph register for them</source>
+        <translation>regístrelas</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.robot_not_found</name>
+    <message>
+        <source>the robot was not found in any picture of %1</source>
+        <translation>el robot no se encontró en ninguna imagen de %1</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.seldom_together</name>
+    <message>
+        <source>its height is to be triangulated, but two registered views hardly ever saw it together</source>
+        <translation>su altura debe triangularse, pero dos vistas registradas casi nunca lo vieron a la vez</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.smoother</name>
+    <message>
+        <source>smoother %1</source>
+        <translation>suavizador %1</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.spike_by_hand</name>
+    <message>
+        <source>called a spike by hand</source>
+        <translation>marcado como atípico a mano</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.stands_out_in_both</name>
+    <message>
+        <source>stands out in position and speed</source>
+        <translation>se aparta en posición y velocidad</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.stands_out_in_position</name>
+    <message>
+        <source>stands out in position</source>
+        <translation>se aparta en posición</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.stands_out_in_speed</name>
+    <message>
+        <source>stands out in speed</source>
+        <translation>se aparta en velocidad</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.track_first</name>
+    <message>
+        <source>track the trial&apos;s videos first</source>
+        <translation>rastree antes los videos del ensayo</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.tracker_unsure</name>
+    <message>
+        <source>the tracker was not sure (score %1)</source>
+        <translation>el rastreador no estaba seguro (puntuación %1)</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.unseen_after</name>
+    <message>
+        <source>no view sees it after %1 (it was at X %2, Y %3)</source>
+        <translation>ninguna vista lo ve después de %1 (estaba en X %2, Y %3)</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.unseen_between</name>
+    <message>
+        <source>no view sees it from %1 to %2 (it was at X %3, Y %4)</source>
+        <translation>ninguna vista lo ve de %1 a %2 (estaba en X %3, Y %4)</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.use_smoother</name>
+    <message>
+        <source>use rts, savgol, tracker or none</source>
+        <translation>use rts, savgol, tracker o none</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.view_left_out</name>
+    <message>
+        <source>one left out</source>
+        <translation>se omitió una</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.view_without_frame</name>
+    <message>
+        <source>view %1 has no frame</source>
+        <translation>la vista %1 no tiene fotogramas</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.views_apart</name>
+    <message>
+        <source>the views put it %1 apart</source>
+        <translation>las vistas lo sitúan a %1 de distancia</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.views_disagree</name>
+    <message>
+        <source>views disagree by %1</source>
+        <translation>las vistas discrepan en %1</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.why_views_apart</name>
+    <message>
+        <source>a camera was moved after it was registered, the videos belong to other cameras, or one view follows something else</source>
+        <translation>una cámara se movió después de registrarla, los vídeos son de otras cámaras o una vista sigue otra cosa</translation>
+    </message>
+</context>
+<context>
+    <name>ui.add_camera</name>
+    <message>
+        <source>add camera %1</source>
+        <translation>añadir la cámara %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.add_class</name>
+    <message>
+        <source>add class %1</source>
+        <translation>añadir la clase %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.add_layout</name>
+    <message>
+        <source>add layout %1</source>
+        <translation>añadir el plano %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.add_robot</name>
+    <message>
+        <source>add robot %1</source>
+        <translation>añadir el robot %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.add_task</name>
+    <message>
+        <source>add task %1</source>
+        <translation>añadir la tarea %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.add_team</name>
+    <message>
+        <source>add team %1</source>
+        <translation>añadir el equipo %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.adding_strays</name>
+    <message>
+        <source>Adding stray videos as trials</source>
+        <translation>Añadiendo videos sueltos como ensayos</translation>
+    </message>
+</context>
+<context>
+    <name>ui.and_more</name>
+    <message>
+        <source>and %1 more</source>
+        <translation>y %1 más</translation>
+    </message>
+</context>
+<context>
+    <name>ui.annotated_video</name>
+    <message>
+        <source>annotated video of &apos;%1&apos;</source>
+        <translation>video con anotaciones de &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>ui.another_job_runs</name>
+    <message>
+        <source>another job is running</source>
+        <translation>hay otro trabajo en curso</translation>
+    </message>
+</context>
+<context>
+    <name>ui.archive_class</name>
+    <message>
+        <source>archive class %1</source>
+        <translation>archivar la clase %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.archive_task</name>
+    <message>
+        <source>archive task %1</source>
+        <translation>archivar la tarea %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.archive_trial</name>
+    <message>
+        <source>archive %1</source>
+        <translation>archivar %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.archive_trials</name>
+    <message>
+        <source>archive %1 trials</source>
+        <translation>archivar %1 ensayos</translation>
+    </message>
+</context>
+<context>
+    <name>ui.backup_is_sound</name>
+    <message>
+        <source>its backup of %1 is sound; what was done since is not in it</source>
+        <translation>su copia de seguridad del %1 está íntegra; lo hecho desde entonces no está en ella</translation>
+    </message>
+</context>
+<context>
+    <name>ui.board_has_corners</name>
+    <message>
+        <source>a board has 3 to 30 inner corners each way</source>
+        <translation>un tablero tiene de 3 a 30 esquinas interiores en cada sentido</translation>
+    </message>
+</context>
+<context>
+    <name>ui.bring_file_back</name>
+    <message>
+        <source>bring the file back to its place</source>
+        <translation>devuelva el archivo a su lugar</translation>
+    </message>
+</context>
+<context>
+    <name>ui.calibrate_other_first</name>
+    <message>
+        <source>calibrate the other one, or import a trial with it, first</source>
+        <translation>calibre antes la otra, o importe antes un ensayo con ella</translation>
+    </message>
+</context>
+<context>
+    <name>ui.camera_named</name>
+    <message>
+        <source>camera %1</source>
+        <translation>cámara %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.cameras</name>
+    <message>
+        <source>the cameras</source>
+        <translation>las cámaras</translation>
+    </message>
+</context>
+<context>
+    <name>ui.cannot_make_another</name>
+    <message>
+        <source>cannot make another project</source>
+        <translation>no se puede crear otro proyecto</translation>
+    </message>
+</context>
+<context>
+    <name>ui.cannot_open_another</name>
+    <message>
+        <source>cannot open another project</source>
+        <translation>no se puede abrir otro proyecto</translation>
+    </message>
+</context>
+<context>
+    <name>ui.change_pseudonym</name>
+    <message>
+        <source>change the pseudonym of team %1</source>
+        <translation>cambiar el seudónimo del equipo %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.change_robot</name>
+    <message>
+        <source>change robot %1</source>
+        <translation>cambiar el robot %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.change_tags</name>
+    <message>
+        <source>change the tags of %1</source>
+        <translation>cambiar las etiquetas de %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.change_task</name>
+    <message>
+        <source>change task %1</source>
+        <translation>cambiar la tarea %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.change_team</name>
+    <message>
+        <source>change members and robots of team %1</source>
+        <translation>cambiar los miembros y robots del equipo %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.charuco_numbered_in_two_ways</name>
+    <message>
+        <source>a ChArUco board of %1 rows of squares is numbered in two ways by different programs</source>
+        <translation>un tablero ChArUco de %1 filas de casillas se numera de dos maneras según el programa</translation>
+    </message>
+</context>
+<context>
+    <name>ui.choose_logo</name>
+    <message>
+        <source>choose a PNG, JPEG or SVG picture</source>
+        <translation>elija una imagen PNG, JPEG o SVG</translation>
+    </message>
+</context>
+<context>
+    <name>ui.choose_or_make_class</name>
+    <message>
+        <source>choose one of them, or make it in the workbench</source>
+        <translation>elija una de ellas, o créela en la ventana</translation>
+    </message>
+</context>
+<context>
+    <name>ui.choose_recorded</name>
+    <message>
+        <source>choose one that was recorded</source>
+        <translation>elija uno que se haya grabado</translation>
+    </message>
+</context>
+<context>
+    <name>ui.choose_trial_or_class</name>
+    <message>
+        <source>choose a trial or a class</source>
+        <translation>elija un ensayo o una clase</translation>
+    </message>
+</context>
+<context>
+    <name>ui.choose_video_size</name>
+    <message>
+        <source>choose another, such as 1920x1080</source>
+        <translation>elija otro, como 1920x1080</translation>
+    </message>
+</context>
+<context>
+    <name>ui.choose_video_speed</name>
+    <message>
+        <source>choose another, such as 0.25</source>
+        <translation>elija otra, como 0.25</translation>
+    </message>
+</context>
+<context>
+    <name>ui.comparison</name>
+    <message>
+        <source>comparison</source>
+        <translation>comparación</translation>
+    </message>
+</context>
+<context>
+    <name>ui.completing_recording</name>
+    <message>
+        <source>Completing a recording that was cut off</source>
+        <translation>Completando una grabación interrumpida</translation>
+    </message>
+</context>
+<context>
+    <name>ui.connect_camera</name>
+    <message>
+        <source>connect camera %1</source>
+        <translation>conectar la cámara %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.delete_class</name>
+    <message>
+        <source>delete class %1</source>
+        <translation>eliminar la clase %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.delete_robot</name>
+    <message>
+        <source>delete robot %1</source>
+        <translation>eliminar el robot %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.delete_task</name>
+    <message>
+        <source>delete task %1</source>
+        <translation>eliminar la tarea %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.delete_team</name>
+    <message>
+        <source>delete team %1</source>
+        <translation>eliminar el equipo %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.delete_trial</name>
+    <message>
+        <source>delete %1</source>
+        <translation>eliminar %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.delete_trials</name>
+    <message>
+        <source>delete %1 trials</source>
+        <translation>eliminar %1 ensayos</translation>
+    </message>
+</context>
+<context>
+    <name>ui.does_not_fit_on</name>
+    <message>
+        <source>%1 by %2 do not fit on %3</source>
+        <translation>%1 por %2 no caben en %3</translation>
+    </message>
+</context>
+<context>
+    <name>ui.emptying_bin</name>
+    <message>
+        <source>Emptying the bin</source>
+        <translation>Vaciando la papelera</translation>
+    </message>
+</context>
+<context>
+    <name>ui.export_of</name>
+    <message>
+        <source>export of %1</source>
+        <translation>exportación de %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.exported_trials</name>
+    <message>
+        <source>Exported trials: %1 of %2</source>
+        <translation>Ensayos exportados: %1 de %2</translation>
+    </message>
+</context>
+<context>
+    <name>ui.exporting</name>
+    <message>
+        <source>Exporting %1 (%2 of %3)</source>
+        <translation>Exportando %1 (%2 de %3)</translation>
+    </message>
+</context>
+<context>
+    <name>ui.give_board_size</name>
+    <message>
+        <source>give a size as 9x6</source>
+        <translation>dé un tamaño como 9x6</translation>
+    </message>
+</context>
+<context>
+    <name>ui.give_marker_size</name>
+    <message>
+        <source>give its size, as 150mm</source>
+        <translation>dé su tamaño, como 150mm</translation>
+    </message>
+</context>
+<context>
+    <name>ui.give_square_side</name>
+    <message>
+        <source>give the side of a square, as 25mm</source>
+        <translation>dé el lado de una casilla, como 25mm</translation>
+    </message>
+</context>
+<context>
+    <name>ui.import_or_record_first</name>
+    <message>
+        <source>import or record one first</source>
+        <translation>importe o grabe uno primero</translation>
+    </message>
+</context>
+<context>
+    <name>ui.importing</name>
+    <message>
+        <source>Importing %1</source>
+        <translation>Importando %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.is_printer_ready</name>
+    <message>
+        <source>look whether the printer is ready</source>
+        <translation>mire si la impresora está lista</translation>
+    </message>
+</context>
+<context>
+    <name>ui.job_runs_on_project</name>
+    <message>
+        <source>a job is running on the project</source>
+        <translation>hay un trabajo en curso en el proyecto</translation>
+    </message>
+</context>
+<context>
+    <name>ui.lens_of_other_size</name>
+    <message>
+        <source>it is %1×%2, but the lens was measured at %3×%4</source>
+        <translation>es de %1×%2, pero la lente se midió a %3×%4</translation>
+    </message>
+</context>
+<context>
+    <name>ui.logo</name>
+    <message>
+        <source>logo &apos;%1&apos;</source>
+        <translation>logotipo &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>ui.logo_too_large</name>
+    <message>
+        <source>it is larger than a hundred megapixels</source>
+        <translation>tiene más de cien megapíxeles</translation>
+    </message>
+</context>
+<context>
+    <name>ui.look_at_printer</name>
+    <message>
+        <source>look at the printer and its queue, or save the report as PDF</source>
+        <translation>mire la impresora y su cola, o guarde el informe como PDF</translation>
+    </message>
+</context>
+<context>
+    <name>ui.looking_for_lost</name>
+    <message>
+        <source>Looking for lost videos</source>
+        <translation>Buscando videos perdidos</translation>
+    </message>
+</context>
+<context>
+    <name>ui.looking_for_markers</name>
+    <message>
+        <source>looking for the markers in %1</source>
+        <translation>buscando los marcadores en %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.looking_for_strays</name>
+    <message>
+        <source>Looking for stray files</source>
+        <translation>Buscando archivos sueltos</translation>
+    </message>
+</context>
+<context>
+    <name>ui.make_marker_smaller</name>
+    <message>
+        <source>make it %1 at most, or take a larger paper</source>
+        <translation>hágalo de %1 como máximo, o tome un papel más grande</translation>
+    </message>
+</context>
+<context>
+    <name>ui.make_smaller</name>
+    <message>
+        <source>make it smaller</source>
+        <translation>hágala más pequeña</translation>
+    </message>
+</context>
+<context>
+    <name>ui.make_squares_smaller</name>
+    <message>
+        <source>make the squares %1 at most, or take a larger paper</source>
+        <translation>haga las casillas de %1 como máximo, o tome un papel más grande</translation>
+    </message>
+</context>
+<context>
+    <name>ui.making_demo</name>
+    <message>
+        <source>Making the demo lesson</source>
+        <translation>Creando la lección demo</translation>
+    </message>
+</context>
+<context>
+    <name>ui.making_hashes</name>
+    <message>
+        <source>Making the hashes of new recordings</source>
+        <translation>Calculando los hashes de las grabaciones nuevas</translation>
+    </message>
+</context>
+<context>
+    <name>ui.making_report</name>
+    <message>
+        <source>Making the report</source>
+        <translation>Creando el informe</translation>
+    </message>
+</context>
+<context>
+    <name>ui.making_video</name>
+    <message>
+        <source>Making the video of %1</source>
+        <translation>Creando el video de %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.making_videos</name>
+    <message>
+        <source>Making the video of %1 (%2 of %3)</source>
+        <translation>Creando el video de %1 (%2 de %3)</translation>
+    </message>
+</context>
+<context>
+    <name>ui.many_trials</name>
+    <message>
+        <source>many trials</source>
+        <translation>muchos ensayos</translation>
+    </message>
+</context>
+<context>
+    <name>ui.measuring_again</name>
+    <message>
+        <source>Measuring %1 again</source>
+        <translation>Volviendo a medir %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.measuring_trials_again</name>
+    <message>
+        <source>Measuring %1 again (%2 of %3)</source>
+        <translation>Volviendo a medir %1 (%2 de %3)</translation>
+    </message>
+</context>
+<context>
+    <name>ui.mend_and_choose_again</name>
+    <message>
+        <source>mend what stands there, and choose these trials again</source>
+        <translation>corrija lo que se indica allí y vuelva a elegir estos ensayos</translation>
+    </message>
+</context>
+<context>
+    <name>ui.move_team</name>
+    <message>
+        <source>move team %1 to class %2</source>
+        <translation>mover el equipo %1 a la clase %2</translation>
+    </message>
+</context>
+<context>
+    <name>ui.name_one_marker</name>
+    <message>
+        <source>name at least one, as O</source>
+        <translation>nombre al menos uno, como O</translation>
+    </message>
+</context>
+<context>
+    <name>ui.no_camera_registered</name>
+    <message>
+        <source>no camera is registered yet</source>
+        <translation>aún no hay ninguna cámara registrada</translation>
+    </message>
+</context>
+<context>
+    <name>ui.no_further_page</name>
+    <message>
+        <source>it takes no further page</source>
+        <translation>no acepta más páginas</translation>
+    </message>
+</context>
+<context>
+    <name>ui.no_marker_to_print</name>
+    <message>
+        <source>there is no marker to print</source>
+        <translation>no hay ningún marcador que imprimir</translation>
+    </message>
+</context>
+<context>
+    <name>ui.no_page</name>
+    <message>
+        <source>it has no page</source>
+        <translation>no tiene ninguna página</translation>
+    </message>
+</context>
+<context>
+    <name>ui.no_project_open</name>
+    <message>
+        <source>no project is open</source>
+        <translation>no hay ningún proyecto abierto</translation>
+    </message>
+</context>
+<context>
+    <name>ui.no_run_with_figure</name>
+    <message>
+        <source>none of its teams has a run with the figure &apos;%1&apos;</source>
+        <translation>ninguno de sus equipos tiene un recorrido con el indicador &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>ui.no_run_with_figure_in_task</name>
+    <message>
+        <source>none of its teams has a run with the figure &apos;%1&apos; in the task &apos;%2&apos;</source>
+        <translation>ninguno de sus equipos tiene un recorrido con el indicador &apos;%1&apos; en la tarea &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>ui.no_trial_yet</name>
+    <message>
+        <source>there is no trial yet</source>
+        <translation>aún no hay ningún ensayo</translation>
+    </message>
+</context>
+<context>
+    <name>ui.not_printed</name>
+    <message>
+        <source>it could not be printed</source>
+        <translation>no se pudo imprimir</translation>
+    </message>
+</context>
+<context>
+    <name>ui.nothing_changed_here</name>
+    <message>
+        <source>nothing was changed here</source>
+        <translation>aquí no se cambió nada</translation>
+    </message>
+</context>
+<context>
+    <name>ui.only_be_read</name>
+    <message>
+        <source>this project can only be read</source>
+        <translation>este proyecto es de solo lectura</translation>
+    </message>
+</context>
+<context>
+    <name>ui.only_one_camera</name>
+    <message>
+        <source>there is only one camera</source>
+        <translation>solo hay una cámara</translation>
+    </message>
+</context>
+<context>
+    <name>ui.only_so_many_charuco_markers</name>
+    <message>
+        <source>there are only 250 markers for a ChArUco board</source>
+        <translation>solo hay 250 marcadores para un tablero ChArUco</translation>
+    </message>
+</context>
+<context>
+    <name>ui.only_so_many_tags</name>
+    <message>
+        <source>there are only %1 tags</source>
+        <translation>solo hay %1 AprilTags</translation>
+    </message>
+</context>
+<context>
+    <name>ui.open_its_project</name>
+    <message>
+        <source>open the project that it belongs to</source>
+        <translation>abra el proyecto al que pertenece</translation>
+    </message>
+</context>
+<context>
+    <name>ui.open_project_first</name>
+    <message>
+        <source>open or make a project first</source>
+        <translation>primero abra o cree un proyecto</translation>
+    </message>
+</context>
+<context>
+    <name>ui.opening</name>
+    <message>
+        <source>Opening %1</source>
+        <translation>Abriendo %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.packing</name>
+    <message>
+        <source>Packing the project</source>
+        <translation>Empaquetando el proyecto</translation>
+    </message>
+</context>
+<context>
+    <name>ui.pages_not_taken</name>
+    <message>
+        <source>it did not take the pages</source>
+        <translation>no ha aceptado las páginas</translation>
+    </message>
+</context>
+<context>
+    <name>ui.painting_floor</name>
+    <message>
+        <source>painting the floor</source>
+        <translation>dibujando el suelo</translation>
+    </message>
+</context>
+<context>
+    <name>ui.picture</name>
+    <message>
+        <source>the picture</source>
+        <translation>la imagen</translation>
+    </message>
+</context>
+<context>
+    <name>ui.picture_of</name>
+    <message>
+        <source>picture %1 of %2</source>
+        <translation>imagen %1 de %2</translation>
+    </message>
+</context>
+<context>
+    <name>ui.preview</name>
+    <message>
+        <source>preview</source>
+        <translation>vista previa</translation>
+    </message>
+</context>
+<context>
+    <name>ui.print_fewer_markers</name>
+    <message>
+        <source>print fewer markers</source>
+        <translation>imprima menos marcadores</translation>
+    </message>
+</context>
+<context>
+    <name>ui.printer_not_reached</name>
+    <message>
+        <source>it cannot be reached</source>
+        <translation>no se puede acceder a ella</translation>
+    </message>
+</context>
+<context>
+    <name>ui.printing_on</name>
+    <message>
+        <source>printing on &apos;%1&apos;</source>
+        <translation>impresión en «%1»</translation>
+    </message>
+</context>
+<context>
+    <name>ui.project_has_classes</name>
+    <message>
+        <source>the project has %1</source>
+        <translation>el proyecto tiene %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.project_has_no_class</name>
+    <message>
+        <source>the project has none</source>
+        <translation>el proyecto no tiene ninguna</translation>
+    </message>
+</context>
+<context>
+    <name>ui.recording_not_there</name>
+    <message>
+        <source>the recording of camera %1 is not at &apos;%2&apos;</source>
+        <translation>la grabación de la cámara %1 no está en &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>ui.redo</name>
+    <message>
+        <source>redo</source>
+        <translation>rehacer</translation>
+    </message>
+</context>
+<context>
+    <name>ui.register_camera</name>
+    <message>
+        <source>register camera %1</source>
+        <translation>registrar la cámara %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.register_one_first</name>
+    <message>
+        <source>register one that sees the markers first</source>
+        <translation>registre antes una que vea los marcadores</translation>
+    </message>
+</context>
+<context>
+    <name>ui.registration_through_another</name>
+    <message>
+        <source>registration through another camera</source>
+        <translation>registro mediante otra cámara</translation>
+    </message>
+</context>
+<context>
+    <name>ui.removing_strays</name>
+    <message>
+        <source>Removing stray files</source>
+        <translation>Eliminando archivos sueltos</translation>
+    </message>
+</context>
+<context>
+    <name>ui.rename_class</name>
+    <message>
+        <source>rename class %1 to %2</source>
+        <translation>renombrar la clase %1 como %2</translation>
+    </message>
+</context>
+<context>
+    <name>ui.rename_task</name>
+    <message>
+        <source>rename task %1 to %2</source>
+        <translation>renombrar la tarea %1 como %2</translation>
+    </message>
+</context>
+<context>
+    <name>ui.rename_team</name>
+    <message>
+        <source>rename team %1 to %2</source>
+        <translation>renombrar el equipo %1 como %2</translation>
+    </message>
+</context>
+<context>
+    <name>ui.report</name>
+    <message>
+        <source>report</source>
+        <translation>informe</translation>
+    </message>
+</context>
+<context>
+    <name>ui.report_file</name>
+    <message>
+        <source>report &apos;%1&apos;</source>
+        <translation>informe «%1»</translation>
+    </message>
+</context>
+<context>
+    <name>ui.report_of_class</name>
+    <message>
+        <source>report of class &apos;%1&apos;</source>
+        <translation>informe de la clase &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>ui.restoring_backup</name>
+    <message>
+        <source>Restoring the backup</source>
+        <translation>Restaurando la copia de seguridad</translation>
+    </message>
+</context>
+<context>
+    <name>ui.save_copy</name>
+    <message>
+        <source>save a copy and work on that</source>
+        <translation>guarde una copia y trabaje en ella</translation>
+    </message>
+</context>
+<context>
+    <name>ui.saving_copy</name>
+    <message>
+        <source>Saving a copy</source>
+        <translation>Guardando la copia</translation>
+    </message>
+</context>
+<context>
+    <name>ui.size_is_no_length</name>
+    <message>
+        <source>its size is not a length</source>
+        <translation>su tamaño no es una longitud</translation>
+    </message>
+</context>
+<context>
+    <name>ui.star_trial</name>
+    <message>
+        <source>star %1</source>
+        <translation>destacar %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.star_trials</name>
+    <message>
+        <source>star %1 trials</source>
+        <translation>destacar %1 ensayos</translation>
+    </message>
+</context>
+<context>
+    <name>ui.take_at_that_resolution</name>
+    <message>
+        <source>take it at that resolution, or measure the lens again</source>
+        <translation>tómela con esa resolución, o mida de nuevo la lente</translation>
+    </message>
+</context>
+<context>
+    <name>ui.take_even_rows</name>
+    <message>
+        <source>take an even number of rows of inner corners, as 9x6</source>
+        <translation>tome un número par de filas de esquinas interiores, como 9x6</translation>
+    </message>
+</context>
+<context>
+    <name>ui.take_fewer_squares</name>
+    <message>
+        <source>take fewer squares</source>
+        <translation>tome menos casillas</translation>
+    </message>
+</context>
+<context>
+    <name>ui.take_team_out</name>
+    <message>
+        <source>take team %1 out of its class</source>
+        <translation>sacar el equipo %1 de su clase</translation>
+    </message>
+</context>
+<context>
+    <name>ui.taking_over_setup</name>
+    <message>
+        <source>Taking over the set-up</source>
+        <translation>Se toma la configuración</translation>
+    </message>
+</context>
+<context>
+    <name>ui.target</name>
+    <message>
+        <source>target</source>
+        <translation>patrón</translation>
+    </message>
+</context>
+<context>
+    <name>ui.the_sample</name>
+    <message>
+        <source>the sample</source>
+        <translation>la muestra</translation>
+    </message>
+</context>
+<context>
+    <name>ui.the_trial</name>
+    <message>
+        <source>the trial</source>
+        <translation>el ensayo</translation>
+    </message>
+</context>
+<context>
+    <name>ui.track_or_choose_figure</name>
+    <message>
+        <source>track its trials, or choose another task or figure</source>
+        <translation>rastree sus ensayos, o elija otra tarea u otro indicador</translation>
+    </message>
+</context>
+<context>
+    <name>ui.tracking</name>
+    <message>
+        <source>Tracking %1</source>
+        <translation>Rastreando %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.trial_without_recording</name>
+    <message>
+        <source>the trial has no recording</source>
+        <translation>el ensayo no tiene ninguna grabación</translation>
+    </message>
+</context>
+<context>
+    <name>ui.trials_measured_again</name>
+    <message>
+        <source>Trials measured again: %1 of %2</source>
+        <translation>Ensayos vueltos a medir: %1 de %2</translation>
+    </message>
+</context>
+<context>
+    <name>ui.unarchive_class</name>
+    <message>
+        <source>take class %1 out of the archive</source>
+        <translation>desarchivar la clase %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.unarchive_task</name>
+    <message>
+        <source>take task %1 out of the archive</source>
+        <translation>desarchivar la tarea %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.unarchive_trial</name>
+    <message>
+        <source>take %1 out of the archive</source>
+        <translation>desarchivar %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.unarchive_trials</name>
+    <message>
+        <source>take %1 trials out of the archive</source>
+        <translation>desarchivar %1 ensayos</translation>
+    </message>
+</context>
+<context>
+    <name>ui.undelete_trial</name>
+    <message>
+        <source>take %1 out of the bin</source>
+        <translation>sacar %1 de la papelera</translation>
+    </message>
+</context>
+<context>
+    <name>ui.undelete_trials</name>
+    <message>
+        <source>take %1 trials out of the bin</source>
+        <translation>sacar %1 ensayos de la papelera</translation>
+    </message>
+</context>
+<context>
+    <name>ui.undo</name>
+    <message>
+        <source>undo</source>
+        <translation>deshacer</translation>
+    </message>
+</context>
+<context>
+    <name>ui.undo_in_menu</name>
+    <message>
+        <source>what was changed before is taken back in the window&apos;s menu Edit</source>
+        <translation>los cambios anteriores se deshacen en el menú Editar de la ventana</translation>
+    </message>
+</context>
+<context>
+    <name>ui.unpacking</name>
+    <message>
+        <source>Unpacking the project</source>
+        <translation>Desempaquetando el proyecto</translation>
+    </message>
+</context>
+<context>
+    <name>ui.unstar_trial</name>
+    <message>
+        <source>take the star off %1</source>
+        <translation>quitar la estrella a %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.unstar_trials</name>
+    <message>
+        <source>take the star off %1 trials</source>
+        <translation>quitar la estrella a %1 ensayos</translation>
+    </message>
+</context>
+<context>
+    <name>ui.video_size_wrong</name>
+    <message>
+        <source>its size of %1x%2 is odd, or not from 320x180 to 3840x2160</source>
+        <translation>su tamaño de %1x%2 es impar, o no está entre 320x180 y 3840x2160</translation>
+    </message>
+</context>
+<context>
+    <name>ui.video_speed_wrong</name>
+    <message>
+        <source>its speed is not from 0.1 to 1</source>
+        <translation>su velocidad no está entre 0,1 y 1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.videos_made</name>
+    <message>
+        <source>Videos made: %1 of %2</source>
+        <translation>Videos creados: %1 de %2</translation>
+    </message>
+</context>
+<context>
+    <name>ui.wait_or_cancel</name>
+    <message>
+        <source>wait until it is done, or cancel it</source>
+        <translation>espere a que termine o cancélelo</translation>
+    </message>
+</context>
+<context>
+    <name>ui.write_notes</name>
+    <message>
+        <source>write notes of %1</source>
+        <translation>escribir las notas de %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.writing_back</name>
+    <message>
+        <source>writing back</source>
+        <translation>escribiendo de vuelta</translation>
+    </message>
+</context>
+<context>
+    <name>video.cannot_decode</name>
+    <message>
+        <source>cannot decode the video</source>
+        <translation>no se puede descodificar el vídeo</translation>
+    </message>
+</context>
+<context>
+    <name>video.cannot_decode_all</name>
+    <message>
+        <source>cannot decode all of a frame</source>
+        <translation>no se puede decodificar un fotograma entero</translation>
+    </message>
+</context>
+<context>
+    <name>video.cannot_decode_frame</name>
+    <message>
+        <source>cannot decode frame %1 of %2</source>
+        <translation>no se puede decodificar el fotograma %1 de %2</translation>
+    </message>
+</context>
+<context>
+    <name>video.cannot_encode</name>
+    <message>
+        <source>cannot encode the video</source>
+        <translation>no se puede codificar el video</translation>
+    </message>
+</context>
+<context>
+    <name>video.cannot_finish</name>
+    <message>
+        <source>cannot finish the video %1</source>
+        <translation>no se puede terminar el video %1</translation>
+    </message>
+</context>
+<context>
+    <name>video.cannot_open</name>
+    <message>
+        <source>cannot open the video %1</source>
+        <translation>no se puede abrir el video %1</translation>
+    </message>
+</context>
+<context>
+    <name>video.cannot_read_picture</name>
+    <message>
+        <source>cannot read the picture %1</source>
+        <translation>no se puede leer la imagen %1</translation>
+    </message>
+</context>
+<context>
+    <name>video.cannot_show_frame</name>
+    <message>
+        <source>cannot show frame %1 of %2</source>
+        <translation>no se puede mostrar el fotograma %1 de %2</translation>
+    </message>
+</context>
+<context>
+    <name>video.cannot_write</name>
+    <message>
+        <source>cannot write the video %1</source>
+        <translation>no se puede escribir el video %1</translation>
+    </message>
+</context>
+<context>
+    <name>video.cannot_write_frame</name>
+    <message>
+        <source>cannot write a frame to the video %1</source>
+        <translation>no se puede escribir un fotograma en el video %1</translation>
+    </message>
+</context>
+<context>
+    <name>video.cannot_write_recording</name>
+    <message>
+        <source>cannot write the recording %1</source>
+        <translation>no se puede escribir la grabación %1</translation>
+    </message>
+</context>
+<context>
+    <name>video.check_its_folder</name>
+    <message>
+        <source>check that its folder may be written to and has room</source>
+        <translation>compruebe que se puede escribir en su carpeta y que tiene espacio</translation>
+    </message>
+</context>
+<context>
+    <name>video.check_picture_place</name>
+    <message>
+        <source>check the folder, the free space, and that the name ends in .png or .jpg</source>
+        <translation>compruebe la carpeta, el espacio libre, y que el nombre termina en .png o .jpg</translation>
+    </message>
+</context>
+<context>
+    <name>video.check_room</name>
+    <message>
+        <source>check that there is room on the disk</source>
+        <translation>compruebe que hay espacio en el disco</translation>
+    </message>
+</context>
+<context>
+    <name>video.check_the_folder</name>
+    <message>
+        <source>check that the folder exists, may be written to and has room</source>
+        <translation>compruebe que la carpeta existe, se puede escribir en ella y tiene espacio</translation>
+    </message>
+</context>
+<context>
+    <name>video.check_what_was_asked</name>
+    <message>
+        <source>check the size, the frame rate and the quality that were asked for</source>
+        <translation>compruebe el tamaño, la frecuencia y la calidad pedidos</translation>
+    </message>
+</context>
+<context>
+    <name>video.choose_one_of_these</name>
+    <message>
+        <source>choose one of these</source>
+        <translation>elija uno de estos</translation>
+    </message>
+</context>
+<context>
+    <name>video.convert_to_h264</name>
+    <message>
+        <source>convert it to H.264</source>
+        <translation>conviértalo a H.264</translation>
+    </message>
+</context>
+<context>
+    <name>video.convert_to_png</name>
+    <message>
+        <source>convert it to PNG or JPEG</source>
+        <translation>conviértala a PNG o JPEG</translation>
+    </message>
+</context>
+<context>
+    <name>video.convert_to_smaller</name>
+    <message>
+        <source>convert it to a smaller size</source>
+        <translation>conviértalo a un tamaño menor</translation>
+    </message>
+</context>
+<context>
+    <name>video.convert_to_yuv</name>
+    <message>
+        <source>convert it to 8-bit YUV, e.g. ffmpeg -i FILE -pix_fmt yuv420p NEW.mp4</source>
+        <translation>conviértalo a YUV de 8 bits, p. ej. ffmpeg -i FILE -pix_fmt yuv420p NEW.mp4</translation>
+    </message>
+</context>
+<context>
+    <name>video.copy_again</name>
+    <message>
+        <source>copy it again</source>
+        <translation>cópiela de nuevo</translation>
+    </message>
+</context>
+<context>
+    <name>video.copy_from_camera</name>
+    <message>
+        <source>copy it from the camera again</source>
+        <translation>cópielo de nuevo de la cámara</translation>
+    </message>
+</context>
+<context>
+    <name>video.copy_if_cut_short</name>
+    <message>
+        <source>copy it from the camera again if it was cut short</source>
+        <translation>cópielo de nuevo de la cámara si quedó truncado</translation>
+    </message>
+</context>
+<context>
+    <name>video.data_damaged</name>
+    <message>
+        <source>its data are damaged</source>
+        <translation>sus datos están dañados</translation>
+    </message>
+</context>
+<context>
+    <name>video.decoder_not_started</name>
+    <message>
+        <source>its decoder would not start (%1)</source>
+        <translation>su decodificador no arrancó (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>video.each_at_its_time</name>
+    <message>
+        <source>each counts at its own time</source>
+        <translation>cada una cuenta en su propio instante</translation>
+    </message>
+</context>
+<context>
+    <name>video.encoder_not_started</name>
+    <message>
+        <source>the encoder would not start (%1)</source>
+        <translation>el codificador no arrancó (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>video.ends_early</name>
+    <message>
+        <source>ends early at %1</source>
+        <translation>termina antes de tiempo en %1</translation>
+    </message>
+</context>
+<context>
+    <name>video.even_rate_assumed</name>
+    <message>
+        <source>an even %1 is assumed</source>
+        <translation>se suponen %1 constantes</translation>
+    </message>
+</context>
+<context>
+    <name>video.failed_before</name>
+    <message>
+        <source>writing has failed before</source>
+        <translation>la escritura ya había fallado antes</translation>
+    </message>
+</context>
+<context>
+    <name>video.file_is_empty</name>
+    <message>
+        <source>the file is empty</source>
+        <translation>el archivo está vacío</translation>
+    </message>
+</context>
+<context>
+    <name>video.file_not_read</name>
+    <message>
+        <source>the file could not be read</source>
+        <translation>no se pudo leer el archivo</translation>
+    </message>
+</context>
+<context>
+    <name>video.format_differs</name>
+    <message>
+        <source>its format differs from the video&apos;s</source>
+        <translation>su formato difiere del del video</translation>
+    </message>
+</context>
+<context>
+    <name>video.frame_left_out</name>
+    <message>
+        <source>it is left out</source>
+        <translation>se omite</translation>
+    </message>
+</context>
+<context>
+    <name>video.frames_it_has</name>
+    <message>
+        <source>it has frames 0 to %1</source>
+        <translation>tiene los fotogramas 0 a %1</translation>
+    </message>
+</context>
+<context>
+    <name>video.frames_left_out</name>
+    <message>
+        <source>%1 frames left out</source>
+        <translation>%1 fotogramas omitidos</translation>
+    </message>
+</context>
+<context>
+    <name>video.frames_not_encodable</name>
+    <message>
+        <source>frames of this size or chroma format cannot be encoded</source>
+        <translation>no se pueden codificar fotogramas de este tamaño o formato de croma</translation>
+    </message>
+</context>
+<context>
+    <name>video.give_another_format</name>
+    <message>
+        <source>let the camera give another format</source>
+        <translation>haga que la cámara dé otro formato</translation>
+    </message>
+</context>
+<context>
+    <name>video.give_camera_file</name>
+    <message>
+        <source>give the file that the camera recorded</source>
+        <translation>dé el archivo que grabó la cámara</translation>
+    </message>
+</context>
+<context>
+    <name>video.give_container</name>
+    <message>
+        <source>give an MP4, MOV, MKV or AVI file</source>
+        <translation>dé un archivo MP4, MOV, MKV o AVI</translation>
+    </message>
+</context>
+<context>
+    <name>video.give_known_ending</name>
+    <message>
+        <source>give it one of these endings</source>
+        <translation>dele una de estas terminaciones</translation>
+    </message>
+</context>
+<context>
+    <name>video.give_rate</name>
+    <message>
+        <source>give the frames per second, e.g. 30</source>
+        <translation>dé los fotogramas por segundo, p. ej. 30</translation>
+    </message>
+</context>
+<context>
+    <name>video.h264_needs_even</name>
+    <message>
+        <source>H.264 needs an even width and height, not %1</source>
+        <translation>H.264 necesita ancho y alto pares, no %1</translation>
+    </message>
+</context>
+<context>
+    <name>video.header_not_rewritten</name>
+    <message>
+        <source>its header could not be rewritten</source>
+        <translation>no se pudo reescribir su cabecera</translation>
+    </message>
+</context>
+<context>
+    <name>video.header_promises</name>
+    <message>
+        <source>its header promises %1</source>
+        <translation>su cabecera promete %1</translation>
+    </message>
+</context>
+<context>
+    <name>video.install_libavcodec</name>
+    <message>
+        <source>install Debian&apos;s libavcodec</source>
+        <translation>instale el libavcodec de Debian</translation>
+    </message>
+</context>
+<context>
+    <name>video.install_libx264</name>
+    <message>
+        <source>install Debian&apos;s libavcodec with libx264</source>
+        <translation>instale el libavcodec de Debian con libx264</translation>
+    </message>
+</context>
+<context>
+    <name>video.is_finished</name>
+    <message>
+        <source>it is finished</source>
+        <translation>está terminado</translation>
+    </message>
+</context>
+<context>
+    <name>video.largest_picture</name>
+    <message>
+        <source>more than 50 megapixels or 32000 pixels a side are not read</source>
+        <translation>no se leen más de 50 megapíxeles o 32000 píxeles por lado</translation>
+    </message>
+</context>
+<context>
+    <name>video.make_smaller</name>
+    <message>
+        <source>make it smaller</source>
+        <translation>hágala más pequeña</translation>
+    </message>
+</context>
+<context>
+    <name>video.name_a_picture</name>
+    <message>
+        <source>name a picture</source>
+        <translation>indique una imagen</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_decoder</name>
+    <message>
+        <source>there is no decoder for %1</source>
+        <translation>no hay decodificador para %1</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_encoder</name>
+    <message>
+        <source>the installed libavcodec has no encoder for it</source>
+        <translation>el libavcodec instalado no tiene codificador para ello</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_ffv1_in_mp4</name>
+    <message>
+        <source>FFV1 does not go into MP4</source>
+        <translation>FFV1 no cabe en MP4</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_frame_written</name>
+    <message>
+        <source>no frame was written to it</source>
+        <translation>no se escribió ningún fotograma en él</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_jpeg_layout</name>
+    <message>
+        <source>JPEG does not have its layout of colours</source>
+        <translation>JPEG no tiene su disposición de colores</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_known_ending</name>
+    <message>
+        <source>its name ends with neither .mkv nor .mp4</source>
+        <translation>su nombre no termina en .mkv ni en .mp4</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_picture_format</name>
+    <message>
+        <source>it is no PNG, JPEG, BMP, TIFF or PNM picture</source>
+        <translation>no es una imagen PNG, JPEG, BMP, TIFF ni PNM</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_stream</name>
+    <message>
+        <source>it holds no video stream that can be read</source>
+        <translation>no contiene ninguna pista de video legible</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_time_scale</name>
+    <message>
+        <source>its time scale was not found where the muxer should have put it</source>
+        <translation>no se halló su escala de tiempo donde el multiplexor debía ponerla</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_time_stamps</name>
+    <message>
+        <source>the file has no time stamps</source>
+        <translation>el archivo no tiene marcas de tiempo</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_video_kind</name>
+    <message>
+        <source>it is not a video of a kind that is read, or its header is damaged or missing (%1)</source>
+        <translation>no es un video de un tipo legible, o su cabecera está dañada o falta (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_whole_frame</name>
+    <message>
+        <source>not one whole frame is in it</source>
+        <translation>no contiene ni un fotograma entero</translation>
+    </message>
+</context>
+<context>
+    <name>video.packet_damaged</name>
+    <message>
+        <source>a packet there is damaged</source>
+        <translation>un paquete ahí está dañado</translation>
+    </message>
+</context>
+<context>
+    <name>video.picture</name>
+    <message>
+        <source>picture</source>
+        <translation>imagen</translation>
+    </message>
+</context>
+<context>
+    <name>video.picture_claims_size</name>
+    <message>
+        <source>it says that it has %1 pixels</source>
+        <translation>dice que tiene %1 píxeles</translation>
+    </message>
+</context>
+<context>
+    <name>video.picture_damaged</name>
+    <message>
+        <source>its content is damaged or cut short</source>
+        <translation>su contenido está dañado o truncado</translation>
+    </message>
+</context>
+<context>
+    <name>video.picture_file_too_large</name>
+    <message>
+        <source>the file is larger than 200 MB</source>
+        <translation>el archivo ocupa más de 200 MB</translation>
+    </message>
+</context>
+<context>
+    <name>video.picture_format_unknown</name>
+    <message>
+        <source>its format is not known</source>
+        <translation>su formato no se conoce</translation>
+    </message>
+</context>
+<context>
+    <name>video.picture_named</name>
+    <message>
+        <source>picture &apos;%1&apos;</source>
+        <translation>imagen &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>video.picture_not_coded</name>
+    <message>
+        <source>a picture cannot be coded</source>
+        <translation>no se puede codificar una imagen</translation>
+    </message>
+</context>
+<context>
+    <name>video.picture_not_packed</name>
+    <message>
+        <source>it could not be packed</source>
+        <translation>no se pudo comprimir</translation>
+    </message>
+</context>
+<context>
+    <name>video.pictures_too_large</name>
+    <message>
+        <source>its pictures have more than 100 megapixels or 32000 pixels a side</source>
+        <translation>sus imágenes tienen más de 100 megapíxeles o 32000 píxeles por lado</translation>
+    </message>
+</context>
+<context>
+    <name>video.pixel_format_not_read</name>
+    <message>
+        <source>its pixel format %1 is not read</source>
+        <translation>su formato de píxel %1 no se lee</translation>
+    </message>
+</context>
+<context>
+    <name>video.rate_not_positive</name>
+    <message>
+        <source>its frame rate is not positive</source>
+        <translation>su frecuencia de fotogramas no es positiva</translation>
+    </message>
+</context>
+<context>
+    <name>video.rate_varies</name>
+    <message>
+        <source>its frame rate varies, pictures are %1 to %2 apart</source>
+        <translation>su frecuencia de imagen varía, entre imágenes hay de %1 a %2</translation>
+    </message>
+</context>
+<context>
+    <name>video.report_bug</name>
+    <message>
+        <source>report this as a bug</source>
+        <translation>comuníquelo como un error</translation>
+    </message>
+</context>
+<context>
+    <name>video.siting_not_set</name>
+    <message>
+        <source>the chroma siting could not be set (%1)</source>
+        <translation>no se pudo fijar la posición del croma (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>video.size_not_found</name>
+    <message>
+        <source>the size of its pictures could not be found out</source>
+        <translation>no se pudo averiguar el tamaño de sus imágenes</translation>
+    </message>
+</context>
+<context>
+    <name>video.sound_part_used</name>
+    <message>
+        <source>its sound part is used</source>
+        <translation>se usa la parte intacta</translation>
+    </message>
+</context>
+<context>
+    <name>video.stamps_repeat</name>
+    <message>
+        <source>their time stamps repeat the frame before</source>
+        <translation>sus marcas de tiempo repiten la del fotograma anterior</translation>
+    </message>
+</context>
+<context>
+    <name>video.stamps_span</name>
+    <message>
+        <source>its time stamps span %1</source>
+        <translation>sus marcas de tiempo abarcan %1</translation>
+    </message>
+</context>
+<context>
+    <name>video.start_it_again</name>
+    <message>
+        <source>start it again</source>
+        <translation>empiécelo de nuevo</translation>
+    </message>
+</context>
+<context>
+    <name>video.start_video_again</name>
+    <message>
+        <source>start the video again</source>
+        <translation>empiece de nuevo el video</translation>
+    </message>
+</context>
+<context>
+    <name>video.time_not_after</name>
+    <message>
+        <source>its time is not after the frame&apos;s before it</source>
+        <translation>su tiempo no es posterior al del fotograma anterior</translation>
+    </message>
+</context>
+<context>
+    <name>video.unknown_format_not_read</name>
+    <message>
+        <source>its pixel format (unknown) is not read</source>
+        <translation>su formato de píxel (desconocido) no se lee</translation>
+    </message>
+</context>
+<context>
+    <name>video.use_another_picture</name>
+    <message>
+        <source>use another picture</source>
+        <translation>use otra imagen</translation>
+    </message>
+</context>
+<context>
+    <name>video.use_mjpeg</name>
+    <message>
+        <source>use MJPEG or FFV1, or another size</source>
+        <translation>use MJPEG o FFV1, u otro tamaño</translation>
+    </message>
+</context>
+<context>
+    <name>video.use_mkv</name>
+    <message>
+        <source>use the ending .mkv</source>
+        <translation>use la terminación .mkv</translation>
+    </message>
+</context>
+<context>
+    <name>video.use_other_chroma</name>
+    <message>
+        <source>use 4:2:0, 4:2:2 or 4:4:4</source>
+        <translation>use 4:2:0, 4:2:2 o 4:4:4</translation>
+    </message>
+</context>
+<context>
+    <name>video.write_at_least_one</name>
+    <message>
+        <source>write at least one</source>
+        <translation>escriba al menos uno</translation>
+    </message>
+</context>
+<context>
+    <name>video.write_in_order</name>
+    <message>
+        <source>write the frames in order, at least a microsecond apart</source>
+        <translation>escriba los fotogramas en orden, con al menos un microsegundo entre ellos</translation>
+    </message>
+</context>
+<context>
+    <name>video.write_one_format</name>
+    <message>
+        <source>write one format to a file</source>
+        <translation>escriba un solo formato en un archivo</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.add_one_with</name>
+    <message>
+        <source>add one with</source>
+        <translation>añada uno con</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.added_with_colour</name>
+    <message>
+        <source>it was added with the colour %1</source>
+        <translation>se añadió con el color %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.address_of_live_positions</name>
+    <message>
+        <source>address &apos;%1&apos; of live positions</source>
+        <translation>dirección &apos;%1&apos; de posiciones en vivo</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.analyse_anew_with</name>
+    <message>
+        <source>analyse them anew with</source>
+        <translation>analícelas de nuevo con</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.analysing</name>
+    <message>
+        <source>analysing</source>
+        <translation>analizando</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.analysing_robot</name>
+    <message>
+        <source>analysing %1</source>
+        <translation>analizando %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.another_picture_size</name>
+    <message>
+        <source>its pictures are %1 but the camera was calibrated at %2</source>
+        <translation>sus imágenes son de %1 pero la cámara se calibró a %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.beyond_limits</name>
+    <message>
+        <source>%1 of what was measured is beyond the limits of task &apos;%2&apos;, so that they were left out</source>
+        <translation>el %1 de lo medido supera los límites de la tarea &apos;%2&apos;, por lo que se omitieron</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.board_in_no_picture</name>
+    <message>
+        <source>the board was found in none of %1 pictures (%2)</source>
+        <translation>no se encontró el tablero en ninguna de %1 imágenes (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.by_layout_and_lens</name>
+    <message>
+        <source>layout &apos;%1&apos;, lens of calibration %2</source>
+        <translation>plano &apos;%1&apos;, lente de la calibración %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.by_layout_without_lens</name>
+    <message>
+        <source>layout &apos;%1&apos;, lens not calibrated</source>
+        <translation>plano &apos;%1&apos;, lente sin calibrar</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibrate_at_its_size</name>
+    <message>
+        <source>calibrate it at the size it records.</source>
+        <translation>calíbrela con el tamaño con que graba.</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibrate_at_recorded_size</name>
+    <message>
+        <source>calibrate and register the camera at the size it records</source>
+        <translation>calibre y registre la cámara con el tamaño con que graba</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibrate_camera</name>
+    <message>
+        <source>calibrate camera %1</source>
+        <translation>calibrar la cámara %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibrate_if_touched</name>
+    <message>
+        <source>if zoom, focus or the camera&apos;s settings were touched since, calibrate it again.</source>
+        <translation>si desde entonces se tocaron el zoom, el enfoque o los ajustes de la cámara, calíbrela de nuevo.</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibrate_it</name>
+    <message>
+        <source>calibrate it.</source>
+        <translation>calíbrela.</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibrate_lens_first</name>
+    <message>
+        <source>calibrate the lens first, or put another calibration in force</source>
+        <translation>calibre antes la lente, o ponga en vigor otra calibración</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibrate_or_give_picture</name>
+    <message>
+        <source>calibrate it, import its intrinsics, or give --image or --video as well</source>
+        <translation>calíbrela, importe sus parámetros intrínsecos, o dé además --image o --video</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibrate_or_import_trial</name>
+    <message>
+        <source>calibrate it, import its intrinsics, or import a trial with it first</source>
+        <translation>calíbrela, importe sus parámetros intrínsecos, o importe antes un ensayo con ella</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibrated_from_pictures</name>
+    <message>
+        <source>calibrated from %1 pictures</source>
+        <translation>calibrada con %1 imágenes</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibrating_camera</name>
+    <message>
+        <source>calibrating camera %1</source>
+        <translation>calibrando la cámara %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibration</name>
+    <message>
+        <source>calibration %1</source>
+        <translation>calibración %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibration_of_camera</name>
+    <message>
+        <source>calibration of camera &apos;%1&apos;</source>
+        <translation>calibración de la cámara &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibration_picture</name>
+    <message>
+        <source>calibration picture &apos;%1&apos;</source>
+        <translation>imagen de calibración &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.camera_gave_no_picture</name>
+    <message>
+        <source>camera &apos;%1&apos; gave no picture</source>
+        <translation>la cámara &apos;%1&apos; no dio ninguna imagen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.camera_given_twice</name>
+    <message>
+        <source>camera &apos;%1&apos; or its address &apos;%2&apos; was given twice</source>
+        <translation>la cámara &apos;%1&apos; o su dirección &apos;%2&apos; se dio dos veces</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.camera_given_two_videos</name>
+    <message>
+        <source>camera &apos;%1&apos; was given two videos</source>
+        <translation>a la cámara &apos;%1&apos; se le dieron dos videos</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.camera_not_on_floor</name>
+    <message>
+        <source>camera &apos;%1&apos; is not registered to the floor</source>
+        <translation>la cámara &apos;%1&apos; no está registrada respecto al suelo</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.camera_not_registered</name>
+    <message>
+        <source>camera &apos;%1&apos; is not registered</source>
+        <translation>la cámara &apos;%1&apos; no está registrada</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.cannot_be_looked_at</name>
+    <message>
+        <source>it cannot be looked at (%1)</source>
+        <translation>no se puede examinar (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.cannot_write</name>
+    <message>
+        <source>cannot write &apos;%1&apos;</source>
+        <translation>no se puede escribir &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.changed_in_file</name>
+    <message>
+        <source>they were changed in the file</source>
+        <translation>se modificaron en el archivo</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_cable_and_bandwidth</name>
+    <message>
+        <source>check cable, bandwidth and what else this machine does</source>
+        <translation>compruebe el cable, el ancho de banda y qué más hace esta computadora</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_files_and_offset</name>
+    <message>
+        <source>check the files and the --sync offset</source>
+        <translation>compruebe los archivos y el desfase</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_folder_is_there</name>
+    <message>
+        <source>check that the folder is there and may be read</source>
+        <translation>compruebe que la carpeta está ahí y se puede leer</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_it_is_connected</name>
+    <message>
+        <source>check that it is connected and not used by another program</source>
+        <translation>compruebe que está conectada y que otro programa no la usa</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_it_is_there</name>
+    <message>
+        <source>check that it is there and may be read</source>
+        <translation>compruebe que está ahí y se puede leer</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_its_cable</name>
+    <message>
+        <source>check its cable, and whether another program uses it</source>
+        <translation>compruebe su cable y si otro programa la usa</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_or_analyse_again</name>
+    <message>
+        <source>run odograph check, or analyse the trial again</source>
+        <translation>ejecute odograph check o analice de nuevo el ensayo</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_or_register_again</name>
+    <message>
+        <source>check that the camera has not moved, or register it again.</source>
+        <translation>compruebe que la cámara no se haya movido, o regístrela de nuevo.</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_rate</name>
+    <message>
+        <source>the views are joined by time, check --rate if one is slow motion</source>
+        <translation>las vistas se unen por el tiempo; compruebe --rate si una está en cámara lenta</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_room_and_rights</name>
+    <message>
+        <source>check the free space and the rights of the project&apos;s folder</source>
+        <translation>compruebe el espacio libre y los permisos de la carpeta del proyecto</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_they_are_connected</name>
+    <message>
+        <source>check that they are connected and not used by another program</source>
+        <translation>compruebe que están conectadas y que otro programa no las usa</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_views_of_one_run</name>
+    <message>
+        <source>outside it only one view measures, so check that both belong to one run</source>
+        <translation>fuera de eso solo mide una vista, así que compruebe que ambas sean de un mismo recorrido</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_whether_moved</name>
+    <message>
+        <source>check whether camera %1 has moved</source>
+        <translation>comprobar si la cámara %1 se ha movido</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_another_name</name>
+    <message>
+        <source>choose another name</source>
+        <translation>elija otro nombre</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_another_one</name>
+    <message>
+        <source>choose another one</source>
+        <translation>elija otro</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_another_run</name>
+    <message>
+        <source>choose another run as well</source>
+        <translation>elija además otro recorrido</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_calibration</name>
+    <message>
+        <source>choose calibration %1 of camera %2</source>
+        <translation>elegir la calibración %1 de la cámara %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_folder_for_demo</name>
+    <message>
+        <source>choose a folder you can write to, with 300 MB free</source>
+        <translation>elija una carpeta en la que pueda escribir, con 300 MB libres</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_folder_of_copies</name>
+    <message>
+        <source>choose the folder where they were copied to</source>
+        <translation>elija la carpeta donde se copiaron</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_frame</name>
+    <message>
+        <source>choose one from %1 to %2</source>
+        <translation>elija uno de %1 a %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_interface</name>
+    <message>
+        <source>choose one that `ip link` names, or lo to stay on this machine</source>
+        <translation>elija una que nombre `ip link`, o lo para quedarse en esta computadora</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_measured_frame</name>
+    <message>
+        <source>choose a frame with a measurement</source>
+        <translation>elija un fotograma con una medición</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_one_of_them</name>
+    <message>
+        <source>choose one of them</source>
+        <translation>elija uno de ellos</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_registration</name>
+    <message>
+        <source>choose registration %1 of camera %2</source>
+        <translation>elegir el registro %1 de la cámara %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_robot_of_trial</name>
+    <message>
+        <source>choose a robot of the trial</source>
+        <translation>elija un robot del ensayo</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_time</name>
+    <message>
+        <source>choose a time from %1 to %2</source>
+        <translation>elija un tiempo de %1 a %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_with_robot</name>
+    <message>
+        <source>choose one with --robot</source>
+        <translation>elija uno con --robot</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_writable_folder</name>
+    <message>
+        <source>choose a folder that you may write to</source>
+        <translation>elija una carpeta en la que pueda escribir</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.close_other_programs</name>
+    <message>
+        <source>close other programs and try again</source>
+        <translation>cierre otros programas e inténtelo de nuevo</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.compared_with_itself</name>
+    <message>
+        <source>a run cannot be compared with itself</source>
+        <translation>un recorrido no se puede comparar consigo mismo</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.comparison</name>
+    <message>
+        <source>comparison</source>
+        <translation>comparación</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.comparison_of_trial</name>
+    <message>
+        <source>comparison of trial &apos;%1&apos;</source>
+        <translation>comparación del ensayo &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.complete_trial</name>
+    <message>
+        <source>complete %1, whose recording was cut off</source>
+        <translation>completar %1, cuya grabación se interrumpió</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.completing_recording</name>
+    <message>
+        <source>completing a recording that was cut off</source>
+        <translation>completando una grabación interrumpida</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.completing_recordings</name>
+    <message>
+        <source>completing the recordings</source>
+        <translation>completar las grabaciones</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.computing_intrinsics</name>
+    <message>
+        <source>computing the intrinsics</source>
+        <translation>calculando los parámetros intrínsecos</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.copy</name>
+    <message>
+        <source>copy &apos;%1&apos;</source>
+        <translation>copia &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.copy_of</name>
+    <message>
+        <source>copy of &apos;%1&apos;</source>
+        <translation>copia de &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.copying_project</name>
+    <message>
+        <source>copying the project</source>
+        <translation>copiando el proyecto</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.demo</name>
+    <message>
+        <source>demo</source>
+        <translation>demo</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.demo_in</name>
+    <message>
+        <source>demo in &apos;%1&apos;</source>
+        <translation>demo en &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.demo_is_there</name>
+    <message>
+        <source>%1 is there already</source>
+        <translation>%1 ya existe</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.doubtful_name</name>
+    <message>
+        <source>from %1 to %2 it is doubtful whether this is %3 or %4</source>
+        <translation>de %1 a %2 es dudoso si se trata de %3 o de %4</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.doubtful_name_unknown</name>
+    <message>
+        <source>from %1 to %2 it is doubtful whether this is %3 or another robot of its look</source>
+        <translation>de %1 a %2 es dudoso si se trata de %3 o de otro robot del mismo aspecto</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.doubtful_names</name>
+    <message>
+        <source>from %1 to %2 (the first of %3 times) it is doubtful whether this is %4 or %5</source>
+        <translation>de %1 a %2 (la primera de %3 veces) es dudoso si se trata de %4 o de %5</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.doubtful_names_unknown</name>
+    <message>
+        <source>from %1 to %2 (the first of %3 times) it is doubtful whether this is %4 or another robot of its look</source>
+        <translation>de %1 a %2 (la primera de %3 veces) es dudoso si se trata de %4 o de otro robot del mismo aspecto</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.doubtful_step</name>
+    <message>
+        <source>it is in step to %1 only, which is %2 at 1 m/s</source>
+        <translation>está sincronizada solo a %1, que son %2 a 1 m/s</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.end_recording_first</name>
+    <message>
+        <source>end its recording first</source>
+        <translation>termine antes su grabación</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.error_estimated</name>
+    <message>
+        <source>positions to %1, as estimated from them</source>
+        <translation>posiciones a %1, estimado a partir de ellas</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.error_stated</name>
+    <message>
+        <source>positions to %1, as the file says</source>
+        <translation>posiciones a %1, según el archivo</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.export</name>
+    <message>
+        <source>export of &apos;%1&apos;</source>
+        <translation>exportación de &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.faster_disk_or_fewer_cameras</name>
+    <message>
+        <source>record to a faster disk, or fewer cameras at once</source>
+        <translation>grabe en un disco más rápido, o con menos cámaras a la vez</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.file_is_missing</name>
+    <message>
+        <source>%1 is missing</source>
+        <translation>falta %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.file_without_picture</name>
+    <message>
+        <source>it has no picture</source>
+        <translation>no tiene ninguna imagen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.fitting_cameras_together</name>
+    <message>
+        <source>fitting %1 cameras together</source>
+        <translation>ajustando %1 cámaras juntas</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.floor_has_its_colour</name>
+    <message>
+        <source>its colour %1 is also that of the floor (%2 of view %3&apos;s picture)</source>
+        <translation>su color %1 es también el del suelo (%2 de la imagen de la vista %3)</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.folder</name>
+    <message>
+        <source>folder &apos;%1&apos;</source>
+        <translation>carpeta &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.found_by_colour</name>
+    <message>
+        <source>it is found by its colour</source>
+        <translation>se encuentra por su color</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.frame_of_file</name>
+    <message>
+        <source>frame %1 of &apos;%2&apos;</source>
+        <translation>fotograma %1 de &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.frame_of_trial</name>
+    <message>
+        <source>frame %1 of trial &apos;%2&apos;</source>
+        <translation>fotograma %1 del ensayo &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_another_file</name>
+    <message>
+        <source>give another file</source>
+        <translation>dé otro archivo</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_camera_rate</name>
+    <message>
+        <source>give the rate at which the camera took the frames</source>
+        <translation>indique la frecuencia con la que la cámara tomó los fotogramas</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_cameras</name>
+    <message>
+        <source>give one or more, like --camera A=sim:A</source>
+        <translation>dé una o más, como --camera A=sim:A</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_each_robot_one</name>
+    <message>
+        <source>give each robot one</source>
+        <translation>dé una a cada robot</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_each_view_its_camera</name>
+    <message>
+        <source>give each view its own camera</source>
+        <translation>dé a cada vista su propia cámara</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_limits_of_fastest</name>
+    <message>
+        <source>give the task the limits of its fastest robot</source>
+        <translation>dé a la tarea los límites de su robot más rápido</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_offset_for_each</name>
+    <message>
+        <source>give one offset for each view but the first, like --sync 0.1,0.2, or use --sync auto</source>
+        <translation>dé un desfase por cada vista salvo la primera, como --sync 0.1,0.2, o use --sync auto</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_own_colours</name>
+    <message>
+        <source>give each a colour of its own</source>
+        <translation>dé a cada uno un color propio</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_picture_of_that_size</name>
+    <message>
+        <source>give a picture of that size</source>
+        <translation>dé una imagen de ese tamaño</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_pixels_or_picture</name>
+    <message>
+        <source>give --pixels pixels.csv, --image picture.png or --video clip.mp4</source>
+        <translation>dé --pixels pixels.csv, --image picture.png o --video clip.mp4</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_pre_roll</name>
+    <message>
+        <source>give a pre-roll of 0 to 10 seconds</source>
+        <translation>dé un prerregistro de 0 a 10 segundos</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_seconds</name>
+    <message>
+        <source>give the seconds, like 10</source>
+        <translation>dé los segundos, como 10</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_task</name>
+    <message>
+        <source>give %1 the task %2</source>
+        <translation>dar a %1 la tarea %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_tracks</name>
+    <message>
+        <source>give one or more, like --track R=run.csv</source>
+        <translation>dé una o más, como --track R=run.csv</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_views</name>
+    <message>
+        <source>give one view or more, like --video A=a.mp4</source>
+        <translation>dé una vista o más, como --video A=a.mp4</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.import_again_for_offset</name>
+    <message>
+        <source>import the videos again and let the offset be found, or tell it</source>
+        <translation>importe de nuevo los videos y deje que se encuentre el desfase, o indíquelo</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.import_lens</name>
+    <message>
+        <source>import the lens of camera %1 from %2</source>
+        <translation>importar la lente de la cámara %1 de %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.import_of_trial</name>
+    <message>
+        <source>import of trial &apos;%1&apos;</source>
+        <translation>importación del ensayo &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.import_roster</name>
+    <message>
+        <source>import the roster %1</source>
+        <translation>importar la lista de clase %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.import_trial</name>
+    <message>
+        <source>import trial %1</source>
+        <translation>importar el ensayo %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.interface_of_live_positions</name>
+    <message>
+        <source>interface &apos;%1&apos; of live positions</source>
+        <translation>interfaz &apos;%1&apos; de las posiciones en vivo</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.intrinsics_of_camera</name>
+    <message>
+        <source>intrinsics of camera &apos;%1&apos;</source>
+        <translation>parámetros intrínsecos de la cámara &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.keeping_pictures</name>
+    <message>
+        <source>keeping the pictures</source>
+        <translation>guardando las imágenes</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.leave_frame</name>
+    <message>
+        <source>leave frame %1 of %2 to the program</source>
+        <translation>dejar el fotograma %1 de %2 al programa</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.leave_out_trial</name>
+    <message>
+        <source>leave out %1, of which nothing was recorded</source>
+        <translation>omitir %1, del que no se grabó nada</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lens_imported_from</name>
+    <message>
+        <source>imported from %1</source>
+        <translation>importada de %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lens_never_calibrated</name>
+    <message>
+        <source>The lens of camera &apos;%1&apos; was never calibrated, its distortion is taken as none</source>
+        <translation>La lente de la cámara &apos;%1&apos; nunca se calibró, su distorsión se toma como nula</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.link_lost_video</name>
+    <message>
+        <source>link a lost video</source>
+        <translation>vincular un video perdido</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.link_lost_videos</name>
+    <message>
+        <source>link %1 lost videos</source>
+        <translation>vincular %1 videos perdidos</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.little_common_time</name>
+    <message>
+        <source>%1 and %2 long, %3 in common</source>
+        <translation>%1 y %2 de duración, %3 en común</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.live_positions_to</name>
+    <message>
+        <source>live positions to %1</source>
+        <translation>posiciones en vivo a %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.live_tracking</name>
+    <message>
+        <source>live tracking</source>
+        <translation>seguimiento en directo</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.look_at_outlines</name>
+    <message>
+        <source>look at the outlines, and tell the robot&apos;s colour or keep others out of the pictures</source>
+        <translation>mire los contornos e indique el color del robot, o deje a los demás fuera de las imágenes</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.look_for_lost_videos</name>
+    <message>
+        <source>look for lost videos</source>
+        <translation>buscar videos perdidos</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.look_for_strays</name>
+    <message>
+        <source>look for stray files</source>
+        <translation>buscar archivos sueltos</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.look_in</name>
+    <message>
+        <source>look in &apos;%1&apos;</source>
+        <translation>buscar en &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.looking_for_board_in</name>
+    <message>
+        <source>looking for the board in %1</source>
+        <translation>buscando el tablero en %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.looking_for_files</name>
+    <message>
+        <source>looking for files</source>
+        <translation>buscando archivos</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.looking_for_markers_again</name>
+    <message>
+        <source>looking for the markers again</source>
+        <translation>buscando los marcadores de nuevo</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.looking_for_markers_in</name>
+    <message>
+        <source>looking for the markers in %1</source>
+        <translation>buscando los marcadores en %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.looking_through_media</name>
+    <message>
+        <source>looking through the media folder</source>
+        <translation>examinando la carpeta de medios</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lost_not_packed</name>
+    <message>
+        <source>the video of camera %1 in trial &apos;%2&apos; is lost, and not in the packed project</source>
+        <translation>el video de la cámara %1 en el ensayo &apos;%2&apos; se perdió y no está en el proyecto empaquetado</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lost_video_not_there</name>
+    <message>
+        <source>the lost video is not there</source>
+        <translation>el video perdido no está ahí</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lost_videos</name>
+    <message>
+        <source>lost videos</source>
+        <translation>videos perdidos</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lost_videos_not_there</name>
+    <message>
+        <source>none of the %1 lost videos is there</source>
+        <translation>ninguno de los %1 videos perdidos está ahí</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.made_through_registration</name>
+    <message>
+        <source>It was made through registration %1 of the project.</source>
+        <translation>Se hizo mediante el registro %1 del proyecto.</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.made_with_it_already</name>
+    <message>
+        <source>it was made with it already</source>
+        <translation>ya se hizo con ella</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.making_hash</name>
+    <message>
+        <source>making the hash of %1</source>
+        <translation>calculando la suma de comprobación de %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.map_behind</name>
+    <message>
+        <source>the map is %1 behind, none skipped</source>
+        <translation>el mapa va %1 por detrás, nada omitido</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.map_behind_and_skipping</name>
+    <message>
+        <source>the map is %1 behind, %2 skipped</source>
+        <translation>el mapa va %1 por detrás, %2 omitidos</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.mark_spike</name>
+    <message>
+        <source>mark frame %1 of %2 as a spike</source>
+        <translation>marcar el fotograma %1 de %2 como atípico</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.markers_for_camera</name>
+    <message>
+        <source>markers for camera &apos;%1&apos;</source>
+        <translation>marcadores para la cámara &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.measure_again</name>
+    <message>
+        <source>measure %1 again</source>
+        <translation>volver a medir %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.measure_it_again</name>
+    <message>
+        <source>measure it again</source>
+        <translation>mídalo de nuevo</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.moved_cannot_be_told</name>
+    <message>
+        <source>whether %1 has moved cannot be told</source>
+        <translation>no se puede saber si %1 se ha movido</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.name_another_camera</name>
+    <message>
+        <source>name another camera that is registered</source>
+        <translation>indique otra cámara que esté registrada</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.name_its_camera</name>
+    <message>
+        <source>name one of its cameras</source>
+        <translation>indique una de sus cámaras</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.name_its_robot</name>
+    <message>
+        <source>name one of its robots</source>
+        <translation>indique uno de sus robots</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.name_place_in_pixels</name>
+    <message>
+        <source>name it in pixels from the picture&apos;s top left corner</source>
+        <translation>indíquelo en píxeles desde la esquina superior izquierda de la imagen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.name_robot_after_track</name>
+    <message>
+        <source>give the robot the name of one of them</source>
+        <translation>dé al robot el nombre de una de ellas</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.name_time_within_trial</name>
+    <message>
+        <source>name a time within the trial, in seconds</source>
+        <translation>indique un momento dentro del ensayo, en segundos</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.nearly_all_beyond_limits</name>
+    <message>
+        <source>nearly all that was measured is beyond the limits of task &apos;%1&apos;, so that they were left out</source>
+        <translation>casi todo lo medido supera los límites de la tarea &apos;%1&apos;, por lo que se omitieron</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.neither_lens_nor_recording</name>
+    <message>
+        <source>it has no intrinsics and no recording</source>
+        <translation>no tiene parámetros intrínsecos ni grabación</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.never_calibrated</name>
+    <message>
+        <source>it was never calibrated</source>
+        <translation>nunca se calibró</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.new_project</name>
+    <message>
+        <source>new project</source>
+        <translation>proyecto nuevo</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_address_with_port</name>
+    <message>
+        <source>it is no IPv4 address with a port</source>
+        <translation>no es una dirección IPv4 con puerto</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_camera_gave_picture</name>
+    <message>
+        <source>no camera gave a picture</source>
+        <translation>ninguna cámara dio una imagen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_camera_given</name>
+    <message>
+        <source>no camera was given</source>
+        <translation>no se dio ninguna cámara</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_common_place</name>
+    <message>
+        <source>No place was measured by both analyses.</source>
+        <translation>Ningún lugar fue medido por ambos análisis.</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_common_time</name>
+    <message>
+        <source>views &apos;%1&apos; and &apos;%2&apos; have no time in common with an offset of %3</source>
+        <translation>las vistas &apos;%1&apos; y &apos;%2&apos; no tienen tiempo en común con un desfase de %3</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_live_positions</name>
+    <message>
+        <source>none of its cameras is registered to the floor, so there are no live positions to send</source>
+        <translation>ninguna de sus cámaras está registrada respecto al suelo, así que no hay posiciones en vivo que enviar</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_multicast</name>
+    <message>
+        <source>interface &apos;%1&apos; takes no multicast</source>
+        <translation>la interfaz &apos;%1&apos; no admite multidifusión</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_picture_read</name>
+    <message>
+        <source>no picture could be read</source>
+        <translation>no se pudo leer ninguna imagen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_picture_then</name>
+    <message>
+        <source>the view has no picture at that time</source>
+        <translation>la vista no tiene ninguna imagen en ese momento</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_pixels_no_picture</name>
+    <message>
+        <source>neither their pixels nor a picture to look in was given</source>
+        <translation>no se dieron ni sus píxeles ni una imagen donde buscar</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_robot</name>
+    <message>
+        <source>the project has no robot to look for</source>
+        <translation>el proyecto no tiene ningún robot que buscar</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_sample</name>
+    <message>
+        <source>the analysis has no sample</source>
+        <translation>el análisis no tiene ninguna muestra</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_socket</name>
+    <message>
+        <source>this machine gives no socket</source>
+        <translation>esta computadora no da ningún socket</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_such_frame</name>
+    <message>
+        <source>there is no such frame</source>
+        <translation>no existe ese fotograma</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_such_interface</name>
+    <message>
+        <source>this machine has none of that name</source>
+        <translation>esta computadora no tiene ninguna con ese nombre</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_such_view</name>
+    <message>
+        <source>the trial has no such view</source>
+        <translation>el ensayo no tiene esa vista</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_track_given</name>
+    <message>
+        <source>no track was given</source>
+        <translation>no se dio ninguna traza</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_track_imported</name>
+    <message>
+        <source>no track of it was imported</source>
+        <translation>no se importó ninguna traza de él</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_track_of_that_name</name>
+    <message>
+        <source>none of its tracks is called &apos;%1&apos;; it has %2</source>
+        <translation>ninguna de sus trazas se llama &apos;%1&apos;; tiene %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_video_given</name>
+    <message>
+        <source>no video was given</source>
+        <translation>no se dio ningún video</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_video_lost</name>
+    <message>
+        <source>no video of this project is lost</source>
+        <translation>no falta ningún video de este proyecto</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.none_of_that_number</name>
+    <message>
+        <source>camera &apos;%1&apos; has none of that number</source>
+        <translation>la cámara &apos;%1&apos; no tiene ninguna con ese número</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.not_measured_there</name>
+    <message>
+        <source>the robot was not measured there, so there is nothing to judge</source>
+        <translation>el robot no se midió ahí, así que no hay nada que juzgar</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.not_registered_to_floor</name>
+    <message>
+        <source>it is not registered to the floor</source>
+        <translation>no está registrada respecto al suelo</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.not_synchronised</name>
+    <message>
+        <source>it is not synchronised but taken as begun together with the first view, so that a moving robot is not where the two views put it</source>
+        <translation>no está sincronizada sino tomada como iniciada con la primera vista, de modo que un robot en movimiento no está donde lo sitúan las dos vistas</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.not_tracked_in_trial</name>
+    <message>
+        <source>it is not tracked in trial &apos;%1&apos;</source>
+        <translation>no se sigue en el ensayo &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.not_tracked_yet</name>
+    <message>
+        <source>it has not been tracked yet</source>
+        <translation>aún no se ha rastreado</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.nothing_came</name>
+    <message>
+        <source>nothing came for %1, because %2</source>
+        <translation>no llegó nada durante %1, porque %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.nothing_recorded</name>
+    <message>
+        <source>nothing was recorded</source>
+        <translation>no se grabó nada</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.nothing_said_there</name>
+    <message>
+        <source>nothing was said by hand there</source>
+        <translation>ahí no se dijo nada a mano</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.nothing_stands_out</name>
+    <message>
+        <source>nothing stands out from the floor at %1,%2 at %3 for some frames</source>
+        <translation>nada se distingue del suelo en %1,%2 a los %3 durante algunas imágenes</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.nothing_to_analyse_again</name>
+    <message>
+        <source>it has not been tracked yet, so there is nothing to analyse again</source>
+        <translation>aún no se ha rastreado, así que no hay nada que volver a analizar</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.nothing_to_do</name>
+    <message>
+        <source>there is nothing to do</source>
+        <translation>no hay nada que hacer</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.offsets_of_other_count</name>
+    <message>
+        <source>%1 views were given and the offsets of %2</source>
+        <translation>se dieron %1 vistas y los desfases de %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.old_calibration</name>
+    <message>
+        <source>The lens calibration of camera &apos;%1&apos; is %2 days old</source>
+        <translation>La calibración de la lente de la cámara &apos;%1&apos; tiene %2 días</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.old_registration</name>
+    <message>
+        <source>The floor registration of camera &apos;%1&apos; is %2 days old</source>
+        <translation>El registro al suelo de la cámara &apos;%1&apos; tiene %2 días</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.one_follows_something_else</name>
+    <message>
+        <source>one of them follows something else, or is not where it was registered</source>
+        <translation>una de ellas sigue otra cosa, o no está donde se registró</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.only_frame</name>
+    <message>
+        <source>its only one is frame 0</source>
+        <translation>el único es el fotograma 0</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.open_it_or_elsewhere</name>
+    <message>
+        <source>open it, or choose another folder</source>
+        <translation>ábralo, o elija otra carpeta</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.other_sample_judged</name>
+    <message>
+        <source>another sample was judged by hand while this one was analysed</source>
+        <translation>otra muestra se juzgó a mano mientras se analizaba esta</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.outside_picture</name>
+    <message>
+        <source>the place lies outside the picture</source>
+        <translation>el lugar está fuera de la imagen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.pack</name>
+    <message>
+        <source>pack &apos;%1&apos;</source>
+        <translation>empaquetar &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.pick_or_take_colour</name>
+    <message>
+        <source>pick its colour again, or take the colour from it</source>
+        <translation>vuelva a tomar su color, o quítele el color</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.picture_lost_here</name>
+    <message>
+        <source>1 picture was lost because this computer or its disk was too slow</source>
+        <translation>se perdió 1 imagen porque esta computadora o su disco eran demasiado lentos</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.picture_lost_on_wire</name>
+    <message>
+        <source>1 picture was lost between the camera and this program</source>
+        <translation>se perdió 1 imagen entre la cámara y este programa</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.picture_made_too_late</name>
+    <message>
+        <source>1 picture was lost because this machine was too slow to make them in time</source>
+        <translation>se perdió 1 imagen porque esta computadora era demasiado lenta para generarla a tiempo</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.picture_size_not_known</name>
+    <message>
+        <source>the size of its pictures is not known</source>
+        <translation>no se conoce el tamaño de sus imágenes</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.pictures_lost_here</name>
+    <message>
+        <source>%1 pictures were lost because this computer or its disk was too slow</source>
+        <translation>se perdieron %1 imágenes porque esta computadora o su disco eran demasiado lentos</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.pictures_lost_on_wire</name>
+    <message>
+        <source>%1 pictures were lost between the camera and this program</source>
+        <translation>se perdieron %1 imágenes entre la cámara y este programa</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.pictures_made_too_late</name>
+    <message>
+        <source>%1 pictures were lost because this machine was too slow to make them in time</source>
+        <translation>se perdieron %1 imágenes porque esta computadora era demasiado lenta para generarlas a tiempo</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.point_out_whole_robot</name>
+    <message>
+        <source>point it out where all of it is seen and it moves</source>
+        <translation>señálelo donde se vea entero y se mueva</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.positions_change</name>
+    <message>
+        <source>Positions change by %1 RMS, at most by %2 (at %3).</source>
+        <translation>Las posiciones cambian %1 RMS, como máximo %2 (a los %3).</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.project</name>
+    <message>
+        <source>project &apos;%1&apos;</source>
+        <translation>proyecto &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.project_file_gone</name>
+    <message>
+        <source>the project&apos;s file is no longer there</source>
+        <translation>el archivo del proyecto ya no está</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.project_lost</name>
+    <message>
+        <source>the project&apos;s file was deleted, renamed or replaced; recording goes on, and what is in it is rescued at the end</source>
+        <translation>el archivo del proyecto se ha borrado, renombrado o sustituido; la grabación continúa y su contenido se rescata al final</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.project_rescued</name>
+    <message>
+        <source>the project&apos;s file was deleted, renamed or replaced meanwhile; what was in it is rescued in &apos;%1&apos;, which is the project from now on</source>
+        <translation>el archivo del proyecto se ha borrado, renombrado o sustituido entretanto; su contenido se ha rescatado en &apos;%1&apos;, que es el proyecto a partir de ahora</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.put_axes_elsewhere</name>
+    <message>
+        <source>put the axes of layout %1 elsewhere</source>
+        <translation>poner los ejes del plano %1 en otro lugar</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.put_disk_back</name>
+    <message>
+        <source>put its disk or folder back where it was</source>
+        <translation>vuelva a poner su disco o carpeta donde estaba</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.put_file_back</name>
+    <message>
+        <source>put the file back in its place, and open the project again</source>
+        <translation>devuelva el archivo a su lugar y abra de nuevo el proyecto</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.put_plate_on_it</name>
+    <message>
+        <source>put a plate of another colour on it, or tell the colour it really has</source>
+        <translation>póngale una placa de otro color, o indique el color que tiene en realidad</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.reading_file</name>
+    <message>
+        <source>reading %1</source>
+        <translation>leyendo %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.record</name>
+    <message>
+        <source>record %1</source>
+        <translation>grabar %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.record_it_again</name>
+    <message>
+        <source>record it again</source>
+        <translation>grábelo de nuevo</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.record_to_faster_disk</name>
+    <message>
+        <source>record to a faster disk</source>
+        <translation>grabe en un disco más rápido</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.recorded_at_another_size</name>
+    <message>
+        <source>The newest recording of camera &apos;%1&apos; is %2, its lens was calibrated at %3</source>
+        <translation>La grabación más reciente de la cámara &apos;%1&apos; es de %2, su lente se calibró a %3</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.recording</name>
+    <message>
+        <source>recording</source>
+        <translation>grabando</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.recording_cut_off</name>
+    <message>
+        <source>its recording was cut off</source>
+        <translation>su grabación se interrumpió</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.recording_of_trial</name>
+    <message>
+        <source>recording of trial &apos;%1&apos;</source>
+        <translation>grabación del ensayo &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_camera</name>
+    <message>
+        <source>register camera %1</source>
+        <translation>registrar la cámara %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_camera_again</name>
+    <message>
+        <source>register camera %1 again</source>
+        <translation>registrar de nuevo la cámara %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_camera_through</name>
+    <message>
+        <source>register camera %1 through camera %2</source>
+        <translation>registrar la cámara %1 mediante la cámara %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_cameras_again</name>
+    <message>
+        <source>register the cameras again</source>
+        <translation>vuelva a registrar las cámaras</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_cameras_together</name>
+    <message>
+        <source>register the cameras of layout %1 together</source>
+        <translation>registrar juntas las cámaras del plano %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_it_again</name>
+    <message>
+        <source>register it again.</source>
+        <translation>regístrela de nuevo.</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_it_first</name>
+    <message>
+        <source>register it first, by markers or through another camera</source>
+        <translation>regístrela antes, con marcadores o mediante otra cámara</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_or_do_not_send</name>
+    <message>
+        <source>run odograph register for one of them, or leave --ssl-vision out</source>
+        <translation>registre una de ellas, u omita --ssl-vision</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_through_it_again</name>
+    <message>
+        <source>register it through that camera again</source>
+        <translation>regístrela de nuevo mediante esa cámara</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registered_at_another_size</name>
+    <message>
+        <source>the picture is %1, the camera was registered at %2</source>
+        <translation>la imagen es de %1, la cámara se registró a %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registered_before_calibration</name>
+    <message>
+        <source>The floor registration of camera &apos;%1&apos; was made before its lens was calibrated</source>
+        <translation>El registro al suelo de la cámara &apos;%1&apos; se hizo antes de calibrar su lente</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registered_through_another</name>
+    <message>
+        <source>it was registered through another camera</source>
+        <translation>se registró mediante otra cámara</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registered_with_other_lens</name>
+    <message>
+        <source>The floor registration of camera &apos;%1&apos; was made with another calibration of its lens than the one in force</source>
+        <translation>El registro al suelo de la cámara &apos;%1&apos; se hizo con otra calibración de su lente que la vigente</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registration</name>
+    <message>
+        <source>registration %1</source>
+        <translation>registro %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registration_of_camera</name>
+    <message>
+        <source>registration of camera &apos;%1&apos;</source>
+        <translation>registro de la cámara &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registration_through</name>
+    <message>
+        <source>registration of camera &apos;%1&apos; through &apos;%2&apos;</source>
+        <translation>registro de la cámara &apos;%1&apos; mediante &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registration_with_lens_in_force</name>
+    <message>
+        <source>registration of camera &apos;%1&apos; with the lens in force</source>
+        <translation>registro de la cámara &apos;%1&apos; con la lente vigente</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.remove_for_good</name>
+    <message>
+        <source>remove %1 for good</source>
+        <translation>eliminar %1 definitivamente</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.remove_strays</name>
+    <message>
+        <source>remove stray files</source>
+        <translation>eliminar archivos sueltos</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.removing</name>
+    <message>
+        <source>removing %1</source>
+        <translation>eliminando %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.replaced_not_packed</name>
+    <message>
+        <source>the video of camera %1 in trial &apos;%2&apos; lies elsewhere and is another file than it was, and not in the packed project</source>
+        <translation>el video de la cámara %1 en el ensayo &apos;%2&apos; está en otro lugar y es otro archivo que antes, y no está en el proyecto empaquetado</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.results_changed</name>
+    <message>
+        <source>its results are not those that its analysis gave</source>
+        <translation>sus resultados no son los que dio su análisis</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.robot_given_two_tracks</name>
+    <message>
+        <source>robot &apos;%1&apos; was given two tracks</source>
+        <translation>al robot &apos;%1&apos; se le dieron dos trazas</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.robot_in_view</name>
+    <message>
+        <source>robot &apos;%1&apos; in view &apos;%2&apos;</source>
+        <translation>robot &apos;%1&apos; en la vista &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.robot_is_new</name>
+    <message>
+        <source>robot &apos;%1&apos; is new</source>
+        <translation>el robot &apos;%1&apos; es nuevo</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.robot_not_tracked</name>
+    <message>
+        <source>robot &apos;%1&apos; was not tracked in it, but %2</source>
+        <translation>el robot &apos;%1&apos; no fue rastreado en él, pero sí %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.robot_pointed_out</name>
+    <message>
+        <source>robot &apos;%1&apos; pointed out in view &apos;%2&apos;</source>
+        <translation>robot &apos;%1&apos; señalado en la vista &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.roster_line</name>
+    <message>
+        <source>line %1</source>
+        <translation>línea %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.run_calibrate</name>
+    <message>
+        <source>run odograph calibrate, or odograph intrinsics import</source>
+        <translation>calíbrela, o importe sus parámetros intrínsecos</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.run_track_first</name>
+    <message>
+        <source>run odograph track first</source>
+        <translation>rastree antes</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.run_track_without_again</name>
+    <message>
+        <source>run odograph track without --again first</source>
+        <translation>rastree antes sin --again</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.say_it_again</name>
+    <message>
+        <source>say it again for frame %1</source>
+        <translation>indíquelo otra vez para el fotograma %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.see_flags_by_hand</name>
+    <message>
+        <source>see the flags by_hand in odograph export</source>
+        <translation>vea las marcas by_hand en odograph export</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.see_revisions</name>
+    <message>
+        <source>see its revisions for those there are</source>
+        <translation>vea en sus revisiones las que hay</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.settling_names</name>
+    <message>
+        <source>settling which robot is which</source>
+        <translation>determinando qué robot es cuál</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.several_robots</name>
+    <message>
+        <source>it has several robots</source>
+        <translation>tiene varios robots</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.show_whole_board</name>
+    <message>
+        <source>show the whole board, flat, sharp and evenly lit, and check --pattern and --board</source>
+        <translation>muestre todo el tablero, plano, nítido y con luz uniforme, y compruebe el patrón y el tamaño</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.spikes_change</name>
+    <message>
+        <source>Spikes: %1 instead of %2.</source>
+        <translation>Valores atípicos: %1 en lugar de %2.</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.synchronisation_of_view</name>
+    <message>
+        <source>synchronisation of view &apos;%1&apos;</source>
+        <translation>sincronización de la vista &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.take_fewer_cameras</name>
+    <message>
+        <source>close other programs, or take fewer such cameras at once</source>
+        <translation>cierre otros programas, o use menos cámaras de este tipo a la vez</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.take_over_set_up</name>
+    <message>
+        <source>take over the set-up of %1</source>
+        <translation>tomar el montaje de %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.taken_as_begun_together</name>
+    <message>
+        <source>%1, so it is taken as begun together</source>
+        <translation>%1, así que se toma como iniciada a la vez</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.takes_two_runs</name>
+    <message>
+        <source>it takes two runs</source>
+        <translation>hacen falta dos recorridos</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.taking_over_set_up</name>
+    <message>
+        <source>taking over the set-up</source>
+        <translation>tomando el montaje</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.task_was_changed</name>
+    <message>
+        <source>its task was changed while it was measured</source>
+        <translation>su tarea se cambió mientras se medía</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.through_itself</name>
+    <message>
+        <source>a camera cannot be registered through itself</source>
+        <translation>una cámara no se puede registrar mediante sí misma</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.time_of_trial</name>
+    <message>
+        <source>%1 of trial &apos;%2&apos;</source>
+        <translation>%1 del ensayo &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.times_count_from</name>
+    <message>
+        <source>its times count from %1</source>
+        <translation>sus tiempos cuentan desde %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.too_many_views</name>
+    <message>
+        <source>it has %1 views</source>
+        <translation>tiene %1 vistas</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.track</name>
+    <message>
+        <source>track %1</source>
+        <translation>rastrear %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.track_it_first</name>
+    <message>
+        <source>track it first</source>
+        <translation>rastréelo antes</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.track_of_file</name>
+    <message>
+        <source>the file&apos;s track &apos;%1&apos;</source>
+        <translation>traza &apos;%1&apos; del archivo</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.track_or_choose_another</name>
+    <message>
+        <source>track it, or choose another</source>
+        <translation>rastréelo, o elija otro</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.track_or_choose_with_robot</name>
+    <message>
+        <source>track it, or choose another with --robot</source>
+        <translation>rastréelo, o elija otro con --robot</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.track_those_seen</name>
+    <message>
+        <source>track only the robots that are in the pictures (--robot)</source>
+        <translation>siga solo los robots que están en las imágenes (--robot)</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.track_trial_again</name>
+    <message>
+        <source>track the trial again</source>
+        <translation>rastree de nuevo el ensayo</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.tracking</name>
+    <message>
+        <source>tracking</source>
+        <translation>rastreo</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.tracking_picture</name>
+    <message>
+        <source>tracking, picture %1 of %2</source>
+        <translation>rastreo, imagen %1 de %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.tracks_were_imported</name>
+    <message>
+        <source>its tracks were imported, so there is no video to track in</source>
+        <translation>sus trazas se importaron, así que no hay video que rastrear</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.trial_being_recorded</name>
+    <message>
+        <source>trial &apos;%1&apos; is being recorded</source>
+        <translation>el ensayo &apos;%1&apos; se está grabando</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.trial_is_there</name>
+    <message>
+        <source>the project has a trial of that name</source>
+        <translation>el proyecto tiene un ensayo con ese nombre</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.trial_left_out</name>
+    <message>
+        <source>nothing of it had reached the disk, and it is left out</source>
+        <translation>nada había llegado al disco, y se omite</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.turn_or_flash</name>
+    <message>
+        <source>let the robot turn, or flash the room&apos;s light, where both cameras see it</source>
+        <translation>haga girar el robot, o destelle la luz de la sala, donde lo vean ambas cámaras</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.two_views</name>
+    <message>
+        <source>views &apos;%1&apos; and &apos;%2&apos;</source>
+        <translation>vistas &apos;%1&apos; y &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.unequal_rates</name>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 y %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.unlike_first_picture</name>
+    <message>
+        <source>it is %1×%2, the first picture %3×%4</source>
+        <translation>tiene %1×%2, la primera imagen %3×%4</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.unusual_frame_rate</name>
+    <message>
+        <source>its frame rate is not between 0.1 and 100,000 frames a second</source>
+        <translation>su frecuencia no está entre 0,1 y 100 000 fotogramas por segundo</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.unusual_length</name>
+    <message>
+        <source>it would take no time, or more than a day</source>
+        <translation>no duraría nada, o más de un día</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.unusual_pre_roll</name>
+    <message>
+        <source>what is kept from before is no time, or more than 10 s</source>
+        <translation>lo que se guarda de antes no es un tiempo, o es más de 10 s</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.use_at_most</name>
+    <message>
+        <source>use at most %1</source>
+        <translation>use como máximo %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.use_frame</name>
+    <message>
+        <source>use frame %1 of %2</source>
+        <translation>usar el fotograma %1 de %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.video</name>
+    <message>
+        <source>video &apos;%1&apos;</source>
+        <translation>video &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.video_without_picture</name>
+    <message>
+        <source>the video has no picture</source>
+        <translation>el video no tiene ninguna imagen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.view</name>
+    <message>
+        <source>view &apos;%1&apos;</source>
+        <translation>vista &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.view_ended_early</name>
+    <message>
+        <source>it ended early, because %1</source>
+        <translation>terminó antes de tiempo, porque %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.view_is_kept</name>
+    <message>
+        <source>%1 of %2 view are kept, all but the last second at most</source>
+        <translation>se conservan %1 de %2 vista, todo salvo como mucho el último segundo</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.view_left_out</name>
+    <message>
+        <source>it is left out, because nothing was recorded of it</source>
+        <translation>se omite, porque no se grabó nada de ella</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.view_of_trial</name>
+    <message>
+        <source>view &apos;%1&apos; of trial &apos;%2&apos;</source>
+        <translation>vista &apos;%1&apos; del ensayo &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.views_are_kept</name>
+    <message>
+        <source>%1 of %2 views are kept, all but the last second at most</source>
+        <translation>se conservan %1 de %2 vistas, todo salvo como mucho el último segundo</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.views_contradict</name>
+    <message>
+        <source>in %1 of %2 pictures the views contradict one another</source>
+        <translation>en %1 de %2 imágenes las vistas se contradicen</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.views_far_apart</name>
+    <message>
+        <source>in %1 of %2 pictures the views have it at places far apart</source>
+        <translation>en %1 de %2 imágenes las vistas lo sitúan en lugares muy separados</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.views_put_it_apart</name>
+    <message>
+        <source>they put it %1 apart</source>
+        <translation>lo sitúan a %1 de distancia</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.wait_until_ended</name>
+    <message>
+        <source>wait until that has ended</source>
+        <translation>espere a que termine</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.waited_for_disk</name>
+    <message>
+        <source>pictures waited up to %1 for the disk, and none was lost</source>
+        <translation>las imágenes esperaron hasta %1 al disco y ninguna se perdió</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.why_views_contradict</name>
+    <message>
+        <source>a camera was moved after it was registered, the views are out of step, or the robot&apos;s height is not what was told</source>
+        <translation>una cámara se movió después de registrarla, las vistas no están sincronizadas o la altura del robot no es la indicada</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.write_address</name>
+    <message>
+        <source>write it like 224.5.23.2:10006</source>
+        <translation>escríbala como 224.5.23.2:10006</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.writing_last_pictures</name>
+    <message>
+        <source>writing the last pictures</source>
+        <translation>escribiendo las últimas imágenes</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.written_just_now</name>
+    <message>
+        <source>another program is writing or removing it just now</source>
+        <translation>otro programa lo está escribiendo o eliminando ahora mismo</translation>
     </message>
 </context>
 </TS>

@@ -426,6309 +426,6 @@
     </message>
 </context>
 <context>
-    <name>CoreWords</name>
-    <message>
-        <source>The lens of camera &apos;%1&apos; was never calibrated, its distortion is taken as none</source>
-        <translation>L’objectif de la caméra &apos;%1&apos; n’a jamais été étalonné, sa distorsion est prise comme nulle</translation>
-    </message>
-    <message>
-        <source>calibrate it</source>
-        <translation>étalonnez-le</translation>
-    </message>
-    <message>
-        <source>The lens calibration of camera &apos;%1&apos; is %2 days old</source>
-        <translation>L’étalonnage de l’objectif de la caméra &apos;%1&apos; date de %2 jours</translation>
-    </message>
-    <message>
-        <source>if zoom, focus or the camera&apos;s settings were touched since, calibrate it again</source>
-        <translation>si le zoom, la mise au point ou les réglages de la caméra ont changé depuis, étalonnez-la à nouveau</translation>
-    </message>
-    <message>
-        <source>The newest recording of camera &apos;%1&apos; is %2, its lens was calibrated at %3</source>
-        <translation>Le dernier enregistrement de la caméra &apos;%1&apos; est en %2, son objectif a été étalonné en %3</translation>
-    </message>
-    <message>
-        <source>calibrate it at the size it records</source>
-        <translation>étalonnez-la à la taille à laquelle elle filme</translation>
-    </message>
-    <message>
-        <source>The floor registration of camera &apos;%1&apos; is %2 days old</source>
-        <translation>La localisation de la caméra &apos;%1&apos; date de %2 jours</translation>
-    </message>
-    <message>
-        <source>check that the camera has not moved, or register it again</source>
-        <translation>vérifiez que la caméra n’a pas bougé, ou localisez-la à nouveau</translation>
-    </message>
-    <message>
-        <source>The floor registration of camera &apos;%1&apos; was made before its lens was calibrated</source>
-        <translation>La localisation de la caméra &apos;%1&apos; a été faite avant l’étalonnage de son objectif</translation>
-    </message>
-    <message>
-        <source>The floor registration of camera &apos;%1&apos; was made with another calibration of its lens than the one in force</source>
-        <translation>La localisation de la caméra &apos;%1&apos; a été faite avec un autre étalonnage de l’objectif que celui en vigueur</translation>
-    </message>
-    <message>
-        <source>register it again</source>
-        <translation>localisez-la à nouveau</translation>
-    </message>
-    <message>
-        <source>robot &apos;%1&apos; in trial &apos;%2&apos;</source>
-        <translation>robot &apos;%1&apos; dans l’essai &apos;%2&apos;</translation>
-    </message>
-    <message>
-        <source>view &apos;%1&apos; in trial &apos;%2&apos;</source>
-        <translation>vue &apos;%1&apos; dans l’essai &apos;%2&apos;</translation>
-    </message>
-    <message>
-        <source>view &apos;%1&apos;</source>
-        <translation>vue &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>views &apos;%1&apos; and &apos;%2&apos;</source>
-        <translation>vues &apos;%1&apos; et &apos;%2&apos;</translation>
-    </message>
-    <message>
-        <source>no view sees it from %1 s to %2 s (it was at X %3 m, Y %4 m)</source>
-        <translation>aucune vue ne le voit de %1 s à %2 s (il était en X %3 m, Y %4 m)</translation>
-    </message>
-    <message>
-        <source>no view sees it after %1 s (it was at X %2 m, Y %3 m)</source>
-        <translation>aucune vue ne le voit après %1 s (il était en X %2 m, Y %3 m)</translation>
-    </message>
-    <message>
-        <source>move or add a camera so that the whole task is seen</source>
-        <translation>déplacez ou ajoutez une caméra pour que toute l’épreuve soit vue</translation>
-    </message>
-    <message>
-        <source>the figures are of the part that was seen</source>
-        <translation>les valeurs portent sur la partie vue</translation>
-    </message>
-    <message>
-        <source>it is not synchronised but taken as begun together with the first view, so that a moving robot is not where the two views put it</source>
-        <translation>elle n’est pas synchronisée mais prise comme commencée avec la première vue, si bien qu’un robot en mouvement n’est pas là où les deux vues le placent</translation>
-    </message>
-    <message>
-        <source>import the videos again and let the offset be found, or tell it</source>
-        <translation>réimportez les vidéos et laissez trouver le décalage, ou indiquez-le</translation>
-    </message>
-    <message>
-        <source>it is in step to %1 ms only, which is %2 mm at 1 m/s</source>
-        <translation>elle n’est synchronisée qu’à %1 ms près, soit %2 mm à 1 m/s</translation>
-    </message>
-    <message>
-        <source>let the robot turn, or flash the room&apos;s light, where both cameras see it</source>
-        <translation>faites tourner le robot, ou clignoter la lumière de la salle, là où les deux caméras le voient</translation>
-    </message>
-    <message>
-        <source>its colour %1 is also that of the floor (%2 % of view %3&apos;s picture)</source>
-        <translation>sa couleur %1 est aussi celle du sol (%2&#xa0;% de l’image de la vue %3)</translation>
-    </message>
-    <message>
-        <source>put a plate of another colour on it, or tell the colour it really has</source>
-        <translation>posez dessus une plaque d’une autre couleur, ou indiquez sa vraie couleur</translation>
-    </message>
-    <message>
-        <source>robot &apos;%1&apos; is new</source>
-        <translation>le robot &apos;%1&apos; est nouveau</translation>
-    </message>
-    <message>
-        <source>it was added with the colour %1</source>
-        <translation>il a été ajouté avec la couleur %1</translation>
-    </message>
-    <message>
-        <source>video &apos;%1&apos;</source>
-        <translation>vidéo &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>synchronisation of view &apos;%1&apos;</source>
-        <translation>synchronisation de la vue &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>camera &apos;%1&apos; is not registered to the floor, so it is taken as begun together</source>
-        <translation>la caméra &apos;%1&apos; n’est pas localisée au sol, elle est donc prise comme commencée en même temps</translation>
-    </message>
-    <message>
-        <source>the project has no robot to look for, so it is taken as begun together</source>
-        <translation>le projet n’a pas de robot à chercher, elle est donc prise comme commencée en même temps</translation>
-    </message>
-    <message>
-        <source>robot %1 tells an offset of %2, robot %3 %4, which was taken</source>
-        <translation>le robot %1 donne un décalage de %2, le robot %3 %4, qui a été retenu</translation>
-    </message>
-    <message>
-        <source>the motion tells an offset of %1, which was taken, and the flash of light %2</source>
-        <translation>le mouvement donne un décalage de %1, retenu, et l’éclair de lumière %2</translation>
-    </message>
-    <message>
-        <source>%1 s and %2 s long, %3 s in common</source>
-        <translation>durées %1 s et %2 s, dont %3 s en commun</translation>
-    </message>
-    <message>
-        <source>outside it only one view measures, so check that both belong to one run</source>
-        <translation>en dehors, une seule vue mesure&#xa0;; vérifiez que les deux sont du même passage</translation>
-    </message>
-    <message>
-        <source>%1 and %2 frames/s</source>
-        <translation>%1 et %2 images/s</translation>
-    </message>
-    <message>
-        <source>the views are joined by time, check --rate if one is slow motion</source>
-        <translation>les vues sont réunies par le temps&#xa0;; vérifiez --rate si l’une est au ralenti</translation>
-    </message>
-    <message>
-        <source>it is left out, because nothing was recorded of it</source>
-        <translation>elle est écartée, car rien n’en a été enregistré</translation>
-    </message>
-    <message>
-        <source>check its cable, and whether another program uses it</source>
-        <translation>vérifiez son câble, et si un autre programme l’utilise</translation>
-    </message>
-    <message>
-        <source>it ended early, because %1</source>
-        <translation>elle s’est terminée trop tôt, car %1</translation>
-    </message>
-    <message>
-        <source>nothing came for %1 s, because %2</source>
-        <translation>rien n’est venu pendant %1 s, car %2</translation>
-    </message>
-    <message>
-        <source>pictures waited up to %1 s for the disk, and none was lost</source>
-        <translation>des images ont attendu le disque jusqu’à %1 s, aucune n’a été perdue</translation>
-    </message>
-    <message>
-        <source>record to a faster disk</source>
-        <translation>enregistrez sur un disque plus rapide</translation>
-    </message>
-    <message>
-        <source>1 picture was lost because this computer or its disk was too slow</source>
-        <translation>1 image a été perdue car cet ordinateur ou son disque était trop lent</translation>
-    </message>
-    <message>
-        <source>%1 pictures were lost because this computer or its disk was too slow</source>
-        <translation>%1 images ont été perdues car cet ordinateur ou son disque était trop lent</translation>
-    </message>
-    <message>
-        <source>record to a faster disk, or fewer cameras at once</source>
-        <translation>enregistrez sur un disque plus rapide, ou avec moins de caméras à la fois</translation>
-    </message>
-    <message>
-        <source>1 picture was lost between the camera and this program</source>
-        <translation>1 image a été perdue entre la caméra et ce programme</translation>
-    </message>
-    <message>
-        <source>%1 pictures were lost between the camera and this program</source>
-        <translation>%1 images ont été perdues entre la caméra et ce programme</translation>
-    </message>
-    <message>
-        <source>check cable, bandwidth and what else this machine does</source>
-        <translation>vérifiez le câble, la bande passante et ce que fait d’autre cet ordinateur</translation>
-    </message>
-    <message>
-        <source>1 picture was lost because this machine was too slow to make them in time</source>
-        <translation>1 image a été perdue car cet ordinateur était trop lent pour la produire à temps</translation>
-    </message>
-    <message>
-        <source>%1 pictures were lost because this machine was too slow to make them in time</source>
-        <translation>%1 images ont été perdues car cet ordinateur était trop lent pour les produire à temps</translation>
-    </message>
-    <message>
-        <source>close other programs, or take fewer such cameras at once</source>
-        <translation>fermez d’autres programmes, ou prenez moins de caméras de ce genre à la fois</translation>
-    </message>
-    <message>
-        <source>the video of camera %1 in trial &apos;%2&apos; is lost, and not in the packed project</source>
-        <translation>la vidéo de la caméra %1 dans l’essai &apos;%2&apos; est perdue, et absente du projet empaqueté</translation>
-    </message>
-    <message>
-        <source>trial &apos;%1&apos;</source>
-        <translation>essai &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>its recording was cut off</source>
-        <translation>son enregistrement a été interrompu</translation>
-    </message>
-    <message>
-        <source>nothing of it had reached the disk, and it is left out</source>
-        <translation>rien n’avait atteint le disque, il est écarté</translation>
-    </message>
-    <message>
-        <source>record it again</source>
-        <translation>filmez-le à nouveau</translation>
-    </message>
-    <message>
-        <source>%1 s of %2 view are kept, all but the last second at most</source>
-        <translation>%1 s de %2 vue sont gardées, tout sauf au plus la dernière seconde</translation>
-    </message>
-    <message>
-        <source>%1 s of %2 views are kept, all but the last second at most</source>
-        <translation>%1 s de %2 vues sont gardées, tout sauf au plus la dernière seconde</translation>
-    </message>
-    <message>
-        <source>Good: %1</source>
-        <translation>Bon&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>Usable: %1</source>
-        <translation>Utilisable&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>Poor: %1</source>
-        <translation>Médiocre&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>no figure in millimetres, since this lens holds only for a part of the picture</source>
-        <translation>pas de valeur en millimètres, car cet objectif ne vaut que pour une partie de l’image</translation>
-    </message>
-    <message>
-        <source>±%1 mm in the middle and ±%2 mm at worst (%3) on %4, as far as the lens is concerned</source>
-        <translation>±%1 mm au milieu et ±%2 mm au pire (%3) sur %4, pour ce qui tient à l’objectif</translation>
-    </message>
-    <message>
-        <source>in the far left corner</source>
-        <translation>dans le coin gauche éloigné</translation>
-    </message>
-    <message>
-        <source>in the far right corner</source>
-        <translation>dans le coin droit éloigné</translation>
-    </message>
-    <message>
-        <source>in the near left corner</source>
-        <translation>dans le coin gauche proche</translation>
-    </message>
-    <message>
-        <source>in the near right corner</source>
-        <translation>dans le coin droit proche</translation>
-    </message>
-    <message>
-        <source>at the far edge</source>
-        <translation>au bord éloigné</translation>
-    </message>
-    <message>
-        <source>at the near edge</source>
-        <translation>au bord proche</translation>
-    </message>
-    <message>
-        <source>at the left edge</source>
-        <translation>au bord gauche</translation>
-    </message>
-    <message>
-        <source>at the right edge</source>
-        <translation>au bord droit</translation>
-    </message>
-    <message>
-        <source>inside</source>
-        <translation>à l’intérieur</translation>
-    </message>
-    <message>
-        <source>a %1 m × %2 m floor seen from %3 m above</source>
-        <translation>un sol de %1 m × %2 m vu de %3 m de haut</translation>
-    </message>
-    <message>
-        <source>%1 pictures fit to %2 px, focal length %3 px ± %4 %</source>
-        <translation>%1 photos s’ajustent à %2 px, distance focale %3 px ± %4&#xa0;%</translation>
-    </message>
-    <message>
-        <source>each half of them foretells the other to %1 px, %2 mm apart at worst on that floor</source>
-        <translation>chaque moitié prédit l’autre à %1 px, à %2 mm l’une de l’autre au pire sur ce sol</translation>
-    </message>
-    <message>
-        <source>each half of them foretells the other to %1 px</source>
-        <translation>chaque moitié prédit l’autre à %1 px</translation>
-    </message>
-    <message>
-        <source>%1 pictures fit to %2 px, focal length %3 px ± %4 %, %5 mm apart at worst on that floor</source>
-        <translation>%1 photos s’ajustent à %2 px, distance focale %3 px ± %4&#xa0;%, à %5 mm l’une de l’autre au pire sur ce sol</translation>
-    </message>
-    <message>
-        <source>Standard lens</source>
-        <translation>Objectif standard</translation>
-    </message>
-    <message>
-        <source>Rational lens</source>
-        <translation>Objectif rationnel</translation>
-    </message>
-    <message>
-        <source>Fisheye lens</source>
-        <translation>Objectif fisheye</translation>
-    </message>
-    <message>
-        <source>standard</source>
-        <translation>standard</translation>
-    </message>
-    <message>
-        <source>rational</source>
-        <translation>rationnel</translation>
-    </message>
-    <message>
-        <source>fisheye</source>
-        <translation>fisheye</translation>
-    </message>
-    <message>
-        <source>told</source>
-        <translation>indiqué</translation>
-    </message>
-    <message>
-        <source>no other model fits</source>
-        <translation>aucun autre modèle ne convient</translation>
-    </message>
-    <message>
-        <source>not all</source>
-        <translation>pas toutes</translation>
-    </message>
-    <message>
-        <source>%1 px</source>
-        <translation>%1 px</translation>
-    </message>
-    <message>
-        <source>it foretells pictures held out to %1, the %2 one to %3, which may be chance</source>
-        <translation>il prédit les photos mises à part à %1, le modèle %2 à %3, ce qui peut être un hasard</translation>
-    </message>
-    <message>
-        <source>it foretells pictures held out to %1, the %2 one no better (%3)</source>
-        <translation>il prédit les photos mises à part à %1, le modèle %2 pas mieux (%3)</translation>
-    </message>
-    <message>
-        <source>it foretells pictures held out to %1, the %2 one only to %3</source>
-        <translation>il prédit les photos mises à part à %1, le modèle %2 seulement à %3</translation>
-    </message>
-    <message>
-        <source>%1 % of the corners disagree, in %2</source>
-        <translation>%1&#xa0;% des coins ne concordent pas, dans %2</translation>
-    </message>
-    <message>
-        <source>%1 % of the corners disagree, most in %2</source>
-        <translation>%1&#xa0;% des coins ne concordent pas, surtout dans %2</translation>
-    </message>
-    <message>
-        <source>they were kept</source>
-        <translation>ils ont été gardés</translation>
-    </message>
-    <message>
-        <source>look at these pictures and leave out those that are blurred, bent or of another board</source>
-        <translation>regardez ces photos et écartez celles qui sont floues, déformées ou d’une autre mire</translation>
-    </message>
-    <message>
-        <source>1 corner that stands out was left out, in %1</source>
-        <translation>1 coin qui s’écarte a été écarté, dans %1</translation>
-    </message>
-    <message>
-        <source>%1 corners that stand out were left out, in %2</source>
-        <translation>%1 coins qui s’écartent ont été écartés, dans %2</translation>
-    </message>
-    <message>
-        <source>%1 corners that stand out were left out, most in %2</source>
-        <translation>%1 coins qui s’écartent ont été écartés, surtout dans %2</translation>
-    </message>
-    <message>
-        <source>%1 corners that stand out side by side were kept, in %2</source>
-        <translation>%1 coins voisins qui s’écartent ont été gardés, dans %2</translation>
-    </message>
-    <message>
-        <source>%1 corners that stand out side by side were kept, most in %2</source>
-        <translation>%1 coins voisins qui s’écartent ont été gardés, surtout dans %2</translation>
-    </message>
-    <message>
-        <source>leave out these pictures if the board is bent, cut or covered there</source>
-        <translation>écartez ces photos si la mire y est déformée, coupée ou masquée</translation>
-    </message>
-    <message>
-        <source>More pictures (%1 or more) would make it surer</source>
-        <translation>Davantage de photos (%1 ou plus) le rendraient plus sûr</translation>
-    </message>
-    <message>
-        <source>Only %1 % of the picture was covered</source>
-        <translation>Seulement %1&#xa0;% de l’image ont été couverts</translation>
-    </message>
-    <message>
-        <source>show the board near its edges too</source>
-        <translation>montrez la mire aussi près des bords</translation>
-    </message>
-    <message>
-        <source>Look at %1</source>
-        <translation>Regardez %1</translation>
-    </message>
-    <message>
-        <source>its %1 px stand out</source>
-        <translation>ses %1 px sortent du lot</translation>
-    </message>
-    <message>
-        <source>mark frame %1 of %2 as a spike</source>
-        <translation>signalement de l’image %1 de %2 comme pic</translation>
-    </message>
-    <message>
-        <source>use frame %1 of %2</source>
-        <translation>utilisation de l’image %1 de %2</translation>
-    </message>
-    <message>
-        <source>leave frame %1 of %2 to the program</source>
-        <translation>image %1 de %2 laissée au programme</translation>
-    </message>
-    <message>
-        <source>import the roster %1</source>
-        <translation>import de la liste de classe %1</translation>
-    </message>
-    <message>
-        <source>put the axes of layout %1 elsewhere</source>
-        <translation>déplacement des axes du plan %1</translation>
-    </message>
-    <message>
-        <source>choose calibration %1 of camera %2</source>
-        <translation>choix de l’étalonnage %1 de la caméra %2</translation>
-    </message>
-    <message>
-        <source>choose registration %1 of camera %2</source>
-        <translation>choix de la localisation %1 de la caméra %2</translation>
-    </message>
-    <message>
-        <source>link a lost video</source>
-        <translation>reliure d’une vidéo perdue</translation>
-    </message>
-    <message>
-        <source>link %1 lost videos</source>
-        <translation>reliure de %1 vidéos perdues</translation>
-    </message>
-    <message>
-        <source>give %1 the task %2</source>
-        <translation>épreuve %2 donnée à %1</translation>
-    </message>
-    <message>
-        <source>import trial %1</source>
-        <translation>import de l’essai %1</translation>
-    </message>
-    <message>
-        <source>leave out %1, of which nothing was recorded</source>
-        <translation>écart de %1, dont rien n’a été enregistré</translation>
-    </message>
-    <message>
-        <source>complete %1, whose recording was cut off</source>
-        <translation>achèvement de %1, dont l’enregistrement a été interrompu</translation>
-    </message>
-    <message>
-        <source>calibrated from %1 pictures</source>
-        <translation>étalonné d’après %1 photos</translation>
-    </message>
-    <message>
-        <source>imported from %1</source>
-        <translation>importé de %1</translation>
-    </message>
-    <message>
-        <source>layout &apos;%1&apos;, lens not calibrated</source>
-        <translation>plan &apos;%1&apos;, objectif non étalonné</translation>
-    </message>
-    <message>
-        <source>layout &apos;%1&apos;, lens of calibration %2</source>
-        <translation>plan &apos;%1&apos;, objectif de l’étalonnage %2</translation>
-    </message>
-    <message>
-        <source>register camera %1</source>
-        <translation>localisation de la caméra %1</translation>
-    </message>
-    <message>
-        <source>register camera %1 again</source>
-        <translation>nouvelle localisation de la caméra %1</translation>
-    </message>
-    <message>
-        <source>register camera %1 through camera %2</source>
-        <translation>localisation de la caméra %1 par la caméra %2</translation>
-    </message>
-    <message>
-        <source>register the cameras of layout %1 together</source>
-        <translation>localisation commune des caméras du plan %1</translation>
-    </message>
-    <message>
-        <source>calibrate camera %1</source>
-        <translation>étalonnage de la caméra %1</translation>
-    </message>
-    <message>
-        <source>import the lens of camera %1 from %2</source>
-        <translation>import de l’objectif de la caméra %1 depuis %2</translation>
-    </message>
-    <message>
-        <source>check whether camera %1 has moved</source>
-        <translation>vérification du déplacement de la caméra %1</translation>
-    </message>
-    <message>
-        <source>remove %1 for good</source>
-        <translation>suppression définitive de %1</translation>
-    </message>
-    <message>
-        <source>track %1</source>
-        <translation>suivi de %1</translation>
-    </message>
-    <message>
-        <source>measure %1 again</source>
-        <translation>nouvelle mesure de %1</translation>
-    </message>
-    <message>
-        <source>record %1</source>
-        <translation>enregistrement de %1</translation>
-    </message>
-    <message>
-        <source>connect camera %1</source>
-        <translation>connexion de la caméra %1</translation>
-    </message>
-    <message>
-        <source>waiting for the first picture</source>
-        <translation>attend la première image</translation>
-    </message>
-    <message>
-        <source>%1 frames/s, none lost</source>
-        <translation>%1 images/s, aucune perdue</translation>
-    </message>
-    <message>
-        <source>%1 frames/s (too slow), none lost</source>
-        <translation>%1 images/s (trop lent), aucune perdue</translation>
-    </message>
-    <message>
-        <source>%1 frames/s, %2 lost</source>
-        <translation>%1 images/s, %2 perdues</translation>
-    </message>
-    <message>
-        <source>%1 frames/s (too slow), %2 lost</source>
-        <translation>%1 images/s (trop lent), %2 perdues</translation>
-    </message>
-    <message>
-        <source>%1 frames/s, %2 lost because this machine is too slow</source>
-        <translation>%1 images/s, %2 perdues car cet ordinateur est trop lent</translation>
-    </message>
-    <message>
-        <source>%1 frames/s (too slow), %2 lost because this machine is too slow</source>
-        <translation>%1 images/s (trop lent), %2 perdues car cet ordinateur est trop lent</translation>
-    </message>
-    <message>
-        <source>%1 frames/s, %2 lost (%3 on the wire, %4 here)</source>
-        <translation>%1 images/s, %2 perdues (%3 sur le câble, %4 ici)</translation>
-    </message>
-    <message>
-        <source>%1 frames/s (too slow), %2 lost (%3 on the wire, %4 here)</source>
-        <translation>%1 images/s (trop lent), %2 perdues (%3 sur le câble, %4 ici)</translation>
-    </message>
-    <message>
-        <source>%1 frames/s, %2 lost on the wire</source>
-        <translation>%1 images/s, %2 perdues sur le câble</translation>
-    </message>
-    <message>
-        <source>%1 frames/s (too slow), %2 lost on the wire</source>
-        <translation>%1 images/s (trop lent), %2 perdues sur le câble</translation>
-    </message>
-    <message>
-        <source>%1 frames/s, %2 lost here</source>
-        <translation>%1 images/s, %2 perdues ici</translation>
-    </message>
-    <message>
-        <source>%1 frames/s (too slow), %2 lost here</source>
-        <translation>%1 images/s (trop lent), %2 perdues ici</translation>
-    </message>
-    <message>
-        <source>in step to %1 ms</source>
-        <translation>synchronisé à %1 ms près</translation>
-    </message>
-    <message>
-        <source>at %1 m/s that is %2 mm</source>
-        <translation>à %1 m/s, cela fait %2 mm</translation>
-    </message>
-    <message>
-        <source>room for %1 s</source>
-        <translation>place pour %1 s</translation>
-    </message>
-    <message>
-        <source>room for %1 min</source>
-        <translation>place pour %1 min</translation>
-    </message>
-    <message>
-        <source>room for %1 h</source>
-        <translation>place pour %1 h</translation>
-    </message>
-    <message>
-        <source>the map is %1 ms behind, none skipped</source>
-        <translation>la carte a %1 ms de retard, rien de sauté</translation>
-    </message>
-    <message>
-        <source>the map is %1 ms behind, %2 skipped</source>
-        <translation>la carte a %1 ms de retard, %2 sautées</translation>
-    </message>
-    <message>
-        <source>analysing %1</source>
-        <translation>analyse de %1</translation>
-    </message>
-    <message>
-        <source>analysing</source>
-        <translation>analyse</translation>
-    </message>
-    <message>
-        <source>copying the project</source>
-        <translation>copie du projet</translation>
-    </message>
-    <message>
-        <source>looking for the markers in %1</source>
-        <translation>recherche des marqueurs dans %1</translation>
-    </message>
-    <message>
-        <source>looking for the markers again</source>
-        <translation>nouvelle recherche des marqueurs</translation>
-    </message>
-    <message>
-        <source>looking for files</source>
-        <translation>recherche de fichiers</translation>
-    </message>
-    <message>
-        <source>computing the intrinsics</source>
-        <translation>calcul des paramètres intrinsèques</translation>
-    </message>
-    <message>
-        <source>keeping the pictures</source>
-        <translation>conservation des photos</translation>
-    </message>
-    <message>
-        <source>recording</source>
-        <translation>enregistrement</translation>
-    </message>
-    <message>
-        <source>writing the last pictures</source>
-        <translation>écriture des dernières images</translation>
-    </message>
-    <message>
-        <source>calibrating camera %1</source>
-        <translation>étalonnage de la caméra %1</translation>
-    </message>
-    <message>
-        <source>settling which robot is which</source>
-        <translation>identification des robots</translation>
-    </message>
-    <message>
-        <source>fitting %1 cameras together</source>
-        <translation>ajustement de %1 caméras ensemble</translation>
-    </message>
-    <message>
-        <source>Poor, measure the markers again: %1</source>
-        <translation>Médiocre, mesurez à nouveau les marqueurs&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>%1 markers fit to %2 mm RMS (worst %3, %4 mm), and the floor among them is known to ±%5 mm</source>
-        <translation>%1 marqueurs s’ajustent à %2 mm RMS (le pire %3, %4 mm), et le sol entre eux est connu à ±%5 mm</translation>
-    </message>
-    <message>
-        <source>Four markers hardly check one another</source>
-        <translation>Quatre marqueurs ne se contrôlent guère</translation>
-    </message>
-    <message>
-        <source>Four points hardly check one another</source>
-        <translation>Quatre points ne se contrôlent guère</translation>
-    </message>
-    <message>
-        <source>a fifth would</source>
-        <translation>un cinquième le ferait</translation>
-    </message>
-    <message>
-        <source>The camera was taken as free of distortion, its focal length estimated from the markers (%1 px ± %2)</source>
-        <translation>La caméra a été prise comme sans distorsion, sa distance focale estimée d’après les marqueurs (%1 px ± %2)</translation>
-    </message>
-    <message>
-        <source>The camera was taken as free of distortion, its focal length guessed (%1 px), since this view does not determine it</source>
-        <translation>La caméra a été prise comme sans distorsion, sa distance focale supposée (%1 px), car cette vue ne la détermine pas</translation>
-    </message>
-    <message>
-        <source>The camera was taken as free of distortion, its focal length as %1 px</source>
-        <translation>La caméra a été prise comme sans distorsion, sa distance focale comme %1 px</translation>
-    </message>
-    <message>
-        <source>Calibrate it for positions to rely on</source>
-        <translation>Étalonnez-la pour des positions fiables</translation>
-    </message>
-    <message>
-        <source>The camera would stand only %1 mm above the floor</source>
-        <translation>La caméra ne serait qu’à %1 mm du sol</translation>
-    </message>
-    <message>
-        <source>if that is wrong, the layout&apos;s numbers are no mm</source>
-        <translation>si c’est faux, les nombres du plan ne sont pas des mm</translation>
-    </message>
-    <message>
-        <source>convert its unit</source>
-        <translation>convertissez son unité</translation>
-    </message>
-    <message>
-        <source>through %1 %2 points of the floor fit to %3 mm RMS (worst %4, %5 mm), and the floor among them is known to ±%6 mm, of which ±%7 mm come from %8</source>
-        <translation>par %1, %2 points du sol s’ajustent à %3 mm RMS (le pire %4, %5 mm), et le sol entre eux est connu à ±%6 mm, dont ±%7 mm viennent de %8</translation>
-    </message>
-    <message>
-        <source>with %1 together %2 markers fit to %3 mm RMS, and the floor among them is known to ±%4 mm</source>
-        <translation>avec %1, %2 marqueurs s’ajustent à %3 mm RMS, et le sol entre eux est connu à ±%4 mm</translation>
-    </message>
-    <message>
-        <source>The markers and the cameras agree with one another</source>
-        <translation>Les marqueurs et les caméras concordent</translation>
-    </message>
-    <message>
-        <source>%1 is %2 mm off by all cameras</source>
-        <translation>%1 est décalé de %2 mm selon toutes les caméras</translation>
-    </message>
-    <message>
-        <source>measure it again</source>
-        <translation>mesurez-le à nouveau</translation>
-    </message>
-    <message>
-        <source>%1 is %2 mm off by the one camera that sees it</source>
-        <translation>%1 est décalé de %2 mm selon la seule caméra qui le voit</translation>
-    </message>
-    <message>
-        <source>measure it, or mark it in the picture, again</source>
-        <translation>mesurez-le, ou pointez-le dans l’image, à nouveau</translation>
-    </message>
-    <message>
-        <source>%1 sees %2 %3 px from where the others do</source>
-        <translation>%1 voit %2 à %3 px de là où les autres le voient</translation>
-    </message>
-    <message>
-        <source>mark it there again</source>
-        <translation>pointez-le là à nouveau</translation>
-    </message>
-    <message>
-        <source>None of the floor among the markers is seen</source>
-        <translation>Rien du sol entre les marqueurs n’est vu</translation>
-    </message>
-    <message>
-        <source>±%1 mm in the middle, ±%2 mm in the corner near %3</source>
-        <translation>±%1 mm au milieu, ±%2 mm dans le coin près de %3</translation>
-    </message>
-    <message>
-        <source>±%1 mm in the middle, ±%2 mm at the edge near %3</source>
-        <translation>±%1 mm au milieu, ±%2 mm au bord près de %3</translation>
-    </message>
-    <message>
-        <source>±%1 mm in the middle, ±%2 mm near %3</source>
-        <translation>±%1 mm au milieu, ±%2 mm près de %3</translation>
-    </message>
-    <message>
-        <source>The middle is not seen, ±%1 mm in the corner near %2</source>
-        <translation>Le milieu n’est pas vu, ±%1 mm dans le coin près de %2</translation>
-    </message>
-    <message>
-        <source>The middle is not seen, ±%1 mm at the edge near %2</source>
-        <translation>Le milieu n’est pas vu, ±%1 mm au bord près de %2</translation>
-    </message>
-    <message>
-        <source>The middle is not seen, ±%1 mm near %2</source>
-        <translation>Le milieu n’est pas vu, ±%1 mm près de %2</translation>
-    </message>
-    <message>
-        <source>%1 % of the floor among the markers is not seen</source>
-        <translation>%1&#xa0;% du sol entre les marqueurs ne sont pas vus</translation>
-    </message>
-    <message>
-        <source>%1 stands where it was registered</source>
-        <translation>%1 est là où elle a été localisée</translation>
-    </message>
-    <message>
-        <source>%1 markers lie within %2 px = %3 mm of their places</source>
-        <translation>%1 marqueurs sont à moins de %2 px = %3 mm de leur place</translation>
-    </message>
-    <message>
-        <source>%1 has moved %2 px = %3 mm</source>
-        <translation>%1 a bougé de %2 px = %3 mm</translation>
-    </message>
-    <message>
-        <source>register it again before you record</source>
-        <translation>localisez-la à nouveau avant de filmer</translation>
-    </message>
-    <message>
-        <source>Marker %1 has moved %2 px = %3 mm, %4 has not</source>
-        <translation>Le marqueur %1 a bougé de %2 px = %3 mm, %4 non</translation>
-    </message>
-    <message>
-        <source>Markers %1 have moved %2 px = %3 mm, %4 has not</source>
-        <translation>Les marqueurs %1 ont bougé de %2 px = %3 mm, %4 non</translation>
-    </message>
-    <message>
-        <source>put it back, or measure again and register all cameras</source>
-        <translation>remettez-le en place, ou mesurez à nouveau et localisez toutes les caméras</translation>
-    </message>
-    <message>
-        <source>put them back, or measure again and register all cameras</source>
-        <translation>remettez-les en place, ou mesurez à nouveau et localisez toutes les caméras</translation>
-    </message>
-    <message>
-        <source>Not found again: %1</source>
-        <translation>Non retrouvés&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>The length is %1 mm ± %2 mm</source>
-        <translation>La longueur est %1 mm ± %2 mm</translation>
-    </message>
-    <message>
-        <source>It is %1 mm shorter than the %2 mm told</source>
-        <translation>Elle est plus courte de %1 mm que les %2 mm indiqués</translation>
-    </message>
-    <message>
-        <source>It is %1 mm longer than the %2 mm told</source>
-        <translation>Elle est plus longue de %1 mm que les %2 mm indiqués</translation>
-    </message>
-    <message>
-        <source>inside the expected error of %1 mm</source>
-        <translation>dans l’erreur attendue de %1 mm</translation>
-    </message>
-    <message>
-        <source>outside the expected error of %1 mm</source>
-        <translation>hors de l’erreur attendue de %1 mm</translation>
-    </message>
-    <message>
-        <source>Check the length itself, whether it lies on the floor, and the places of the markers</source>
-        <translation>Vérifiez la longueur elle-même, si elle est posée au sol, et les places des marqueurs</translation>
-    </message>
-    <message>
-        <source>Camera &apos;%1&apos; alone says %2 mm</source>
-        <translation>La caméra &apos;%1&apos; seule donne %2 mm</translation>
-    </message>
-    <message>
-        <source>look whether the same ends are marked in each picture, and register it again if they are</source>
-        <translation>regardez si les mêmes extrémités sont pointées dans chaque image et, si oui, localisez-la à nouveau</translation>
-    </message>
-    <message>
-        <source>No place was measured by both analyses</source>
-        <translation>Aucun endroit n’a été mesuré par les deux analyses</translation>
-    </message>
-    <message>
-        <source>Positions change by %1 mm RMS, at most by %2 mm (at %3 s)</source>
-        <translation>Les positions changent de %1 mm RMS, au plus de %2 mm (à %3 s)</translation>
-    </message>
-    <message>
-        <source>Spikes: %1 instead of %2</source>
-        <translation>Pics aberrants&#xa0;: %1 au lieu de %2</translation>
-    </message>
-    <message>
-        <source>USB buses</source>
-        <translation>Bus USB</translation>
-    </message>
-    <message>
-        <source>each USB camera has a bus of its own</source>
-        <translation>chaque caméra USB a son propre bus</translation>
-    </message>
-    <message>
-        <source>no USB camera is used</source>
-        <translation>aucune caméra USB n’est utilisée</translation>
-    </message>
-    <message>
-        <source>cameras %1 share the bus %2, of %3 Mbit/s</source>
-        <translation>les caméras %1 partagent le bus %2, de %3 Mbit/s</translation>
-    </message>
-    <message>
-        <source>cameras %1 share the bus %2</source>
-        <translation>les caméras %1 partagent le bus %2</translation>
-    </message>
-    <message>
-        <source>plug one into a port on the other side of the computer, or a card of its own</source>
-        <translation>branchez-en une sur un port de l’autre côté de l’ordinateur, ou sur sa propre carte</translation>
-    </message>
-    <message>
-        <source>or let both send MJPEG, or smaller pictures</source>
-        <translation>ou faites envoyer aux deux du MJPEG, ou des images plus petites</translation>
-    </message>
-    <message>
-        <source>Access to cameras</source>
-        <translation>Accès aux caméras</translation>
-    </message>
-    <message>
-        <source>you may not use %1</source>
-        <translation>vous n’avez pas le droit d’utiliser %1</translation>
-    </message>
-    <message>
-        <source>add yourself to the group video (sudo usermod -aG video $USER), then log out and in again</source>
-        <translation>ajoutez-vous au groupe video (sudo usermod -aG video $USER), puis déconnectez-vous et reconnectez-vous</translation>
-    </message>
-    <message>
-        <source>this machine shows no USB or built-in camera (/dev/video*)</source>
-        <translation>cet ordinateur ne montre aucune caméra USB ou intégrée (/dev/video*)</translation>
-    </message>
-    <message>
-        <source>if one is connected, try another cable and port, without a hub</source>
-        <translation>s’il y en a une de branchée, essayez un autre câble et un autre port, sans concentrateur</translation>
-    </message>
-    <message>
-        <source>you may use all %1 video devices</source>
-        <translation>vous pouvez utiliser les %1 périphériques vidéo</translation>
-    </message>
-    <message>
-        <source>Receive buffer</source>
-        <translation>Tampon de réception</translation>
-    </message>
-    <message>
-        <source>the system does not say how large it may be (net.core.rmem_max)</source>
-        <translation>le système ne dit pas quelle taille il peut avoir (net.core.rmem_max)</translation>
-    </message>
-    <message>
-        <source>up to %1 MiB, enough for network cameras</source>
-        <translation>jusqu’à %1 Mio, assez pour des caméras réseau</translation>
-    </message>
-    <message>
-        <source>%1 MiB, which only network cameras would find too small</source>
-        <translation>%1 Mio, trop peu seulement pour des caméras réseau</translation>
-    </message>
-    <message>
-        <source>only %1 MiB</source>
-        <translation>seulement %1 Mio</translation>
-    </message>
-    <message>
-        <source>%1 will lose pictures</source>
-        <translation>%1 perdra des images</translation>
-    </message>
-    <message>
-        <source>sudo sysctl -w net.core.rmem_max=%1, and put the same into /etc/sysctl.d/ to keep it</source>
-        <translation>sudo sysctl -w net.core.rmem_max=%1, et mettez-le aussi dans /etc/sysctl.d/ pour le garder</translation>
-    </message>
-    <message>
-        <source>Packet size</source>
-        <translation>Taille des paquets</translation>
-    </message>
-    <message>
-        <source>no network camera is used</source>
-        <translation>aucune caméra réseau n’est utilisée</translation>
-    </message>
-    <message>
-        <source>large packets are allowed</source>
-        <translation>les grands paquets sont permis</translation>
-    </message>
-    <message>
-        <source>small packets on %1</source>
-        <translation>petits paquets sur %1</translation>
-    </message>
-    <message>
-        <source>give the port that the camera is on an MTU of 9000 (sudo ip link set dev NAME mtu 9000), if camera and switch can take it</source>
-        <translation>donnez au port de la caméra une MTU de 9000 (sudo ip link set dev NAME mtu 9000), si la caméra et le commutateur l’acceptent</translation>
-    </message>
-    <message>
-        <source>Lamps&apos; flicker, camera %1</source>
-        <translation>Scintillement des lampes, caméra %1</translation>
-    </message>
-    <message>
-        <source>filtered by the camera (%1)</source>
-        <translation>filtré par la caméra (%1)</translation>
-    </message>
-    <message>
-        <source>its filter is off</source>
-        <translation>son filtre est désactivé</translation>
-    </message>
-    <message>
-        <source>pictures may pulse under lamps</source>
-        <translation>les images peuvent pulser sous les lampes</translation>
-    </message>
-    <message>
-        <source>set &apos;%1&apos; to your mains</source>
-        <translation>réglez &apos;%1&apos; sur votre secteur</translation>
-    </message>
-    <message>
-        <source>50 Hz in most countries, 60 Hz in the Americas</source>
-        <translation>50 Hz dans la plupart des pays, 60 Hz en Amérique</translation>
-    </message>
-    <message>
-        <source>it does not tell its exposure</source>
-        <translation>elle n’indique pas son exposition</translation>
-    </message>
-    <message>
-        <source>exposed for %1 ms, which suits lamps</source>
-        <translation>exposée %1 ms, ce qui convient aux lampes</translation>
-    </message>
-    <message>
-        <source>exposed for %1 ms</source>
-        <translation>exposée %1 ms</translation>
-    </message>
-    <message>
-        <source>expose for 10 or 20 ms with mains of 50 Hz, 8.3 or 16.7 ms with 60 Hz</source>
-        <translation>exposez 10 ou 20 ms avec un secteur de 50 Hz, 8,3 ou 16,7 ms avec 60 Hz</translation>
-    </message>
-    <message>
-        <source>or use daylight</source>
-        <translation>ou utilisez la lumière du jour</translation>
-    </message>
-    <message>
-        <source>Automatics, camera %1</source>
-        <translation>Automatismes, caméra %1</translation>
-    </message>
-    <message>
-        <source>%1 go on changing by themselves</source>
-        <translation>%1 continuent de changer d’eux-mêmes</translation>
-    </message>
-    <message>
-        <source>%1 goes on changing by itself</source>
-        <translation>%1 continue de changer de lui-même</translation>
-    </message>
-    <message>
-        <source>turn it off in the camera&apos;s own program, or keep the light steady while robots run</source>
-        <translation>désactivez-le dans le programme de la caméra, ou gardez la lumière stable pendant que les robots roulent</translation>
-    </message>
-    <message>
-        <source>exposure, gain, white balance and focus are held</source>
-        <translation>exposition, gain, balance des blancs et mise au point sont figés</translation>
-    </message>
-    <message>
-        <source>it has none</source>
-        <translation>elle n’en a pas</translation>
-    </message>
-    <message>
-        <source>they are held while recording</source>
-        <translation>ils sont figés pendant l’enregistrement</translation>
-    </message>
-    <message>
-        <source>Step</source>
-        <translation>Synchronisation</translation>
-    </message>
-    <message>
-        <source>one camera is always in step</source>
-        <translation>une seule caméra est toujours synchronisée</translation>
-    </message>
-    <message>
-        <source>a camera does not deliver</source>
-        <translation>une caméra ne livre pas d’images</translation>
-    </message>
-    <message>
-        <source>see its own line</source>
-        <translation>voir sa propre ligne</translation>
-    </message>
-    <message>
-        <source>the cameras run at %1 and %2 frames/s</source>
-        <translation>les caméras tournent à %1 et %2 images/s</translation>
-    </message>
-    <message>
-        <source>set both to one rate</source>
-        <translation>réglez les deux à la même cadence</translation>
-    </message>
-    <message>
-        <source>in dim light a camera halves its rate by itself, unless its automatic exposure is off</source>
-        <translation>par faible lumière, une caméra divise d’elle-même sa cadence par deux, sauf si l’exposition automatique est désactivée</translation>
-    </message>
-    <message>
-        <source>no two pictures have been taken together yet</source>
-        <translation>aucune paire d’images n’a encore été prise ensemble</translation>
-    </message>
-    <message>
-        <source>wait a few seconds, and look again</source>
-        <translation>attendez quelques secondes et regardez à nouveau</translation>
-    </message>
-    <message>
-        <source>set both to one rate, or trigger them together</source>
-        <translation>réglez les deux à la même cadence, ou déclenchez-les ensemble</translation>
-    </message>
-    <message>
-        <source>Picture size, camera %1</source>
-        <translation>Taille d’image, caméra %1</translation>
-    </message>
-    <message>
-        <source>it is not registered to the floor</source>
-        <translation>elle n’est pas localisée au sol</translation>
-    </message>
-    <message>
-        <source>register it in Testbed, or its pictures cannot tell where a robot is</source>
-        <translation>localisez-la dans Banc, sinon ses images ne peuvent dire où est un robot</translation>
-    </message>
-    <message>
-        <source>%1, as it was registered</source>
-        <translation>%1, comme à sa localisation</translation>
-    </message>
-    <message>
-        <source>%1, but registered at %2</source>
-        <translation>%1, mais localisée en %2</translation>
-    </message>
-    <message>
-        <source>let it send the size it was registered at, or calibrate and register it anew</source>
-        <translation>faites-lui envoyer la taille de sa localisation, ou étalonnez-la et localisez-la à nouveau</translation>
-    </message>
-    <message>
-        <source>views disagree by %1 mm</source>
-        <translation>les vues sont en désaccord de %1 mm</translation>
-    </message>
-    <message>
-        <source>none could be trusted</source>
-        <translation>aucune n’était fiable</translation>
-    </message>
-    <message>
-        <source>one left out</source>
-        <translation>une a été écartée</translation>
-    </message>
-    <message>
-        <source>jump of %1 mm</source>
-        <translation>saut de %1 mm</translation>
-    </message>
-    <message>
-        <source>jump</source>
-        <translation>saut</translation>
-    </message>
-    <message>
-        <source>stands out in position and speed</source>
-        <translation>s’écarte en position et en vitesse</translation>
-    </message>
-    <message>
-        <source>stands out in position</source>
-        <translation>s’écarte en position</translation>
-    </message>
-    <message>
-        <source>stands out in speed</source>
-        <translation>s’écarte en vitesse</translation>
-    </message>
-    <message>
-        <source>faster than the limit</source>
-        <translation>plus rapide que la limite</translation>
-    </message>
-    <message>
-        <source>harder than the limit of acceleration</source>
-        <translation>accélération supérieure à la limite</translation>
-    </message>
-    <message>
-        <source>called a spike by hand</source>
-        <translation>signalé comme pic à la main</translation>
-    </message>
-    <message>
-        <source>cut by the picture&apos;s edge</source>
-        <translation>coupé par le bord de l’image</translation>
-    </message>
-    <message>
-        <source>the tracker was not sure (score %1 %)</source>
-        <translation>le suivi n’était pas sûr (score %1&#xa0;%)</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>aucun</translation>
-    </message>
-    <message>
-        <source>%1 and %2</source>
-        <translation>%1 et %2</translation>
-    </message>
-    <message>
-        <source>%1; %2</source>
-        <translation>%1&#xa0;; %2</translation>
-    </message>
-    <message>
-        <source>%1 %2</source>
-        <translation>%1 %2</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1&#xa0;: %2</translation>
-    </message>
-    <message>
-        <source>%1.</source>
-        <translation>%1.</translation>
-    </message>
-    <message>
-        <source>the picture is too small to hold a board</source>
-        <translation>l’image est trop petite pour une mire</translation>
-    </message>
-    <message>
-        <source>use a picture of the camera</source>
-        <translation>utilisez une image de la caméra</translation>
-    </message>
-    <message>
-        <source>use pictures of the camera</source>
-        <translation>utilisez des images de la caméra</translation>
-    </message>
-    <message>
-        <source>use another picture</source>
-        <translation>utilisez une autre image</translation>
-    </message>
-    <message>
-        <source>the picture is too small</source>
-        <translation>l’image est trop petite</translation>
-    </message>
-    <message>
-        <source>the picture has no size</source>
-        <translation>l’image n’a pas de taille</translation>
-    </message>
-    <message>
-        <source>the board is blurred</source>
-        <translation>la mire est floue</translation>
-    </message>
-    <message>
-        <source>its edges are %1 pixels wide</source>
-        <translation>ses bords font %1 pixels de large</translation>
-    </message>
-    <message>
-        <source>hold it still, and focus the camera</source>
-        <translation>tenez-la immobile, et faites la mise au point</translation>
-    </message>
-    <message>
-        <source>a corner of the board cannot be made out</source>
-        <translation>un coin de la mire ne se distingue pas</translation>
-    </message>
-    <message>
-        <source>keep the board clear and well lit</source>
-        <translation>gardez la mire dégagée et bien éclairée</translation>
-    </message>
-    <message>
-        <source>this board has %1 inner corners, %2 was asked for</source>
-        <translation>cette mire a %1 coins intérieurs, %2 était demandé</translation>
-    </message>
-    <message>
-        <source>count the inner corners, or leave the size out</source>
-        <translation>comptez les coins intérieurs, ou omettez la taille</translation>
-    </message>
-    <message>
-        <source>the board is cut off</source>
-        <translation>la mire est coupée</translation>
-    </message>
-    <message>
-        <source>only %1 of its %2 inner corners are seen</source>
-        <translation>seuls %1 de ses %2 coins intérieurs sont vus</translation>
-    </message>
-    <message>
-        <source>keep the whole board in the picture</source>
-        <translation>gardez toute la mire dans l’image</translation>
-    </message>
-    <message>
-        <source>no board found</source>
-        <translation>aucune mire trouvée</translation>
-    </message>
-    <message>
-        <source>%1 of its markers could be read</source>
-        <translation>%1 de ses marqueurs ont pu être lus</translation>
-    </message>
-    <message>
-        <source>show the whole board, flat, sharp and well lit</source>
-        <translation>montrez toute la mire, plate, nette et bien éclairée</translation>
-    </message>
-    <message>
-        <source>show the board larger, sharp and well lit</source>
-        <translation>montrez la mire plus grande, nette et bien éclairée</translation>
-    </message>
-    <message>
-        <source>only %1 corners of the board are seen</source>
-        <translation>seuls %1 coins de la mire sont vus</translation>
-    </message>
-    <message>
-        <source>show more of the board</source>
-        <translation>montrez davantage de la mire</translation>
-    </message>
-    <message>
-        <source>show one ChArUco board</source>
-        <translation>montrez une seule mire ChArUco</translation>
-    </message>
-    <message>
-        <source>the camera cannot be calibrated</source>
-        <translation>la caméra ne peut pas être étalonnée</translation>
-    </message>
-    <message>
-        <source>calibration of camera &apos;%1&apos;</source>
-        <translation>étalonnage de la caméra &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>three pictures of the board are needed, %1 can be used</source>
-        <translation>il faut trois photos de la mire, %1 sont utilisables</translation>
-    </message>
-    <message>
-        <source>take ten or more, the board tilted differently in each</source>
-        <translation>prenez-en dix ou plus, la mire inclinée différemment à chaque fois</translation>
-    </message>
-    <message>
-        <source>%1 % of the corners do not agree with the others</source>
-        <translation>%1&#xa0;% des coins ne concordent pas avec les autres</translation>
-    </message>
-    <message>
-        <source>check that all pictures are sharp, of one flat board and of one camera at one zoom and focus</source>
-        <translation>vérifiez que toutes les photos sont nettes, d’une même mire plate et d’une caméra au même zoom et à la même mise au point</translation>
-    </message>
-    <message>
-        <source>no lens fits these pictures</source>
-        <translation>aucun objectif ne convient à ces photos</translation>
-    </message>
-    <message>
-        <source>check that all are of one camera, at one zoom and focus</source>
-        <translation>vérifiez que toutes sont d’une même caméra, au même zoom et à la même mise au point</translation>
-    </message>
-    <message>
-        <source>choose others</source>
-        <translation>choisissez-en d’autres</translation>
-    </message>
-    <message>
-        <source>use pictures of one camera at one zoom and focus</source>
-        <translation>utilisez des photos d’une caméra au même zoom et à la même mise au point</translation>
-    </message>
-    <message>
-        <source>all %1 pictures show the board in one place, the %2 %3 % of the picture</source>
-        <translation>les %1 photos montrent la mire à une seule place (%2, %3&#xa0;% de l’image)</translation>
-    </message>
-    <message>
-        <source>how the lens bends elsewhere stays unknown</source>
-        <translation>la distorsion ailleurs reste inconnue</translation>
-    </message>
-    <message>
-        <source>show the board in the middle and near each corner of the picture, and closer</source>
-        <translation>montrez la mire au milieu et près de chaque coin de l’image, et de plus près</translation>
-    </message>
-    <message>
-        <source>all %1 pictures show the board in nearly the same attitude, which does not determine the focal length</source>
-        <translation>les %1 photos montrent la mire presque dans la même orientation, ce qui ne détermine pas la distance focale</translation>
-    </message>
-    <message>
-        <source>take pictures with the board tilted by 30 to 45 degrees, to each side</source>
-        <translation>prenez des photos avec la mire inclinée de 30 à 45 degrés, de chaque côté</translation>
-    </message>
-    <message>
-        <source>the pictures determine the focal length only to %1 %</source>
-        <translation>les photos ne déterminent la distance focale qu’à %1&#xa0;%</translation>
-    </message>
-    <message>
-        <source>the board is seen too nearly frontal</source>
-        <translation>la mire est vue trop de face</translation>
-    </message>
-    <message>
-        <source>two halves of the pictures give focal lengths that differ by %1 %</source>
-        <translation>deux moitiés des photos donnent des distances focales différant de %1&#xa0;%</translation>
-    </message>
-    <message>
-        <source>the floor cannot be registered</source>
-        <translation>le sol ne peut pas être localisé</translation>
-    </message>
-    <message>
-        <source>the camera cannot be registered through another</source>
-        <translation>la caméra ne peut pas être localisée par une autre</translation>
-    </message>
-    <message>
-        <source>the cameras cannot be registered together</source>
-        <translation>les caméras ne peuvent pas être localisées ensemble</translation>
-    </message>
-    <message>
-        <source>the length cannot be measured</source>
-        <translation>la longueur ne peut pas être mesurée</translation>
-    </message>
-    <message>
-        <source>registration of camera &apos;%1&apos;</source>
-        <translation>localisation de la caméra &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>marker %1 stands twice in the layout</source>
-        <translation>le marqueur %1 est deux fois dans le plan</translation>
-    </message>
-    <message>
-        <source>marker %1 stands twice in the picture</source>
-        <translation>le marqueur %1 est deux fois dans l’image</translation>
-    </message>
-    <message>
-        <source>give each marker a name of its own</source>
-        <translation>donnez à chaque marqueur son propre nom</translation>
-    </message>
-    <message>
-        <source>markers %1 and %2 lie at one place of the floor</source>
-        <translation>les marqueurs %1 et %2 sont au même endroit du sol</translation>
-    </message>
-    <message>
-        <source>correct the layout</source>
-        <translation>corrigez le plan</translation>
-    </message>
-    <message>
-        <source>markers %1 and %2 lie on one pixel</source>
-        <translation>les marqueurs %1 et %2 sont sur le même pixel</translation>
-    </message>
-    <message>
-        <source>points %1 and %2 lie on one pixel</source>
-        <translation>les points %1 et %2 sont sur le même pixel</translation>
-    </message>
-    <message>
-        <source>mark each of them where it is seen</source>
-        <translation>pointez chacun là où il est vu</translation>
-    </message>
-    <message>
-        <source>markers %1 and %2 lie only %3 mm apart, too close for two of four</source>
-        <translation>les marqueurs %1 et %2 ne sont qu’à %3 mm l’un de l’autre, trop proches pour deux sur quatre</translation>
-    </message>
-    <message>
-        <source>spread the markers over the floor</source>
-        <translation>répartissez les marqueurs sur le sol</translation>
-    </message>
-    <message>
-        <source>spread the points over the floor</source>
-        <translation>répartissez les points sur le sol</translation>
-    </message>
-    <message>
-        <source>spread them over the floor</source>
-        <translation>répartissez-les sur le sol</translation>
-    </message>
-    <message>
-        <source>four markers are needed that the layout and the picture have in common</source>
-        <translation>il faut quatre marqueurs communs au plan et à l’image</translation>
-    </message>
-    <message>
-        <source>there are %1 (%2)</source>
-        <translation>il y en a %1 (%2)</translation>
-    </message>
-    <message>
-        <source>there are %1 (%2), and the layout does not know %3</source>
-        <translation>il y en a %1 (%2), et le plan ne connaît pas %3</translation>
-    </message>
-    <message>
-        <source>there are %1</source>
-        <translation>il y en a %1</translation>
-    </message>
-    <message>
-        <source>mark more of the layout&apos;s markers, under the layout&apos;s names</source>
-        <translation>pointez davantage de marqueurs du plan, sous les noms du plan</translation>
-    </message>
-    <message>
-        <source>the markers are mirrored</source>
-        <translation>les marqueurs sont en miroir</translation>
-    </message>
-    <message>
-        <source>seen in this order the camera would be below the floor</source>
-        <translation>vue dans cet ordre, la caméra serait sous le sol</translation>
-    </message>
-    <message>
-        <source>seen from above, Y must point to the left of X</source>
-        <translation>vu d’en haut, Y doit pointer à gauche de X</translation>
-    </message>
-    <message>
-        <source>check the signs of the layout</source>
-        <translation>vérifiez les signes du plan</translation>
-    </message>
-    <message>
-        <source>check these labels</source>
-        <translation>vérifiez ces libellés</translation>
-    </message>
-    <message>
-        <source>the camera would stand only %1 mm above the floor</source>
-        <translation>la caméra ne serait qu’à %1 mm du sol</translation>
-    </message>
-    <message>
-        <source>the camera would stand %1 m above the floor</source>
-        <translation>la caméra serait à %1 m du sol</translation>
-    </message>
-    <message>
-        <source>marker %1 would lie at or beyond the horizon</source>
-        <translation>le marqueur %1 serait à l’horizon ou au-delà</translation>
-    </message>
-    <message>
-        <source>check its place and its pixel</source>
-        <translation>vérifiez sa place et son pixel</translation>
-    </message>
-    <message>
-        <source>the markers do not fit a flat floor</source>
-        <translation>les marqueurs ne s’ajustent pas à un sol plan</translation>
-    </message>
-    <message>
-        <source>%1 px RMS, most at %2 (%3 px)</source>
-        <translation>%1 px RMS, surtout en %2 (%3 px)</translation>
-    </message>
-    <message>
-        <source>check the layout, the labels and the intrinsics</source>
-        <translation>vérifiez le plan, les libellés et les paramètres intrinsèques</translation>
-    </message>
-    <message>
-        <source>the markers lie so nearly on one line (%1 the most) that the floor is known only to ±%2 mm</source>
-        <translation>les marqueurs sont presque alignés (surtout %1), si bien que le sol n’est connu qu’à ±%2 mm</translation>
-    </message>
-    <message>
-        <source>mark and measure them again, or add another</source>
-        <translation>pointez-les et mesurez-les à nouveau, ou ajoutez-en un</translation>
-    </message>
-    <message>
-        <source>the markers do not determine where the cameras stand</source>
-        <translation>les marqueurs ne déterminent pas où sont les caméras</translation>
-    </message>
-    <message>
-        <source>the points do not determine where the camera stands</source>
-        <translation>les points ne déterminent pas où est la caméra</translation>
-    </message>
-    <message>
-        <source>four points are needed that both cameras see</source>
-        <translation>il faut quatre points vus par les deux caméras</translation>
-    </message>
-    <message>
-        <source>add points of the floor, such as corners of tiles</source>
-        <translation>ajoutez des points du sol, tels que des coins de carreaux</translation>
-    </message>
-    <message>
-        <source>%1 of %2 were found, four are needed</source>
-        <translation>%1 sur %2 ont été trouvés, il en faut quatre</translation>
-    </message>
-    <message>
-        <source>missing: %1</source>
-        <translation>manquent&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>show the missing tags (AprilTag 36h11, numbered from 0 in the layout&apos;s order) or rings, or mark the markers by hand</source>
-        <translation>montrez les tags manquants (AprilTag 36h11, numérotés à partir de 0 dans l’ordre du plan) ou des anneaux, ou pointez les marqueurs à la main</translation>
-    </message>
-    <message>
-        <source>%1 rings or dots were found, four are needed</source>
-        <translation>%1 anneaux ou pastilles ont été trouvés, il en faut quatre</translation>
-    </message>
-    <message>
-        <source>show more of them, larger or in better light, or mark the markers by hand</source>
-        <translation>montrez-en davantage, plus grands ou mieux éclairés, ou pointez les marqueurs à la main</translation>
-    </message>
-    <message>
-        <source>tell by hand which of them is %1</source>
-        <translation>indiquez à la main lequel est %1</translation>
-    </message>
-    <message>
-        <source>whether %1 has moved cannot be told</source>
-        <translation>impossible de dire si %1 a bougé</translation>
-    </message>
-    <message>
-        <source>%1 of its %2 markers were found again, two are needed</source>
-        <translation>%1 de ses %2 marqueurs ont été retrouvés, il en faut deux</translation>
-    </message>
-    <message>
-        <source>clear the view of the markers</source>
-        <translation>dégagez la vue des marqueurs</translation>
-    </message>
-    <message>
-        <source>if they are gone or the camera looks elsewhere, register it again</source>
-        <translation>s’ils ont disparu ou si la caméra regarde ailleurs, localisez-la à nouveau</translation>
-    </message>
-    <message>
-        <source>these intrinsics cannot be used</source>
-        <translation>ces paramètres intrinsèques sont inutilisables</translation>
-    </message>
-    <message>
-        <source>calibrate the camera again, or import another file</source>
-        <translation>étalonnez à nouveau la caméra, ou importez un autre fichier</translation>
-    </message>
-    <message>
-        <source>register it first, by markers or through another camera</source>
-        <translation>localisez-la d’abord, par marqueurs ou par une autre caméra</translation>
-    </message>
-    <message>
-        <source>camera &apos;%1&apos; is not registered</source>
-        <translation>la caméra &apos;%1&apos; n’est pas localisée</translation>
-    </message>
-    <message>
-        <source>a camera cannot be registered through itself</source>
-        <translation>une caméra ne peut pas être localisée par elle-même</translation>
-    </message>
-    <message>
-        <source>name another camera that is registered</source>
-        <translation>nommez une autre caméra localisée</translation>
-    </message>
-    <message>
-        <source>both ends lie on one pixel of camera &apos;%1&apos;</source>
-        <translation>les deux extrémités sont sur le même pixel de la caméra &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>mark the two ends where they are seen</source>
-        <translation>pointez les deux extrémités là où elles sont vues</translation>
-    </message>
-    <message>
-        <source>no camera was given that sees it</source>
-        <translation>aucune caméra qui la voit n’a été donnée</translation>
-    </message>
-    <message>
-        <source>mark its ends in one picture at least</source>
-        <translation>pointez ses extrémités dans au moins une image</translation>
-    </message>
-    <message>
-        <source>the told length is not above 0</source>
-        <translation>la longueur indiquée n’est pas supérieure à 0</translation>
-    </message>
-    <message>
-        <source>give the length as it was measured with a tape</source>
-        <translation>donnez la longueur mesurée au mètre ruban</translation>
-    </message>
-    <message>
-        <source>the picture is %1, the camera was registered at %2</source>
-        <translation>l’image est en %1, la caméra a été localisée en %2</translation>
-    </message>
-    <message>
-        <source>give a picture of that size</source>
-        <translation>donnez une image de cette taille</translation>
-    </message>
-    <message>
-        <source>this computer</source>
-        <translation>cet ordinateur</translation>
-    </message>
-    <message>
-        <source>it slept for %1, and nothing was recorded meanwhile</source>
-        <translation>il a été en veille pendant %1, et rien n’a été enregistré entre-temps</translation>
-    </message>
-    <message>
-        <source>what came before is kept</source>
-        <translation>ce qui précède est gardé</translation>
-    </message>
-    <message>
-        <source>keep it awake while it records</source>
-        <translation>gardez-le éveillé pendant l’enregistrement</translation>
-    </message>
-    <message>
-        <source>camera %1</source>
-        <translation>caméra %1</translation>
-    </message>
-    <message>
-        <source>it takes only %1 pictures a second of the %2 it was asked for</source>
-        <translation>elle ne prend que %1 images par seconde sur les %2 demandées</translation>
-    </message>
-    <message>
-        <source>give it more light or a shorter exposure, or ask for a lower rate</source>
-        <translation>donnez-lui plus de lumière ou une pose plus courte, ou demandez une cadence plus basse</translation>
-    </message>
-    <message>
-        <source>it is not there</source>
-        <translation>elle n’est pas là</translation>
-    </message>
-    <message>
-        <source>plug it in, or choose one of those that odograph cameras lists</source>
-        <translation>branchez-la, ou choisissez-en une de celles que liste odograph cameras</translation>
-    </message>
-    <message>
-        <source>choose one of those that odograph cameras lists</source>
-        <translation>choisissez-en une de celles que liste odograph cameras</translation>
-    </message>
-    <message>
-        <source>you may not use it</source>
-        <translation>vous n’avez pas le droit de l’utiliser</translation>
-    </message>
-    <message>
-        <source>join the group video (sudo usermod -aG video YOUR-NAME) and log in again</source>
-        <translation>rejoignez le groupe video (sudo usermod -aG video YOUR-NAME) et reconnectez-vous</translation>
-    </message>
-    <message>
-        <source>another program uses it</source>
-        <translation>un autre programme l’utilise</translation>
-    </message>
-    <message>
-        <source>close that program</source>
-        <translation>fermez ce programme</translation>
-    </message>
-    <message>
-        <source>it was unplugged</source>
-        <translation>elle a été débranchée</translation>
-    </message>
-    <message>
-        <source>plug it in again</source>
-        <translation>rebranchez-la</translation>
-    </message>
-    <message>
-        <source>plug %1 in again</source>
-        <translation>rebranchez %1</translation>
-    </message>
-    <message>
-        <source>plug it in where it shares no bus with another camera, or choose MJPEG, a smaller picture or a lower rate (?format=MJPG&amp;size=640x480&amp;rate=30)</source>
-        <translation>branchez-la là où elle ne partage pas de bus, ou choisissez MJPEG, une image plus petite ou une cadence plus basse (?format=MJPG&amp;size=640x480&amp;rate=30)</translation>
-    </message>
-    <message>
-        <source>it cannot be opened (%1)</source>
-        <translation>elle ne peut pas être ouverte (%1)</translation>
-    </message>
-    <message>
-        <source>check its cable and address</source>
-        <translation>vérifiez son câble et son adresse</translation>
-    </message>
-    <message>
-        <source>check that you may use it (a udev rule), and that no other program does</source>
-        <translation>vérifiez que vous pouvez l’utiliser (une règle udev), et qu’aucun autre programme ne le fait</translation>
-    </message>
-    <message>
-        <source>no picture came for half a second</source>
-        <translation>aucune image n’est venue pendant une demi-seconde</translation>
-    </message>
-    <message>
-        <source>wait, or check its cable</source>
-        <translation>attendez, ou vérifiez son câble</translation>
-    </message>
-    <message>
-        <source>it does not answer</source>
-        <translation>elle ne répond pas</translation>
-    </message>
-    <message>
-        <source>check its power and cable</source>
-        <translation>vérifiez son alimentation et son câble</translation>
-    </message>
-    <message>
-        <source>it does not start (%1)</source>
-        <translation>elle ne démarre pas (%1)</translation>
-    </message>
-    <message>
-        <source>check its cable, and that no other program uses it</source>
-        <translation>vérifiez son câble, et qu’aucun autre programme ne l’utilise</translation>
-    </message>
-    <message>
-        <source>another camera (%1) is in its place</source>
-        <translation>une autre caméra (%1) est à sa place</translation>
-    </message>
-    <message>
-        <source>another camera (%1) is in the place of camera %2</source>
-        <translation>une autre caméra (%1) est à la place de la caméra %2</translation>
-    </message>
-    <message>
-        <source>connect the one that belongs there, or begin anew with this one</source>
-        <translation>branchez celle qui convient, ou recommencez avec celle-ci</translation>
-    </message>
-    <message>
-        <source>it came back with pictures of another size or format</source>
-        <translation>elle est revenue avec des images d’une autre taille ou d’un autre format</translation>
-    </message>
-    <message>
-        <source>set it as before, or begin anew with size and format in its address</source>
-        <translation>réglez-la comme avant, ou recommencez avec taille et format dans son adresse</translation>
-    </message>
-    <message>
-        <source>it has nothing named &apos;%1&apos; that could be set</source>
-        <translation>elle n’a rien nommé &apos;%1&apos; qui puisse être réglé</translation>
-    </message>
-    <message>
-        <source>leave it out</source>
-        <translation>omettez-le</translation>
-    </message>
-    <message>
-        <source>it refuses this value of %1</source>
-        <translation>elle refuse cette valeur de %1</translation>
-    </message>
-    <message>
-        <source>choose another one</source>
-        <translation>choisissez-en un autre</translation>
-    </message>
-    <message>
-        <source>%1 cannot be set as the camera stands now</source>
-        <translation>%1 ne peut pas être réglé dans l’état actuel de la caméra</translation>
-    </message>
-    <message>
-        <source>turn off the automatic that moves it first</source>
-        <translation>désactivez d’abord l’automatisme qui le déplace</translation>
-    </message>
-    <message>
-        <source>%1 goes from %2 to %3</source>
-        <translation>%1 va de %2 à %3</translation>
-    </message>
-    <message>
-        <source>choose a value between</source>
-        <translation>choisissez une valeur entre les deux</translation>
-    </message>
-    <message>
-        <source>%1 gives no pictures</source>
-        <translation>%1 ne donne pas d’images</translation>
-    </message>
-    <message>
-        <source>it has no format that can be read</source>
-        <translation>elle n’a aucun format lisible</translation>
-    </message>
-    <message>
-        <source>take another camera</source>
-        <translation>prenez une autre caméra</translation>
-    </message>
-    <message>
-        <source>it does not offer what was asked for</source>
-        <translation>elle n’offre pas ce qui était demandé</translation>
-    </message>
-    <message>
-        <source>choose of what it offers</source>
-        <translation>choisissez dans ce qu’elle offre</translation>
-    </message>
-    <message>
-        <source>it does not take %1</source>
-        <translation>elle n’accepte pas %1</translation>
-    </message>
-    <message>
-        <source>ask for another size or format</source>
-        <translation>demandez une autre taille ou un autre format</translation>
-    </message>
-    <message>
-        <source>it does not take this size</source>
-        <translation>elle n’accepte pas cette taille</translation>
-    </message>
-    <message>
-        <source>it does not take this rate</source>
-        <translation>elle n’accepte pas cette cadence</translation>
-    </message>
-    <message>
-        <source>it does not take this exposure</source>
-        <translation>elle n’accepte pas cette pose</translation>
-    </message>
-    <message>
-        <source>it does not take this gain</source>
-        <translation>elle n’accepte pas ce gain</translation>
-    </message>
-    <message>
-        <source>ask it for something else, or leave that to the camera</source>
-        <translation>demandez autre chose, ou laissez faire la caméra</translation>
-    </message>
-    <message>
-        <source>no camera has such an address</source>
-        <translation>aucune caméra n’a cette adresse</translation>
-    </message>
-    <message>
-        <source>give one as v4l2:/dev/video0, aravis:192.168.1.20, sim:A or file:PATH</source>
-        <translation>donnez-en une comme v4l2:/dev/video0, aravis:192.168.1.20, sim:A ou file:PATH</translation>
-    </message>
-    <message>
-        <source>the video has ended</source>
-        <translation>la vidéo est finie</translation>
-    </message>
-    <message>
-        <source>open it again to see it from the start</source>
-        <translation>rouvrez-la pour la voir depuis le début</translation>
-    </message>
-    <message>
-        <source>the recording %1</source>
-        <translation>l’enregistrement %1</translation>
-    </message>
-    <message>
-        <source>make room, or move the project to another disk</source>
-        <translation>libérez de la place, ou déplacez le projet sur un autre disque</translation>
-    </message>
-    <message>
-        <source>what was recorded so far is kept</source>
-        <translation>ce qui a été enregistré jusqu’ici est gardé</translation>
-    </message>
-    <message>
-        <source>recording of trial &apos;%1&apos;</source>
-        <translation>enregistrement de l’essai &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>check that they are connected and not used by another program</source>
-        <translation>vérifiez qu’elles sont branchées et qu’aucun autre programme ne les utilise</translation>
-    </message>
-    <message>
-        <source>check that it is connected and not used by another program</source>
-        <translation>vérifiez qu’elle est branchée et qu’aucun autre programme ne l’utilise</translation>
-    </message>
-    <message>
-        <source>camera &apos;%1&apos; gave no picture</source>
-        <translation>la caméra &apos;%1&apos; n’a donné aucune image</translation>
-    </message>
-    <message>
-        <source>no camera was given</source>
-        <translation>aucune caméra n’a été donnée</translation>
-    </message>
-    <message>
-        <source>address &apos;%1&apos; of live positions</source>
-        <translation>adresse &apos;%1&apos; des positions en direct</translation>
-    </message>
-    <message>
-        <source>it is no IPv4 address with a port</source>
-        <translation>ce n’est pas une adresse IPv4 avec un port</translation>
-    </message>
-    <message>
-        <source>write it like 224.5.23.2:10006</source>
-        <translation>écrivez-la comme 224.5.23.2:10006</translation>
-    </message>
-    <message>
-        <source>live positions to %1</source>
-        <translation>positions en direct vers %1</translation>
-    </message>
-    <message>
-        <source>interface &apos;%1&apos; takes no multicast</source>
-        <translation>l’interface &apos;%1&apos; n’accepte pas le multicast</translation>
-    </message>
-    <message>
-        <source>this machine has none of that name</source>
-        <translation>cet ordinateur n’en a pas de ce nom</translation>
-    </message>
-    <message>
-        <source>close other programs and try again</source>
-        <translation>fermez d’autres programmes et réessayez</translation>
-    </message>
-    <message>
-        <source>cancelled</source>
-        <translation>annulé</translation>
-    </message>
-    <message>
-        <source>nothing was changed</source>
-        <translation>rien n’a été changé</translation>
-    </message>
-    <message>
-        <source>another program is writing to it</source>
-        <translation>un autre programme y écrit</translation>
-    </message>
-    <message>
-        <source>close the other program and try again</source>
-        <translation>fermez l’autre programme et réessayez</translation>
-    </message>
-    <message>
-        <source>it cannot be written to</source>
-        <translation>il ne peut pas être modifié</translation>
-    </message>
-    <message>
-        <source>its folder cannot be written to</source>
-        <translation>son dossier ne peut pas être modifié</translation>
-    </message>
-    <message>
-        <source>copy it to a folder that you may write to, and open the copy</source>
-        <translation>copiez-le dans un dossier où vous pouvez écrire, et ouvrez la copie</translation>
-    </message>
-    <message>
-        <source>copy it with its videos to a folder that you may write to, and open the copy</source>
-        <translation>copiez-le avec ses vidéos dans un dossier où vous pouvez écrire, et ouvrez la copie</translation>
-    </message>
-    <message>
-        <source>the disk is full, the change was not saved</source>
-        <translation>le disque est plein, la modification n’a pas été enregistrée</translation>
-    </message>
-    <message>
-        <source>the disk is full</source>
-        <translation>le disque est plein</translation>
-    </message>
-    <message>
-        <source>make room on the disk and try again</source>
-        <translation>libérez de la place sur le disque et réessayez</translation>
-    </message>
-    <message>
-        <source>the disk reported an error, the change was not saved</source>
-        <translation>le disque a signalé une erreur, la modification n’a pas été enregistrée</translation>
-    </message>
-    <message>
-        <source>check the disk, and copy the project to another one</source>
-        <translation>vérifiez le disque, et copiez le projet sur un autre</translation>
-    </message>
-    <message>
-        <source>check the disk and try again</source>
-        <translation>vérifiez le disque et réessayez</translation>
-    </message>
-    <message>
-        <source>check the disk</source>
-        <translation>vérifiez le disque</translation>
-    </message>
-    <message>
-        <source>the file is damaged</source>
-        <translation>le fichier est endommagé</translation>
-    </message>
-    <message>
-        <source>its tables are not those of a project</source>
-        <translation>ses tables ne sont pas celles d’un projet</translation>
-    </message>
-    <message>
-        <source>restore it from a backup copy</source>
-        <translation>restaurez-le d’une copie de sauvegarde</translation>
-    </message>
-    <message>
-        <source>the project file is damaged</source>
-        <translation>le fichier du projet est endommagé</translation>
-    </message>
-    <message>
-        <source>it is not a project file</source>
-        <translation>ce n’est pas un fichier de projet</translation>
-    </message>
-    <message>
-        <source>it is a database of another program</source>
-        <translation>c’est la base de données d’un autre programme</translation>
-    </message>
-    <message>
-        <source>the journal beside it names another file</source>
-        <translation>le journal à côté nomme un autre fichier</translation>
-    </message>
-    <message>
-        <source>choose a file that Odograph has written</source>
-        <translation>choisissez un fichier écrit par Odograph</translation>
-    </message>
-    <message>
-        <source>it refers to something that is not in the project, or a value is missing</source>
-        <translation>il renvoie à quelque chose d’absent du projet, ou une valeur manque</translation>
-    </message>
-    <message>
-        <source>add what it refers to first</source>
-        <translation>ajoutez d’abord ce à quoi il renvoie</translation>
-    </message>
-    <message>
-        <source>the database refused</source>
-        <translation>la base de données a refusé</translation>
-    </message>
-    <message>
-        <source>run a check of the project</source>
-        <translation>lancez une vérification du projet</translation>
-    </message>
-    <message>
-        <source>there is no such file</source>
-        <translation>ce fichier n’existe pas</translation>
-    </message>
-    <message>
-        <source>check the name, or make a new project</source>
-        <translation>vérifiez le nom, ou créez un nouveau projet</translation>
-    </message>
-    <message>
-        <source>check the name and the folder</source>
-        <translation>vérifiez le nom et le dossier</translation>
-    </message>
-    <message>
-        <source>it is a folder</source>
-        <translation>c’est un dossier</translation>
-    </message>
-    <message>
-        <source>it cannot be read</source>
-        <translation>lecture impossible</translation>
-    </message>
-    <message>
-        <source>it cannot be read (%1)</source>
-        <translation>lecture impossible (%1)</translation>
-    </message>
-    <message>
-        <source>check that you may read the file</source>
-        <translation>vérifiez que vous pouvez lire le fichier</translation>
-    </message>
-    <message>
-        <source>check that the file is there and may be read</source>
-        <translation>vérifiez que le fichier est là et peut être lu</translation>
-    </message>
-    <message>
-        <source>check that it is there and may be read</source>
-        <translation>vérifiez qu’il est là et peut être lu</translation>
-    </message>
-    <message>
-        <source>the file is empty</source>
-        <translation>le fichier est vide</translation>
-    </message>
-    <message>
-        <source>the file is cut off</source>
-        <translation>le fichier est tronqué</translation>
-    </message>
-    <message>
-        <source>it has %1 of %2 bytes</source>
-        <translation>il a %1 octets sur %2</translation>
-    </message>
-    <message>
-        <source>copy it again from where it came, or restore a backup copy</source>
-        <translation>recopiez-le depuis sa source, ou restaurez une copie de sauvegarde</translation>
-    </message>
-    <message>
-        <source>it was written by a newer Odograph (format %1, this one knows formats up to %2)</source>
-        <translation>il a été écrit par un Odograph plus récent (format %1, celui-ci connaît les formats jusqu’à %2)</translation>
-    </message>
-    <message>
-        <source>open it with that Odograph, or update this one</source>
-        <translation>ouvrez-le avec cet Odograph-là, ou mettez celui-ci à jour</translation>
-    </message>
-    <message>
-        <source>open the project with a newer Odograph</source>
-        <translation>ouvrez le projet avec un Odograph plus récent</translation>
-    </message>
-    <message>
-        <source>it is open in another window</source>
-        <translation>il est ouvert dans une autre fenêtre</translation>
-    </message>
-    <message>
-        <source>it is open in another window (%1)</source>
-        <translation>il est ouvert dans une autre fenêtre (%1)</translation>
-    </message>
-    <message>
-        <source>close it there first</source>
-        <translation>fermez-le d’abord là-bas</translation>
-    </message>
-    <message>
-        <source>a trial is being recorded into it just now</source>
-        <translation>un essai y est en cours d’enregistrement</translation>
-    </message>
-    <message>
-        <source>wait until that has ended</source>
-        <translation>attendez que ce soit terminé</translation>
-    </message>
-    <message>
-        <source>check the free space and the rights of the project&apos;s folder</source>
-        <translation>vérifiez la place libre et les droits du dossier du projet</translation>
-    </message>
-    <message>
-        <source>check the free space and the rights of its folder</source>
-        <translation>vérifiez la place libre et les droits de son dossier</translation>
-    </message>
-    <message>
-        <source>a file of that name is there already</source>
-        <translation>un fichier de ce nom existe déjà</translation>
-    </message>
-    <message>
-        <source>choose another name, or remove that file first</source>
-        <translation>choisissez un autre nom, ou supprimez d’abord ce fichier</translation>
-    </message>
-    <message>
-        <source>there is no folder &apos;%1&apos;</source>
-        <translation>il n’y a pas de dossier &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>make the folder first, or choose another one</source>
-        <translation>créez d’abord le dossier, ou choisissez-en un autre</translation>
-    </message>
-    <message>
-        <source>it has no file name</source>
-        <translation>il n’a pas de nom de fichier</translation>
-    </message>
-    <message>
-        <source>give the file a name</source>
-        <translation>donnez un nom au fichier</translation>
-    </message>
-    <message>
-        <source>its name is too long</source>
-        <translation>son nom est trop long</translation>
-    </message>
-    <message>
-        <source>choose a shorter name</source>
-        <translation>choisissez un nom plus court</translation>
-    </message>
-    <message>
-        <source>the folder &apos;%1&apos; cannot be written to (%2)</source>
-        <translation>le dossier &apos;%1&apos; ne peut pas être modifié (%2)</translation>
-    </message>
-    <message>
-        <source>choose a folder that you may write to</source>
-        <translation>choisissez un dossier où vous pouvez écrire</translation>
-    </message>
-    <message>
-        <source>choose a folder that you may write to and that has room</source>
-        <translation>choisissez un dossier où vous pouvez écrire et qui a de la place</translation>
-    </message>
-    <message>
-        <source>choose a folder that can be written to and has room</source>
-        <translation>choisissez un dossier modifiable et qui a de la place</translation>
-    </message>
-    <message>
-        <source>writing it failed (%1)</source>
-        <translation>l’écriture a échoué (%1)</translation>
-    </message>
-    <message>
-        <source>it cannot be written (%1)</source>
-        <translation>écriture impossible (%1)</translation>
-    </message>
-    <message>
-        <source>what it concerns has been changed or used since</source>
-        <translation>ce que cela concerne a été changé ou utilisé depuis</translation>
-    </message>
-    <message>
-        <source>take the later change back first, or leave it</source>
-        <translation>annulez d’abord la modification plus récente, ou laissez</translation>
-    </message>
-    <message>
-        <source>nothing has been changed since the project was opened</source>
-        <translation>rien n’a été changé depuis l’ouverture du projet</translation>
-    </message>
-    <message>
-        <source>change something first</source>
-        <translation>changez d’abord quelque chose</translation>
-    </message>
-    <message>
-        <source>nothing has been undone</source>
-        <translation>rien n’a été annulé</translation>
-    </message>
-    <message>
-        <source>undo something first</source>
-        <translation>annulez d’abord quelque chose</translation>
-    </message>
-    <message>
-        <source>the project has a %1 of that name already</source>
-        <translation>le projet a déjà un élément « %1&#xa0;» de ce nom</translation>
-    </message>
-    <message>
-        <source>the project has a trial of that name</source>
-        <translation>le projet a un essai de ce nom</translation>
-    </message>
-    <message>
-        <source>choose another name</source>
-        <translation>choisissez un autre nom</translation>
-    </message>
-    <message>
-        <source>there is no such %1 in the project</source>
-        <translation>absent du projet&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>class</source>
-        <translation>classe</translation>
-    </message>
-    <message>
-        <source>team</source>
-        <translation>équipe</translation>
-    </message>
-    <message>
-        <source>robot</source>
-        <translation>robot</translation>
-    </message>
-    <message>
-        <source>camera</source>
-        <translation>caméra</translation>
-    </message>
-    <message>
-        <source>task</source>
-        <translation>épreuve</translation>
-    </message>
-    <message>
-        <source>trial</source>
-        <translation>essai</translation>
-    </message>
-    <message>
-        <source>layout</source>
-        <translation>plan</translation>
-    </message>
-    <message>
-        <source>name of a %1</source>
-        <translation>nom (%1)</translation>
-    </message>
-    <message>
-        <source>it is empty</source>
-        <translation>il est vide</translation>
-    </message>
-    <message>
-        <source>give the %1 a name</source>
-        <translation>donnez un nom (%1)</translation>
-    </message>
-    <message>
-        <source>it has %1 characters</source>
-        <translation>il a %1 caractères</translation>
-    </message>
-    <message>
-        <source>use at most %1</source>
-        <translation>utilisez-en %1 au plus</translation>
-    </message>
-    <message>
-        <source>it holds a line break or another control character</source>
-        <translation>il contient un saut de ligne ou un autre caractère de contrôle</translation>
-    </message>
-    <message>
-        <source>use a name of one line</source>
-        <translation>utilisez un nom d’une seule ligne</translation>
-    </message>
-    <message>
-        <source>it is not valid UTF-8 text</source>
-        <translation>ce n’est pas un texte UTF-8 valide</translation>
-    </message>
-    <message>
-        <source>class &apos;%1&apos;</source>
-        <translation>classe &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>team &apos;%1&apos;</source>
-        <translation>équipe &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>robot &apos;%1&apos;</source>
-        <translation>robot &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>camera &apos;%1&apos;</source>
-        <translation>caméra &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>task &apos;%1&apos;</source>
-        <translation>épreuve &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>layout &apos;%1&apos;</source>
-        <translation>plan &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>file &apos;%1&apos;</source>
-        <translation>fichier &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>a team belongs to it</source>
-        <translation>une équipe en fait partie</translation>
-    </message>
-    <message>
-        <source>%1 teams belong to it</source>
-        <translation>%1 équipes en font partie</translation>
-    </message>
-    <message>
-        <source>move its teams to another class first, or archive it</source>
-        <translation>déplacez d’abord ses équipes dans une autre classe, ou archivez-la</translation>
-    </message>
-    <message>
-        <source>it drove in a trial</source>
-        <translation>il a roulé dans un essai</translation>
-    </message>
-    <message>
-        <source>keep it</source>
-        <translation>gardez-le</translation>
-    </message>
-    <message>
-        <source>it can be given another name</source>
-        <translation>on peut lui donner un autre nom</translation>
-    </message>
-    <message>
-        <source>a trial has it</source>
-        <translation>un essai l’utilise</translation>
-    </message>
-    <message>
-        <source>%1 trials have it</source>
-        <translation>%1 essais l’utilisent</translation>
-    </message>
-    <message>
-        <source>give them another task first</source>
-        <translation>donnez-leur d’abord une autre épreuve</translation>
-    </message>
-    <message>
-        <source>trials were measured by it</source>
-        <translation>des essais ont été mesurés avec elle</translation>
-    </message>
-    <message>
-        <source>their figures would not say any more what they were measured by</source>
-        <translation>leurs valeurs ne diraient plus avec quoi elles ont été mesurées</translation>
-    </message>
-    <message>
-        <source>a trial is its</source>
-        <translation>un essai est le sien</translation>
-    </message>
-    <message>
-        <source>%1 trials are its</source>
-        <translation>%1 essais sont les siens</translation>
-    </message>
-    <message>
-        <source>delete them for good first, or archive its class</source>
-        <translation>supprimez-les d’abord définitivement, ou archivez sa classe</translation>
-    </message>
-    <message>
-        <source>it has more than %1 members</source>
-        <translation>elle a plus de %1 membres</translation>
-    </message>
-    <message>
-        <source>give the names of the people in the team</source>
-        <translation>donnez les noms des personnes de l’équipe</translation>
-    </message>
-    <message>
-        <source>a robot belongs to it twice</source>
-        <translation>un robot lui appartient deux fois</translation>
-    </message>
-    <message>
-        <source>name each of its robots once</source>
-        <translation>nommez chaque robot une fois</translation>
-    </message>
-    <message>
-        <source>it is being recorded</source>
-        <translation>il est en cours d’enregistrement</translation>
-    </message>
-    <message>
-        <source>trial &apos;%1&apos; is being recorded</source>
-        <translation>l’essai &apos;%1&apos; est en cours d’enregistrement</translation>
-    </message>
-    <message>
-        <source>end its recording first</source>
-        <translation>terminez d’abord son enregistrement</translation>
-    </message>
-    <message>
-        <source>it is not in the bin</source>
-        <translation>il n’est pas dans la corbeille</translation>
-    </message>
-    <message>
-        <source>put it into the bin first</source>
-        <translation>mettez-le d’abord dans la corbeille</translation>
-    </message>
-    <message>
-        <source>its height is to be told, but none is given</source>
-        <translation>sa hauteur doit être indiquée, mais aucune ne l’est</translation>
-    </message>
-    <message>
-        <source>give a height, or let it be estimated</source>
-        <translation>donnez une hauteur, ou laissez-la estimer</translation>
-    </message>
-    <message>
-        <source>its height is below the floor</source>
-        <translation>sa hauteur est sous le sol</translation>
-    </message>
-    <message>
-        <source>give a height of 0 or more</source>
-        <translation>donnez une hauteur de 0 ou plus</translation>
-    </message>
-    <message>
-        <source>its size is not above 0</source>
-        <translation>sa taille n’est pas supérieure à 0</translation>
-    </message>
-    <message>
-        <source>give length and width in millimetres, like 260x190</source>
-        <translation>donnez longueur et largeur en millimètres, comme 260x190</translation>
-    </message>
-    <message>
-        <source>length &apos;%1&apos;</source>
-        <translation>longueur &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>not a number with the unit mm, cm or m</source>
-        <translation>pas un nombre avec l’unité mm, cm ou m</translation>
-    </message>
-    <message>
-        <source>write it like 25mm, 2.5cm or 0.3m</source>
-        <translation>écrivez-le comme 25mm, 2.5cm ou 0.3m</translation>
-    </message>
-    <message>
-        <source>not a finite decimal number</source>
-        <translation>pas un nombre décimal fini</translation>
-    </message>
-    <message>
-        <source>write it with digits and a point, like 12.5</source>
-        <translation>écrivez-le avec des chiffres et un point, comme 12.5</translation>
-    </message>
-    <message>
-        <source>correct the pixels</source>
-        <translation>corrigez les pixels</translation>
-    </message>
-    <message>
-        <source>correct it</source>
-        <translation>corrigez-le</translation>
-    </message>
-    <message>
-        <source>correct one of them</source>
-        <translation>corrigez l’un d’eux</translation>
-    </message>
-    <message>
-        <source>point %1 is there twice</source>
-        <translation>le point %1 y est deux fois</translation>
-    </message>
-    <message>
-        <source>point %1 lies at or beyond the horizon of %2</source>
-        <translation>le point %1 est à l’horizon de %2 ou au-delà</translation>
-    </message>
-    <message>
-        <source>choose points of the floor</source>
-        <translation>choisissez des points du sol</translation>
-    </message>
-    <message>
-        <source>point %1 lies where a lens cannot have put it</source>
-        <translation>le point %1 est là où aucun objectif ne peut l’avoir mis</translation>
-    </message>
-    <message>
-        <source>check its pixels and the intrinsics of both cameras</source>
-        <translation>vérifiez ses pixels et les paramètres intrinsèques des deux caméras</translation>
-    </message>
-    <message>
-        <source>the points are mirrored between the pictures of the two cameras</source>
-        <translation>les points sont en miroir entre les images des deux caméras</translation>
-    </message>
-    <message>
-        <source>check which label belongs to which point in %1 and in this camera</source>
-        <translation>vérifiez quel libellé va à quel point dans %1 et dans cette caméra</translation>
-    </message>
-    <message>
-        <source>point %1 would lie at or beyond the horizon</source>
-        <translation>le point %1 serait à l’horizon ou au-delà</translation>
-    </message>
-    <message>
-        <source>check its pixels in both pictures</source>
-        <translation>vérifiez ses pixels dans les deux images</translation>
-    </message>
-    <message>
-        <source>the floor among the points is known only to ±%1 mm</source>
-        <translation>le sol entre les points n’est connu qu’à ±%1 mm</translation>
-    </message>
-    <message>
-        <source>spread the points over the floor, or register %1 better first</source>
-        <translation>répartissez les points sur le sol, ou localisez mieux %1 d’abord</translation>
-    </message>
-    <message>
-        <source>the markers fit only to %1 px, but %2</source>
-        <translation>les marqueurs ne s’ajustent qu’à %1 px, mais %2</translation>
-    </message>
-    <message>
-        <source>the %1 markers misfit by %2 px (%3 mm) and check one another too little to tell which of them</source>
-        <translation>les %1 marqueurs s’écartent de %2 px (%3 mm) et se contrôlent trop peu pour dire lequel</translation>
-    </message>
-    <message>
-        <source>it may be wrong by much more</source>
-        <translation>l’erreur peut être bien plus grande</translation>
-    </message>
-    <message>
-        <source>there is %1 camera on layout &apos;%2&apos;, two are needed</source>
-        <translation>il y a %1 caméra sur le plan &apos;%2&apos;, il en faut deux</translation>
-    </message>
-    <message>
-        <source>register the cameras one by one by this layout first</source>
-        <translation>localisez d’abord les caméras une à une par ce plan</translation>
-    </message>
-    <message>
-        <source>camera &apos;%1&apos; sees only %2 of the markers</source>
-        <translation>la caméra &apos;%1&apos; ne voit que %2 des marqueurs</translation>
-    </message>
-    <message>
-        <source>register it by more of them first</source>
-        <translation>localisez-la d’abord par davantage d’entre eux</translation>
-    </message>
-    <message>
-        <source>no two of the cameras see the same marker</source>
-        <translation>aucune paire de caméras ne voit le même marqueur</translation>
-    </message>
-    <message>
-        <source>let them see some of the same floor</source>
-        <translation>faites-leur voir une partie commune du sol</translation>
-    </message>
-    <message>
-        <source>the first end lies at or beyond the horizon of camera &apos;%1&apos;</source>
-        <translation>la première extrémité est à l’horizon de la caméra &apos;%1&apos; ou au-delà</translation>
-    </message>
-    <message>
-        <source>the second end lies at or beyond the horizon of camera &apos;%1&apos;</source>
-        <translation>la seconde extrémité est à l’horizon de la caméra &apos;%1&apos; ou au-delà</translation>
-    </message>
-    <message>
-        <source>lay the stick on the floor, nearer to the camera</source>
-        <translation>posez la règle au sol, plus près de la caméra</translation>
-    </message>
-    <message>
-        <source>the floor markers cannot be found</source>
-        <translation>les marqueurs du sol sont introuvables</translation>
-    </message>
-    <message>
-        <source>the markers cannot be told apart</source>
-        <translation>les marqueurs ne se distinguent pas</translation>
-    </message>
-    <message>
-        <source>in %1 ways they fit the layout equally well, which looks the same from several sides</source>
-        <translation>ils s’ajustent aussi bien au plan de %1 façons, car il est identique vu de plusieurs côtés</translation>
-    </message>
-    <message>
-        <source>none of the ways to name the %1 rings and dots fits the layout</source>
-        <translation>aucune façon de nommer les %1 anneaux et pastilles ne convient au plan</translation>
-    </message>
-    <message>
-        <source>check the layout&apos;s places and their unit, cover other round things, or mark the markers by hand</source>
-        <translation>vérifiez les places du plan et leur unité, masquez les autres objets ronds, ou pointez les marqueurs à la main</translation>
-    </message>
-    <message>
-        <source>tag %1 (marker %2) is seen %3 times</source>
-        <translation>le tag %1 (marqueur %2) est vu %3 fois</translation>
-    </message>
-    <message>
-        <source>leave one of them on the floor</source>
-        <translation>n’en laissez qu’un au sol</translation>
-    </message>
-    <message>
-        <source>the axes of layout &apos;%1&apos; cannot be changed</source>
-        <translation>les axes du plan &apos;%1&apos; ne peuvent pas être changés</translation>
-    </message>
-    <message>
-        <source>it has no marker %1</source>
-        <translation>il n’a pas de marqueur %1</translation>
-    </message>
-    <message>
-        <source>name one of %1</source>
-        <translation>nommez-en un parmi %1</translation>
-    </message>
-    <message>
-        <source>the markers that X is to run along lie at one place</source>
-        <translation>les marqueurs que X doit suivre sont au même endroit</translation>
-    </message>
-    <message>
-        <source>name two that lie apart</source>
-        <translation>nommez-en deux qui soient écartés</translation>
-    </message>
-    <message>
-        <source>give one of them</source>
-        <translation>donnez l’un d’eux</translation>
-    </message>
-    <message>
-        <source>reversing X alone would mirror the floor, and no camera above it sees it so</source>
-        <translation>inverser X seul mettrait le sol en miroir, et aucune caméra au-dessus ne le voit ainsi</translation>
-    </message>
-    <message>
-        <source>reversing Y alone would mirror the floor, and no camera above it sees it so</source>
-        <translation>inverser Y seul mettrait le sol en miroir, et aucune caméra au-dessus ne le voit ainsi</translation>
-    </message>
-    <message>
-        <source>reverse both (a half turn), or turn the axes</source>
-        <translation>inversez les deux (un demi-tour), ou tournez les axes</translation>
-    </message>
-    <message>
-        <source>if the layout was written down mirrored, correct its signs and add it anew</source>
-        <translation>si le plan a été noté en miroir, corrigez ses signes et ajoutez-le à nouveau</translation>
-    </message>
-    <message>
-        <source>%1 cannot be set while it is automatic</source>
-        <translation>%1 ne peut pas être réglé tant qu’il est automatique</translation>
-    </message>
-    <message>
-        <source>turn the automatic off</source>
-        <translation>désactivez l’automatisme</translation>
-    </message>
-    <message>
-        <source>check its power and cable, and that this computer has an address in the camera&apos;s network</source>
-        <translation>vérifiez son alimentation et son câble, et que cet ordinateur a une adresse dans le réseau de la caméra</translation>
-    </message>
-    <message>
-        <source>a camera whose program has crashed is free again after some seconds</source>
-        <translation>une caméra dont le programme a planté se libère après quelques secondes</translation>
-    </message>
-    <message>
-        <source>no camera of this serial number answers</source>
-        <translation>aucune caméra de ce numéro de série ne répond</translation>
-    </message>
-    <message>
-        <source>check its power and cable; odograph cameras lists those that answer</source>
-        <translation>vérifiez son alimentation et son câble&#xa0;; odograph cameras liste celles qui répondent</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not understood</source>
-        <translation>&apos;%1&apos; n’est pas compris</translation>
-    </message>
-    <message>
-        <source>give each point a label</source>
-        <translation>donnez un libellé à chaque point</translation>
-    </message>
-    <message>
-        <source>write one value for each of %1</source>
-        <translation>écrivez une valeur pour chacun de %1</translation>
-    </message>
-    <message>
-        <source>not of the form #rrggbb</source>
-        <translation>pas de la forme #rrggbb</translation>
-    </message>
-    <message>
-        <source>write it like #d72328</source>
-        <translation>écrivez-la comme #d72328</translation>
-    </message>
-    <message>
-        <source>a board of %1 inner corners is too small</source>
-        <translation>une mire de %1 coins intérieurs est trop petite</translation>
-    </message>
-    <message>
-        <source>give 3x3 at least, like 9x6, or leave the size out</source>
-        <translation>donnez au moins 3x3, comme 9x6, ou omettez la taille</translation>
-    </message>
-    <message>
-        <source>the squares have no size</source>
-        <translation>les cases n’ont pas de taille</translation>
-    </message>
-    <message>
-        <source>give it like 25mm</source>
-        <translation>donnez-la comme 25mm</translation>
-    </message>
-    <message>
-        <source>there is no marker dictionary %1</source>
-        <translation>il n’y a pas de dictionnaire de marqueurs %1</translation>
-    </message>
-    <message>
-        <source>analyse the trial again</source>
-        <translation>réanalysez l’essai</translation>
-    </message>
-    <message>
-        <source>analysis of a trial</source>
-        <translation>analyse d’un essai</translation>
-    </message>
-    <message>
-        <source>the change could not be noted (%1)</source>
-        <translation>la modification n’a pas pu être notée (%1)</translation>
-    </message>
-    <message>
-        <source>try it again</source>
-        <translation>réessayez</translation>
-    </message>
-    <message>
-        <source>undo</source>
-        <translation>annuler</translation>
-    </message>
-    <message>
-        <source>redo</source>
-        <translation>rétablir</translation>
-    </message>
-    <message>
-        <source>an earlier step of this change failed</source>
-        <translation>une étape précédente de cette modification a échoué</translation>
-    </message>
-    <message>
-        <source>try the whole change again</source>
-        <translation>réessayez toute la modification</translation>
-    </message>
-    <message>
-        <source>cannot hold %1</source>
-        <translation>impossible de verrouiller %1</translation>
-    </message>
-    <message>
-        <source>the labels are not those that it has</source>
-        <translation>les libellés ne sont pas les siens</translation>
-    </message>
-    <message>
-        <source>add another layout for other markers</source>
-        <translation>ajoutez un autre plan pour d’autres marqueurs</translation>
-    </message>
-    <message>
-        <source>the copy differs from what was written</source>
-        <translation>la copie diffère de ce qui a été écrit</translation>
-    </message>
-    <message>
-        <source>it says of itself to have the format %1</source>
-        <translation>il déclare avoir le format %1</translation>
-    </message>
-    <message>
-        <source>type the name anew</source>
-        <translation>retapez le nom</translation>
-    </message>
-    <message>
-        <source>type the text anew</source>
-        <translation>retapez le texte</translation>
-    </message>
-    <message>
-        <source>it has no %1 yet</source>
-        <translation>il n’a pas encore de %1</translation>
-    </message>
-    <message>
-        <source>add one first</source>
-        <translation>ajoutez-en d’abord</translation>
-    </message>
-    <message>
-        <source>it has the older format %1 and must be brought up to date before it can be read, but %2</source>
-        <translation>il a l’ancien format %1 et doit être mis à jour avant d’être lu, mais %2</translation>
-    </message>
-    <message>
-        <source>it could not be brought to format %1 (%2)</source>
-        <translation>il n’a pas pu être porté au format %1 (%2)</translation>
-    </message>
-    <message>
-        <source>reading it failed (%1)</source>
-        <translation>la lecture a échoué (%1)</translation>
-    </message>
-    <message>
-        <source>recording &apos;%1&apos;</source>
-        <translation>enregistrement &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>its recording has ended already</source>
-        <translation>son enregistrement est déjà terminé</translation>
-    </message>
-    <message>
-        <source>record another trial</source>
-        <translation>filmez un autre essai</translation>
-    </message>
-    <message>
-        <source>comparison of %1</source>
-        <translation>comparaison de %1</translation>
-    </message>
-    <message>
-        <source>it has more than %1 lines</source>
-        <translation>il a plus de %1 lignes</translation>
-    </message>
-    <message>
-        <source>keep those that matter</source>
-        <translation>gardez celles qui comptent</translation>
-    </message>
-    <message>
-        <source>a number in it is none</source>
-        <translation>un de ses nombres n’en est pas un</translation>
-    </message>
-    <message>
-        <source>give three numbers</source>
-        <translation>donnez trois nombres</translation>
-    </message>
-    <message>
-        <source>its points are 0, or beyond 1000</source>
-        <translation>ses points sont 0, ou au-delà de 1000</translation>
-    </message>
-    <message>
-        <source>give points from 1 to 1000, below zero for a penalty</source>
-        <translation>donnez des points de 1 à 1000, négatifs pour une pénalité</translation>
-    </message>
-    <message>
-        <source>it is shorter than 1 mm</source>
-        <translation>moins de 1 mm de long</translation>
-    </message>
-    <message>
-        <source>its points are not on a floor of 1 km</source>
-        <translation>ses points ne sont pas sur un sol de 1 km</translation>
-    </message>
-    <message>
-        <source>it has more than %1 points</source>
-        <translation>plus de %1 points</translation>
-    </message>
-    <message>
-        <source>its place is not a number</source>
-        <translation>sa place n’est pas un nombre</translation>
-    </message>
-    <message>
-        <source>a slalom has 1 to 100 poles, not %1</source>
-        <translation>un slalom a 1 à 100 piquets, pas %1</translation>
-    </message>
-    <message>
-        <source>give another number</source>
-        <translation>donnez un autre nombre</translation>
-    </message>
-    <message>
-        <source>the board was found in none of %1 pictures (%2)</source>
-        <translation>la mire n’a été trouvée dans aucune des %1 photos (%2)</translation>
-    </message>
-    <message>
-        <source>show the whole board, flat, sharp and evenly lit, and check --pattern and --board</source>
-        <translation>montrez toute la mire, plate, nette et éclairée uniformément, et vérifiez motif et taille</translation>
-    </message>
-    <message>
-        <source>the size of its pictures is not known</source>
-        <translation>la taille de ses images n’est pas connue</translation>
-    </message>
-    <message>
-        <source>it has no intrinsics and no recording</source>
-        <translation>elle n’a ni paramètres intrinsèques ni enregistrement</translation>
-    </message>
-    <message>
-        <source>calibrate it, import its intrinsics, or import a trial with it first</source>
-        <translation>étalonnez-la, importez ses paramètres intrinsèques, ou importez d’abord un essai avec elle</translation>
-    </message>
-    <message>
-        <source>it was never calibrated</source>
-        <translation>elle n’a jamais été étalonnée</translation>
-    </message>
-    <message>
-        <source>it was registered through another camera</source>
-        <translation>elle a été localisée par une autre caméra</translation>
-    </message>
-    <message>
-        <source>register it through that camera again</source>
-        <translation>localisez-la à nouveau par cette caméra</translation>
-    </message>
-    <message>
-        <source>it cannot be looked at (%1)</source>
-        <translation>accès impossible (%1)</translation>
-    </message>
-    <message>
-        <source>choose a robot of the trial</source>
-        <translation>choisissez un robot de l’essai</translation>
-    </message>
-    <message>
-        <source>no track of it was imported</source>
-        <translation>aucune trajectoire de lui n’a été importée</translation>
-    </message>
-    <message>
-        <source>begin the file with the line %1</source>
-        <translation>commencez le fichier par la ligne %1</translation>
-    </message>
-    <message>
-        <source>begin the file with the line class,team or class,team,pseudonym</source>
-        <translation>commencez le fichier par la ligne class,team ou class,team,pseudonym</translation>
-    </message>
-    <message>
-        <source>there is no such rule of a zone</source>
-        <translation>cette règle de zone n’existe pas</translation>
-    </message>
-    <message>
-        <source>it has less than three corners</source>
-        <translation>elle a moins de trois coins</translation>
-    </message>
-    <message>
-        <source>give the corners of its outline, all the way round</source>
-        <translation>donnez les coins de son contour, tout autour</translation>
-    </message>
-    <message>
-        <source>give the corners in order, all the way round</source>
-        <translation>donnez les coins dans l’ordre, tout autour</translation>
-    </message>
-    <message>
-        <source>it has more than %1 corners</source>
-        <translation>elle a plus de %1 coins</translation>
-    </message>
-    <message>
-        <source>draw it more coarsely</source>
-        <translation>dessinez-la plus grossièrement</translation>
-    </message>
-    <message>
-        <source>sample it more coarsely</source>
-        <translation>échantillonnez-le plus grossièrement</translation>
-    </message>
-    <message>
-        <source>its corners are not on a floor of 1 km</source>
-        <translation>ses coins ne sont pas sur un sol de 1 km</translation>
-    </message>
-    <message>
-        <source>two corners are less than 1 mm apart</source>
-        <translation>deux coins sont à moins de 1 mm</translation>
-    </message>
-    <message>
-        <source>give each corner once</source>
-        <translation>donnez chaque coin une fois</translation>
-    </message>
-    <message>
-        <source>its outline crosses itself</source>
-        <translation>son contour se croise</translation>
-    </message>
-    <message>
-        <source>the task has %1 zones already</source>
-        <translation>l’épreuve a déjà %1 zones</translation>
-    </message>
-    <message>
-        <source>join zones that lie beside one another</source>
-        <translation>réunissez des zones voisines</translation>
-    </message>
-    <message>
-        <source>give each zone a name of its own</source>
-        <translation>donnez à chaque zone son propre nom</translation>
-    </message>
-    <message>
-        <source>give where it lies in millimetres</source>
-        <translation>donnez sa place en millimètres</translation>
-    </message>
-    <message>
-        <source>name a picture</source>
-        <translation>nommez une image</translation>
-    </message>
-    <message>
-        <source>the file is larger than 200 MB</source>
-        <translation>le fichier dépasse 200 Mo</translation>
-    </message>
-    <message>
-        <source>the file could not be read</source>
-        <translation>le fichier n’a pas pu être lu</translation>
-    </message>
-    <message>
-        <source>it is no PNG, JPEG, BMP, TIFF or PNM picture</source>
-        <translation>ce n’est pas une image PNG, JPEG, BMP, TIFF ou PNM</translation>
-    </message>
-    <message>
-        <source>convert it to PNG or JPEG</source>
-        <translation>convertissez-la en PNG ou JPEG</translation>
-    </message>
-    <message>
-        <source>make it smaller</source>
-        <translation>réduisez-la</translation>
-    </message>
-    <message>
-        <source>its content is damaged or cut short</source>
-        <translation>son contenu est abîmé ou tronqué</translation>
-    </message>
-    <message>
-        <source>copy it again</source>
-        <translation>recopiez-la</translation>
-    </message>
-    <message>
-        <source>cannot decode %1</source>
-        <translation>impossible de décoder %1</translation>
-    </message>
-    <message>
-        <source>cannot show frame %1 of %2</source>
-        <translation>impossible de montrer l’image %1 de %2</translation>
-    </message>
-    <message>
-        <source>it has frames 0 to %1</source>
-        <translation>elle a les images 0 à %1</translation>
-    </message>
-    <message>
-        <source>choose one of these</source>
-        <translation>choisissez-en une</translation>
-    </message>
-    <message>
-        <source>cannot write the recording %1</source>
-        <translation>impossible d’écrire l’enregistrement %1</translation>
-    </message>
-    <message>
-        <source>check that its folder may be written to and has room</source>
-        <translation>vérifiez que son dossier peut être modifié et a de la place</translation>
-    </message>
-    <message>
-        <source>check that the folder may be written to and has room</source>
-        <translation>vérifiez que le dossier peut être modifié et a de la place</translation>
-    </message>
-    <message>
-        <source>writing has failed before</source>
-        <translation>l’écriture avait déjà échoué</translation>
-    </message>
-    <message>
-        <source>convert it to a smaller size</source>
-        <translation>convertissez-la à une taille plus petite</translation>
-    </message>
-    <message>
-        <source>H.264 needs an even width and height, not %1</source>
-        <translation>H.264 exige une largeur et une hauteur paires, pas %1</translation>
-    </message>
-    <message>
-        <source>use MJPEG or FFV1, or another size</source>
-        <translation>utilisez MJPEG ou FFV1, ou une autre taille</translation>
-    </message>
-    <message>
-        <source>the installed libavcodec has no encoder for it</source>
-        <translation>le libavcodec installé n’a pas d’encodeur pour cela</translation>
-    </message>
-    <message>
-        <source>neither their pixels nor a picture to look in was given</source>
-        <translation>ni leurs pixels ni une image où chercher n’ont été donnés</translation>
-    </message>
-    <message>
-        <source>it was made with it already</source>
-        <translation>elle a déjà été faite avec lui</translation>
-    </message>
-    <message>
-        <source>calibrate the lens first, or put another calibration in force</source>
-        <translation>étalonnez d’abord l’objectif, ou mettez un autre étalonnage en vigueur</translation>
-    </message>
-    <message>
-        <source>project &apos;%1&apos;</source>
-        <translation>projet &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>copy &apos;%1&apos;</source>
-        <translation>copie &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>copy of &apos;%1&apos;</source>
-        <translation>copie de &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>export of &apos;%1&apos;</source>
-        <translation>export de &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>cannot open the video %1</source>
-        <translation>impossible d’ouvrir la vidéo %1</translation>
-    </message>
-    <message>
-        <source>cannot write a frame to the video %1</source>
-        <translation>impossible d’écrire une image dans la vidéo %1</translation>
-    </message>
-    <message>
-        <source>cannot finish the video %1</source>
-        <translation>impossible de terminer la vidéo %1</translation>
-    </message>
-    <message>
-        <source>cannot encode the video</source>
-        <translation>impossible d’encoder la vidéo</translation>
-    </message>
-    <message>
-        <source>the encoder would not start (%1)</source>
-        <translation>l’encodeur n’a pas démarré (%1)</translation>
-    </message>
-    <message>
-        <source>check the size, the frame rate and the quality that were asked for</source>
-        <translation>vérifiez la taille, la cadence et la qualité demandées</translation>
-    </message>
-    <message>
-        <source>cannot record into %1</source>
-        <translation>impossible d’enregistrer dans %1</translation>
-    </message>
-    <message>
-        <source>demo in &apos;%1&apos;</source>
-        <translation>démo dans &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>colour in the box</source>
-        <translation>couleur dans le cadre</translation>
-    </message>
-    <message>
-        <source>the box is too small, or outside the picture</source>
-        <translation>le cadre est trop petit, ou hors de l’image</translation>
-    </message>
-    <message>
-        <source>draw it round the robot, at least 8 pixels wide and high</source>
-        <translation>tracez-le autour du robot, d’au moins 8 pixels de large et de haut</translation>
-    </message>
-    <message>
-        <source>the box leaves nothing of the floor to compare with</source>
-        <translation>le cadre ne laisse rien du sol pour comparer</translation>
-    </message>
-    <message>
-        <source>draw it closely round the robot</source>
-        <translation>tracez-le au plus près du robot</translation>
-    </message>
-    <message>
-        <source>what differs from the floor around it is grey, black or white</source>
-        <translation>ce qui diffère du sol autour est gris, noir ou blanc</translation>
-    </message>
-    <message>
-        <source>it holds no colour that differs from the floor around it</source>
-        <translation>il ne contient aucune couleur différente du sol autour</translation>
-    </message>
-    <message>
-        <source>draw it closely round the robot, or put a plate of another colour on it</source>
-        <translation>tracez-le au plus près du robot, ou posez dessus une plaque d’une autre couleur</translation>
-    </message>
-    <message>
-        <source>Cannot track</source>
-        <translation>Suivi impossible</translation>
-    </message>
-    <message>
-        <source>Cannot track robot %1</source>
-        <translation>Impossible de suivre le robot %1</translation>
-    </message>
-    <message>
-        <source>no robot is given</source>
-        <translation>aucun robot n’est donné</translation>
-    </message>
-    <message>
-        <source>add a robot with its colour first</source>
-        <translation>ajoutez d’abord un robot avec sa couleur</translation>
-    </message>
-    <message>
-        <source>its colour %1 is grey, and only hue tells a robot from the floor</source>
-        <translation>sa couleur %1 est grise, et seule la teinte distingue un robot du sol</translation>
-    </message>
-    <message>
-        <source>the robot&apos;s path cannot be measured</source>
-        <translation>la trajectoire du robot ne peut pas être mesurée</translation>
-    </message>
-    <message>
-        <source>the trial has no view</source>
-        <translation>l’essai n’a pas de vue</translation>
-    </message>
-    <message>
-        <source>import at least one video for it</source>
-        <translation>importez au moins une vidéo pour lui</translation>
-    </message>
-    <message>
-        <source>camera %1 is not registered to the floor</source>
-        <translation>la caméra %1 n’est pas localisée au sol</translation>
-    </message>
-    <message>
-        <source>cameras %1 are not registered to the floor</source>
-        <translation>les caméras %1 ne sont pas localisées au sol</translation>
-    </message>
-    <message>
-        <source>run odograph register for at least one of them</source>
-        <translation>localisez-en au moins une</translation>
-    </message>
-    <message>
-        <source>run odograph register for them</source>
-        <translation>localisez-les</translation>
-    </message>
-    <message>
-        <source>view %1 has no frame</source>
-        <translation>la vue %1 n’a pas d’image</translation>
-    </message>
-    <message>
-        <source>track the trial&apos;s videos first</source>
-        <translation>suivez d’abord les vidéos de l’essai</translation>
-    </message>
-    <message>
-        <source>the robot was not found in any picture of %1</source>
-        <translation>le robot n’a été trouvé dans aucune image de %1</translation>
-    </message>
-    <message>
-        <source>only cameras that are not registered to the floor saw the robot</source>
-        <translation>seules des caméras non localisées ont vu le robot</translation>
-    </message>
-    <message>
-        <source>its height is to be triangulated, but two registered views hardly ever saw it together</source>
-        <translation>sa hauteur doit être triangulée, mais deux vues localisées ne l’ont presque jamais vu ensemble</translation>
-    </message>
-    <message>
-        <source>add a second view, or give the robot one height</source>
-        <translation>ajoutez une deuxième vue, ou donnez une hauteur au robot</translation>
-    </message>
-    <message>
-        <source>not enough data</source>
-        <translation>pas assez de données</translation>
-    </message>
-    <message>
-        <source>of %1 frames %2 give a position that can be used</source>
-        <translation>sur %1 images, %2 donnent une position utilisable</translation>
-    </message>
-    <message>
-        <source>choose a longer video, or check the robot&apos;s colour and the light</source>
-        <translation>choisissez une vidéo plus longue, ou vérifiez la couleur du robot et la lumière</translation>
-    </message>
-    <message>
-        <source>it has not been tracked yet</source>
-        <translation>il n’a pas encore été suivi</translation>
-    </message>
-    <message>
-        <source>it has not been tracked yet, so there is nothing to analyse again</source>
-        <translation>il n’a pas encore été suivi, il n’y a donc rien à réanalyser</translation>
-    </message>
-    <message>
-        <source>track it first</source>
-        <translation>suivez-le d’abord</translation>
-    </message>
-    <message>
-        <source>comparison</source>
-        <translation>comparaison</translation>
-    </message>
-    <message>
-        <source>comparison of trial &apos;%1&apos;</source>
-        <translation>comparaison de l’essai &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>it takes two runs</source>
-        <translation>il faut deux passages</translation>
-    </message>
-    <message>
-        <source>choose another run as well</source>
-        <translation>choisissez aussi un autre passage</translation>
-    </message>
-    <message>
-        <source>a run cannot be compared with itself</source>
-        <translation>un passage ne peut pas être comparé à lui-même</translation>
-    </message>
-    <message>
-        <source>it has several robots</source>
-        <translation>il a plusieurs robots</translation>
-    </message>
-    <message>
-        <source>choose one of them</source>
-        <translation>choisissez-en un</translation>
-    </message>
-    <message>
-        <source>its tracks were imported, so there is no video to track in</source>
-        <translation>ses trajectoires ont été importées, il n’y a donc pas de vidéo à suivre</translation>
-    </message>
-    <message>
-        <source>its task was changed while it was measured</source>
-        <translation>son épreuve a été changée pendant la mesure</translation>
-    </message>
-    <message>
-        <source>the project has no robot to look for</source>
-        <translation>le projet n’a pas de robot à chercher</translation>
-    </message>
-    <message>
-        <source>its pictures are %1 but the camera was calibrated at %2</source>
-        <translation>ses images sont en %1 mais la caméra a été étalonnée en %2</translation>
-    </message>
-    <message>
-        <source>calibrate and register the camera at the size it records</source>
-        <translation>étalonnez et localisez la caméra à la taille à laquelle elle filme</translation>
-    </message>
-    <message>
-        <source>view &apos;%1&apos; of trial &apos;%2&apos;</source>
-        <translation>vue &apos;%1&apos; de l’essai &apos;%2&apos;</translation>
-    </message>
-    <message>
-        <source>synchronisation of the clips</source>
-        <translation>synchronisation des vidéos</translation>
-    </message>
-    <message>
-        <source>flash the room lights once while both cameras record, or give --sync SECONDS</source>
-        <translation>faites clignoter une fois la lumière de la salle pendant que les deux caméras filment, ou donnez le décalage</translation>
-    </message>
-    <message>
-        <source>gate &apos;%1&apos;</source>
-        <translation>porte &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>zone &apos;%1&apos;</source>
-        <translation>zone &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>its ends are not on a floor of 1 km</source>
-        <translation>ses extrémités ne sont pas sur un sol de 1 km</translation>
-    </message>
-    <message>
-        <source>check the numbers</source>
-        <translation>vérifiez les nombres</translation>
-    </message>
-    <message>
-        <source>its ends are less than 1 mm apart</source>
-        <translation>ses extrémités sont à moins de 1 mm l’une de l’autre</translation>
-    </message>
-    <message>
-        <source>give the two ends of the line that is to be passed</source>
-        <translation>donnez les deux extrémités de la ligne à franchir</translation>
-    </message>
-    <message>
-        <source>the name is there twice</source>
-        <translation>le nom y est deux fois</translation>
-    </message>
-    <message>
-        <source>give each gate a name of its own</source>
-        <translation>donnez à chaque porte son propre nom</translation>
-    </message>
-    <message>
-        <source>gate &apos;%1&apos; is the start already</source>
-        <translation>la porte &apos;%1&apos; est déjà le départ</translation>
-    </message>
-    <message>
-        <source>gate &apos;%1&apos; is the finish already</source>
-        <translation>la porte &apos;%1&apos; est déjà l’arrivée</translation>
-    </message>
-    <message>
-        <source>keep one start and one finish, or one gate with the role start_finish</source>
-        <translation>gardez un départ et une arrivée, ou une porte qui soit les deux</translation>
-    </message>
-    <message>
-        <source>reference path</source>
-        <translation>tracé de référence</translation>
-    </message>
-    <message>
-        <source>it has too few points</source>
-        <translation>trop peu de points</translation>
-    </message>
-    <message>
-        <source>give two points or more, three where the path is closed</source>
-        <translation>donnez deux points ou plus, trois si le tracé est fermé</translation>
-    </message>
-    <message>
-        <source>limits of a task</source>
-        <translation>limites d’une épreuve</translation>
-    </message>
-    <message>
-        <source>a limit is not above zero</source>
-        <translation>une limite n’est pas supérieure à zéro</translation>
-    </message>
-    <message>
-        <source>give the largest speed and acceleration that a robot can have in the task</source>
-        <translation>donnez la vitesse et l’accélération maximales d’un robot dans l’épreuve</translation>
-    </message>
-    <message>
-        <source>template of a task</source>
-        <translation>modèle d’une épreuve</translation>
-    </message>
-    <message>
-        <source>a size is less than 1 mm</source>
-        <translation>une taille est inférieure à 1 mm</translation>
-    </message>
-    <message>
-        <source>give the sizes in millimetres</source>
-        <translation>donnez les tailles en millimètres</translation>
-    </message>
-    <message>
-        <source>scoring</source>
-        <translation>barème</translation>
-    </message>
-    <message>
-        <source>line %1 of the scoring</source>
-        <translation>ligne %1 du barème</translation>
-    </message>
-    <message>
-        <source>it names no figure</source>
-        <translation>elle ne nomme aucune grandeur</translation>
-    </message>
-    <message>
-        <source>choose what is scored</source>
-        <translation>choisissez ce qui est noté</translation>
-    </message>
-    <message>
-        <source>all points and no points are at the same value</source>
-        <translation>tous les points et aucun point sont à la même valeur</translation>
-    </message>
-    <message>
-        <source>give two values, between which the points rise</source>
-        <translation>donnez deux valeurs, entre lesquelles les points montent</translation>
-    </message>
-    <message>
-        <source>%1 points are too few for it</source>
-        <translation>%1 points ne suffisent pas</translation>
-    </message>
-    <message>
-        <source>choose a longer range</source>
-        <translation>choisissez une plage plus longue</translation>
-    </message>
-    <message>
-        <source>the robot was not measured there, so there is nothing to judge</source>
-        <translation>le robot n’y a pas été mesuré, il n’y a donc rien à juger</translation>
-    </message>
-    <message>
-        <source>there is no such frame</source>
-        <translation>cette image n’existe pas</translation>
-    </message>
-    <message>
-        <source>import of trial &apos;%1&apos;</source>
-        <translation>import de l’essai &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>no video was given</source>
-        <translation>aucune vidéo n’a été donnée</translation>
-    </message>
-    <message>
-        <source>camera &apos;%1&apos; was given two videos</source>
-        <translation>deux vidéos ont été données pour la caméra &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>give each view its own camera</source>
-        <translation>donnez à chaque vue sa propre caméra</translation>
-    </message>
-    <message>
-        <source>views &apos;%1&apos; and &apos;%2&apos; have no time in common with an offset of %3 s</source>
-        <translation>les vues &apos;%1&apos; et &apos;%2&apos; n’ont pas de temps commun avec un décalage de %3 s</translation>
-    </message>
-    <message>
-        <source>check the files and the --sync offset</source>
-        <translation>vérifiez les fichiers et le décalage</translation>
-    </message>
-    <message>
-        <source>name a file</source>
-        <translation>nommez un fichier</translation>
-    </message>
-    <message>
-        <source>check the permissions of its folder</source>
-        <translation>vérifiez les droits de son dossier</translation>
-    </message>
-    <message>
-        <source>copy it from the camera again</source>
-        <translation>recopiez-le depuis la caméra</translation>
-    </message>
-    <message>
-        <source>it is not a video of a kind that is read, or its header is damaged or missing (%1)</source>
-        <translation>ce n’est pas une vidéo d’un type lisible, ou son en-tête est abîmé ou manquant (%1)</translation>
-    </message>
-    <message>
-        <source>give an MP4, MOV, MKV or AVI file</source>
-        <translation>donnez un fichier MP4, MOV, MKV ou AVI</translation>
-    </message>
-    <message>
-        <source>copy it from the camera again if it was cut short</source>
-        <translation>recopiez-le depuis la caméra s’il a été tronqué</translation>
-    </message>
-    <message>
-        <source>it holds no video stream that can be read</source>
-        <translation>aucun flux vidéo lisible</translation>
-    </message>
-    <message>
-        <source>give the file that the camera recorded</source>
-        <translation>donnez le fichier enregistré par la caméra</translation>
-    </message>
-    <message>
-        <source>there is no decoder for %1</source>
-        <translation>il n’y a pas de décodeur pour %1</translation>
-    </message>
-    <message>
-        <source>its decoder would not start (%1)</source>
-        <translation>son décodeur n’a pas démarré (%1)</translation>
-    </message>
-    <message>
-        <source>convert it to H.264</source>
-        <translation>convertissez-le en H.264</translation>
-    </message>
-    <message>
-        <source>its data are damaged</source>
-        <translation>ses données sont abîmées</translation>
-    </message>
-    <message>
-        <source>it is left out</source>
-        <translation>on l’écarte</translation>
-    </message>
-    <message>
-        <source>the video has no picture</source>
-        <translation>la vidéo n’a pas d’image</translation>
-    </message>
-    <message>
-        <source>it has no picture</source>
-        <translation>aucune image n’y est</translation>
-    </message>
-    <message>
-        <source>give another file</source>
-        <translation>donnez un autre fichier</translation>
-    </message>
-    <message>
-        <source>check that the folder exists, may be written to and has room</source>
-        <translation>vérifiez que le dossier existe, peut être modifié et a de la place</translation>
-    </message>
-    <message>
-        <source>cannot write the video %1</source>
-        <translation>impossible d’écrire la vidéo %1</translation>
-    </message>
-    <message>
-        <source>its name ends with neither .mkv nor .mp4</source>
-        <translation>son nom ne finit ni par .mkv ni par .mp4</translation>
-    </message>
-    <message>
-        <source>give it one of these endings</source>
-        <translation>donnez-lui une de ces terminaisons</translation>
-    </message>
-    <message>
-        <source>cannot write &apos;%1&apos;</source>
-        <translation>impossible d’écrire &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>pack &apos;%1&apos;</source>
-        <translation>empaquetage de &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>unpack &apos;%1&apos;</source>
-        <translation>dépaquetage de &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>unpack into &apos;%1&apos;</source>
-        <translation>dépaquetage dans &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>it is there already</source>
-        <translation>existe déjà</translation>
-    </message>
-    <message>
-        <source>choose a folder that is not there yet</source>
-        <translation>choisissez un dossier qui n’existe pas encore</translation>
-    </message>
-    <message>
-        <source>it has become shorter meanwhile</source>
-        <translation>la taille a diminué entre-temps</translation>
-    </message>
-    <message>
-        <source>wait until nobody writes to it, and try again</source>
-        <translation>attendez que personne n’y écrive, et réessayez</translation>
-    </message>
-    <message>
-        <source>there is no project in it</source>
-        <translation>il ne contient pas de projet</translation>
-    </message>
-    <message>
-        <source>it has too many files</source>
-        <translation>il a trop de fichiers</translation>
-    </message>
-    <message>
-        <source>it unpacks to more than a hundred times its size</source>
-        <translation>une fois décompressé, il dépasse cent fois sa taille</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is in it twice</source>
-        <translation>&apos;%1&apos; s’y trouve deux fois</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; does not belong into a packed project</source>
-        <translation>&apos;%1&apos; n’a pas sa place dans un projet empaqueté</translation>
-    </message>
-    <message>
-        <source>choose a file that Odograph has packed, and copy it anew if it is damaged</source>
-        <translation>choisissez un fichier empaqueté par Odograph, et recopiez-le s’il est endommagé</translation>
-    </message>
-    <message>
-        <source>it is written in UTF-16</source>
-        <translation>il est écrit en UTF-16</translation>
-    </message>
-    <message>
-        <source>it is not a UTF-8 text file</source>
-        <translation>ce n’est pas un fichier texte UTF-8</translation>
-    </message>
-    <message>
-        <source>save it again as &quot;CSV UTF-8&quot; or as a UTF-8 text</source>
-        <translation>enregistrez-le à nouveau en &quot;CSV UTF-8&quot; ou en texte UTF-8</translation>
-    </message>
-    <message>
-        <source>save it again as UTF-8 text</source>
-        <translation>enregistrez-le à nouveau en texte UTF-8</translation>
-    </message>
-    <message>
-        <source>it is larger than %1 KiB</source>
-        <translation>il dépasse %1 Kio</translation>
-    </message>
-    <message>
-        <source>check that it is the right file</source>
-        <translation>vérifiez que c’est le bon fichier</translation>
-    </message>
-    <message>
-        <source>its columns are separated by semicolons</source>
-        <translation>ses colonnes sont séparées par des points-virgules</translation>
-    </message>
-    <message>
-        <source>save it with commas, and with a point in its numbers</source>
-        <translation>enregistrez-le avec des virgules, et un point dans les nombres</translation>
-    </message>
-    <message>
-        <source>save it with commas</source>
-        <translation>enregistrez-le avec des virgules</translation>
-    </message>
-    <message>
-        <source>it lacks the expected header line</source>
-        <translation>il manque la ligne d’en-tête attendue</translation>
-    </message>
-    <message>
-        <source>it lacks the column %1</source>
-        <translation>il manque la colonne %1</translation>
-    </message>
-    <message>
-        <source>it has %1 cells instead of %2</source>
-        <translation>il a %1 cellules au lieu de %2</translation>
-    </message>
-    <message>
-        <source>a quoted cell does not end</source>
-        <translation>une cellule entre guillemets ne se ferme pas</translation>
-    </message>
-    <message>
-        <source>close the quotes</source>
-        <translation>fermez les guillemets</translation>
-    </message>
-    <message>
-        <source>%1 &apos;%2&apos; is not a finite number</source>
-        <translation>%1 &apos;%2&apos; n’est pas un nombre fini</translation>
-    </message>
-    <message>
-        <source>the label is empty</source>
-        <translation>le libellé est vide</translation>
-    </message>
-    <message>
-        <source>the label &apos;%1&apos; is in line %2 already</source>
-        <translation>le libellé &apos;%1&apos; est déjà à la ligne %2</translation>
-    </message>
-    <message>
-        <source>the label &apos;%1&apos; is there twice</source>
-        <translation>le libellé &apos;%1&apos; y est deux fois</translation>
-    </message>
-    <message>
-        <source>give each marker a label</source>
-        <translation>donnez un libellé à chaque marqueur</translation>
-    </message>
-    <message>
-        <source>give each marker a label of its own</source>
-        <translation>donnez à chaque marqueur son propre libellé</translation>
-    </message>
-    <message>
-        <source>give each point a label of its own</source>
-        <translation>donnez à chaque point son propre libellé</translation>
-    </message>
-    <message>
-        <source>there are no markers below the header</source>
-        <translation>il n’y a pas de marqueurs sous l’en-tête</translation>
-    </message>
-    <message>
-        <source>write one line for each marker</source>
-        <translation>écrivez une ligne par marqueur</translation>
-    </message>
-    <message>
-        <source>mend these lines</source>
-        <translation>corrigez ces lignes</translation>
-    </message>
-    <message>
-        <source>nothing was imported</source>
-        <translation>rien n’a été importé</translation>
-    </message>
-    <message>
-        <source>it has no team</source>
-        <translation>il n’a pas d’équipe</translation>
-    </message>
-    <message>
-        <source>write a line with class and team below the header</source>
-        <translation>écrivez sous l’en-tête une ligne avec classe et équipe</translation>
-    </message>
-    <message>
-        <source>roster &apos;%1&apos;</source>
-        <translation>liste de classe &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>no track was given</source>
-        <translation>aucune trajectoire n’a été donnée</translation>
-    </message>
-    <message>
-        <source>robot &apos;%1&apos; was given two tracks</source>
-        <translation>deux trajectoires ont été données pour le robot &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>give each robot one</source>
-        <translation>donnez-en une à chaque robot</translation>
-    </message>
-    <message>
-        <source>its column &apos;%1&apos; is in a unit that is not known</source>
-        <translation>sa colonne &apos;%1&apos; est dans une unité inconnue</translation>
-    </message>
-    <message>
-        <source>give times in s or ms and places in m, cm or mm</source>
-        <translation>donnez les temps en s ou ms et les lieux en m, cm ou mm</translation>
-    </message>
-    <message>
-        <source>none of its tracks is called &apos;%1&apos;</source>
-        <translation>aucune de ses trajectoires ne s’appelle &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>give the robot the name of one of them</source>
-        <translation>donnez au robot le nom de l’une d’elles</translation>
-    </message>
-    <message>
-        <source>it has no samples</source>
-        <translation>elle n’a pas d’échantillons</translation>
-    </message>
-    <message>
-        <source>its times do not rise</source>
-        <translation>ses temps ne croissent pas</translation>
-    </message>
-    <message>
-        <source>import another file</source>
-        <translation>importez un autre fichier</translation>
-    </message>
-    <message>
-        <source>look in &apos;%1&apos;</source>
-        <translation>recherche dans &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>check that the folder is there and may be read</source>
-        <translation>vérifiez que le dossier est là et peut être lu</translation>
-    </message>
-    <message>
-        <source>lost videos</source>
-        <translation>vidéos perdues</translation>
-    </message>
-    <message>
-        <source>no video of this project is lost</source>
-        <translation>aucune vidéo de ce projet n’est perdue</translation>
-    </message>
-    <message>
-        <source>there is nothing to do</source>
-        <translation>il n’y a rien à faire</translation>
-    </message>
-    <message>
-        <source>the lost video is not there</source>
-        <translation>la vidéo perdue n’y est pas</translation>
-    </message>
-    <message>
-        <source>none of the %1 lost videos is there</source>
-        <translation>aucune des %1 vidéos perdues n’y est</translation>
-    </message>
-    <message>
-        <source>choose the folder where they were copied to</source>
-        <translation>choisissez le dossier où elles ont été copiées</translation>
-    </message>
-    <message>
-        <source>%1 is there already</source>
-        <translation>%1 existe déjà</translation>
-    </message>
-    <message>
-        <source>open it, or choose another folder</source>
-        <translation>ouvrez-le, ou choisissez un autre dossier</translation>
-    </message>
-    <message>
-        <source>choose a folder you can write to, with 300 MB free</source>
-        <translation>choisissez un dossier où vous pouvez écrire, avec 300 Mo libres</translation>
-    </message>
-    <message>
-        <source>take over the set-up of %1</source>
-        <translation>reprise de l’installation de %1</translation>
-    </message>
-    <message>
-        <source>new project</source>
-        <translation>nouveau projet</translation>
-    </message>
-    <message>
-        <source>taking over the set-up</source>
-        <translation>reprise de l’installation</translation>
-    </message>
-    <message>
-        <source>speed limit</source>
-        <translation>limite de vitesse</translation>
-    </message>
-    <message>
-        <source>acceleration limit</source>
-        <translation>limite d’accélération</translation>
-    </message>
-    <message>
-        <source>views disagree</source>
-        <translation>désaccord des vues</translation>
-    </message>
-    <message>
-        <source>low score</source>
-        <translation>score faible</translation>
-    </message>
-    <message>
-        <source>lost</source>
-        <translation>perdu</translation>
-    </message>
-    <message>
-        <source>duplicate frame</source>
-        <translation>image répétée</translation>
-    </message>
-    <message>
-        <source>interpolated</source>
-        <translation>interpolé</translation>
-    </message>
-    <message>
-        <source>by hand</source>
-        <translation>à la main</translation>
-    </message>
-    <message>
-        <source>it says neither an address nor a serial number</source>
-        <translation>elle ne donne ni adresse ni numéro de série</translation>
-    </message>
-    <message>
-        <source>give one as aravis:192.168.1.20 or aravis:SERIAL</source>
-        <translation>donnez-en une comme aravis:192.168.1.20 ou aravis:SERIAL</translation>
-    </message>
-    <message>
-        <source>odograph cameras lists them</source>
-        <translation>odograph cameras en donne la liste</translation>
-    </message>
-    <message>
-        <source>take rate, exposure_ms, gain, format, size, trigger=software, packet_size or packet_delay_us, as in ?rate=30&amp;size=640x480</source>
-        <translation>prenez rate, exposure_ms, gain, format, size, trigger=software, packet_size ou packet_delay_us, comme dans&#xa0;?rate=30&amp;size=640x480</translation>
-    </message>
-    <message>
-        <source>set it to something between</source>
-        <translation>réglez sur une valeur entre les deux</translation>
-    </message>
-    <message>
-        <source>set it to something else</source>
-        <translation>réglez sur autre chose</translation>
-    </message>
-    <message>
-        <source>it does not take this for %1 (%2)</source>
-        <translation>elle n’accepte pas cela pour %1 (%2)</translation>
-    </message>
-    <message>
-        <source>it does not take this size (%1)</source>
-        <translation>elle n’accepte pas cette taille (%1)</translation>
-    </message>
-    <message>
-        <source>it does not take this rate (%1)</source>
-        <translation>elle n’accepte pas cette cadence (%1)</translation>
-    </message>
-    <message>
-        <source>it does not take this exposure (%1)</source>
-        <translation>elle n’accepte pas cette pose (%1)</translation>
-    </message>
-    <message>
-        <source>it does not take this gain (%1)</source>
-        <translation>elle n’accepte pas ce gain (%1)</translation>
-    </message>
-    <message>
-        <source>it does not take this packet size (%1)</source>
-        <translation>elle n’accepte pas cette taille de paquet (%1)</translation>
-    </message>
-    <message>
-        <source>it does not take this packet delay (%1)</source>
-        <translation>elle n’accepte pas ce délai de paquet (%1)</translation>
-    </message>
-    <message>
-        <source>its pictures have %1 pixels at most</source>
-        <translation>ses images ont %1 pixels au plus</translation>
-    </message>
-    <message>
-        <source>ask it for a size within that</source>
-        <translation>demandez une taille qui y tient</translation>
-    </message>
-    <message>
-        <source>it has no format %1 (%2)</source>
-        <translation>elle n’a pas le format %1 (%2)</translation>
-    </message>
-    <message>
-        <source>it has no pixel format that is understood</source>
-        <translation>elle n’a aucun format de pixel compris</translation>
-    </message>
-    <message>
-        <source>take a camera that has one of %1</source>
-        <translation>prenez une caméra qui en a un parmi %1</translation>
-    </message>
-    <message>
-        <source>it has no software trigger (%1)</source>
-        <translation>elle n’a pas de déclenchement logiciel (%1)</translation>
-    </message>
-    <message>
-        <source>it does not tell its pixel format (%1)</source>
-        <translation>elle ne dit pas son format de pixel (%1)</translation>
-    </message>
-    <message>
-        <source>its pixel format is not understood</source>
-        <translation>son format de pixel n’est pas compris</translation>
-    </message>
-    <message>
-        <source>ask it for one of %1</source>
-        <translation>demandez-en un parmi %1</translation>
-    </message>
-    <message>
-        <source>it does not tell its size (%1)</source>
-        <translation>elle ne dit pas sa taille (%1)</translation>
-    </message>
-    <message>
-        <source>its pictures have no size</source>
-        <translation>ses images n’ont pas de taille</translation>
-    </message>
-    <message>
-        <source>set its width and height</source>
-        <translation>réglez sa largeur et sa hauteur</translation>
-    </message>
-    <message>
-        <source>it does not tell how large its pictures are (%1)</source>
-        <translation>elle ne dit pas quelle taille ont ses images (%1)</translation>
-    </message>
-    <message>
-        <source>the system keeps only %1 kB of the network&apos;s packets</source>
-        <translation>le système ne garde que %1 ko des paquets du réseau</translation>
-    </message>
-    <message>
-        <source>there is no simulated camera %1</source>
-        <translation>il n’y a pas de caméra simulée %1</translation>
-    </message>
-    <message>
-        <source>take sim:A or sim:B</source>
-        <translation>prenez sim:A ou sim:B</translation>
-    </message>
-    <message>
-        <source>the picture</source>
-        <translation>l’image</translation>
-    </message>
-    <message>
-        <source>write for instance v4l2:/dev/video0?size=1280x720&amp;rate=30&amp;format=MJPG</source>
-        <translation>écrivez par exemple v4l2:/dev/video0?size=1280x720&amp;rate=30&amp;format=MJPG</translation>
-    </message>
-    <message>
-        <source>all its pictures come damaged</source>
-        <translation>toutes ses images arrivent endommagées</translation>
-    </message>
-    <message>
-        <source>try another cable or port, or ask for fewer or smaller pictures</source>
-        <translation>essayez un autre câble ou port, ou demandez moins d’images ou de plus petites</translation>
-    </message>
-    <message>
-        <source>it is there but sends no pictures</source>
-        <translation>elle est là mais n’envoie pas d’images</translation>
-    </message>
-    <message>
-        <source>look at its cable, or plug it in again if that lasts</source>
-        <translation>regardez son câble, ou rebranchez-la si cela dure</translation>
-    </message>
-    <message>
-        <source>no camera gave a picture</source>
-        <translation>aucune caméra n’a donné d’image</translation>
-    </message>
-    <message>
-        <source>camera &apos;%1&apos; or its address &apos;%2&apos; was given twice</source>
-        <translation>la caméra &apos;%1&apos; ou son adresse &apos;%2&apos; a été donnée deux fois</translation>
-    </message>
-    <message>
-        <source>give one or more, like --camera A=sim:A</source>
-        <translation>donnez-en une ou plus, comme --camera A=sim:A</translation>
-    </message>
-    <message>
-        <source>it would take no time, or more than a day</source>
-        <translation>il ne durerait pas, ou plus d’un jour</translation>
-    </message>
-    <message>
-        <source>give the seconds, like 10</source>
-        <translation>donnez les secondes, comme 10</translation>
-    </message>
-    <message>
-        <source>what is kept from before is no time, or more than 10 s</source>
-        <translation>ce qui est gardé d’avant n’est pas une durée, ou dépasse 10 s</translation>
-    </message>
-    <message>
-        <source>give a pre-roll of 0 to 10 seconds</source>
-        <translation>donnez un pré-enregistrement de 0 à 10 secondes</translation>
-    </message>
-    <message>
-        <source>none of its cameras is registered to the floor, so there are no live positions to send</source>
-        <translation>aucune de ses caméras n’est localisée par rapport au sol, il n’y a donc pas de positions en direct à envoyer</translation>
-    </message>
-    <message>
-        <source>run odograph register for one of them, or leave --ssl-vision out</source>
-        <translation>localisez-en une, ou omettez --ssl-vision</translation>
-    </message>
-    <message>
-        <source>interface &apos;%1&apos; of live positions</source>
-        <translation>interface &apos;%1&apos; des positions en direct</translation>
-    </message>
-    <message>
-        <source>choose one that `ip link` names, or lo to stay on this machine</source>
-        <translation>choisissez-en une que `ip link` nomme, ou lo pour rester sur cet ordinateur</translation>
-    </message>
-    <message>
-        <source>this machine gives no socket</source>
-        <translation>cet ordinateur ne donne pas de socket</translation>
-    </message>
-    <message>
-        <source>completing the recordings</source>
-        <translation>compléter les enregistrements</translation>
-    </message>
-    <message>
-        <source>write the task as odograph task list --json shows one</source>
-        <translation>écrivez l’épreuve comme odograph task list --json en montre une</translation>
-    </message>
-    <message>
-        <source>use a calibration file as ROS or OpenCV writes it</source>
-        <translation>utilisez un fichier d’étalonnage tel que ROS ou OpenCV l’écrit</translation>
-    </message>
-    <message>
-        <source>the entry &apos;%1&apos; is missing</source>
-        <translation>l’entrée &apos;%1&apos; manque</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not a finite number</source>
-        <translation>&apos;%1&apos; n’est pas un nombre fini</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not a whole number from %2 to %3</source>
-        <translation>&apos;%1&apos; n’est pas un nombre entier de %2 à %3</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; has %2 numbers instead of %3 × %4</source>
-        <translation>&apos;%1&apos; a %2 nombres au lieu de %3 × %4</translation>
-    </message>
-    <message>
-        <source>&apos;camera_matrix&apos; is not a 3 × 3 matrix</source>
-        <translation>&apos;camera_matrix&apos; n’est pas une matrice 3 × 3</translation>
-    </message>
-    <message>
-        <source>&apos;camera_matrix&apos; is not of the form fx 0 cx, 0 fy cy, 0 0 1</source>
-        <translation>&apos;camera_matrix&apos; n’est pas de la forme fx 0 cx, 0 fy cy, 0 0 1</translation>
-    </message>
-    <message>
-        <source>&apos;distortion_coefficients&apos; is neither a row nor a column</source>
-        <translation>&apos;distortion_coefficients&apos; n’est ni une ligne ni une colonne</translation>
-    </message>
-    <message>
-        <source>the lens model &apos;%1&apos; is not known (plumb_bob, rational_polynomial, equidistant are)</source>
-        <translation>le modèle d’objectif &apos;%1&apos; n’est pas connu (plumb_bob, rational_polynomial, equidistant le sont)</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is left there from before</source>
-        <translation>&apos;%1&apos; est resté là d’avant</translation>
-    </message>
-    <message>
-        <source>the file holds no task</source>
-        <translation>le fichier ne contient pas d’épreuve</translation>
-    </message>
-    <message>
-        <source>an object in braces is expected here</source>
-        <translation>un objet entre accolades est attendu ici</translation>
-    </message>
-    <message>
-        <source>write one with %1</source>
-        <translation>écrivez-en un avec %1</translation>
-    </message>
-    <message>
-        <source>the key &apos;%1&apos; is not known</source>
-        <translation>la clé &apos;%1&apos; n’est pas connue</translation>
-    </message>
-    <message>
-        <source>use %1</source>
-        <translation>utilisez %1</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not above zero</source>
-        <translation>&apos;%1&apos; n’est pas supérieur à zéro</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not a point [x, y] in mm</source>
-        <translation>&apos;%1&apos; n’est pas un point [x, y] en mm</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not a list in brackets</source>
-        <translation>&apos;%1&apos; n’est pas une liste entre crochets</translation>
-    </message>
-    <message>
-        <source>the reference path is given by nothing</source>
-        <translation>le tracé de référence n’est donné par rien</translation>
-    </message>
-    <message>
-        <source>the reference path is given twice</source>
-        <translation>le tracé de référence est donné deux fois</translation>
-    </message>
-    <message>
-        <source>give one of points_mm, circle, figure_eight or slalom</source>
-        <translation>donnez points_mm, circle, figure_eight ou slalom</translation>
-    </message>
-    <message>
-        <source>&apos;closed&apos; is neither true nor false</source>
-        <translation>&apos;closed&apos; n’est ni true ni false</translation>
-    </message>
-    <message>
-        <source>&apos;poles&apos; is not a whole number from 1 to 100</source>
-        <translation>&apos;poles&apos; n’est pas un nombre entier de 1 à 100</translation>
-    </message>
-    <message>
-        <source>the slalom ends where it starts</source>
-        <translation>le slalom finit où il commence</translation>
-    </message>
-    <message>
-        <source>the zone is given twice</source>
-        <translation>la zone est donnée deux fois</translation>
-    </message>
-    <message>
-        <source>the zone is given by nothing</source>
-        <translation>la zone n’est donnée par rien</translation>
-    </message>
-    <message>
-        <source>give corners_mm, all the way round, or two opposite corners as rectangle_mm</source>
-        <translation>donnez corners_mm, tout autour, ou deux coins opposés avec rectangle_mm</translation>
-    </message>
-    <message>
-        <source>&apos;rectangle_mm&apos; is not two corners</source>
-        <translation>&apos;rectangle_mm&apos; n’est pas deux coins</translation>
-    </message>
-    <message>
-        <source>give two opposite corners: [[x, y], [x, y]]</source>
-        <translation>donnez deux coins opposés&#xa0;: [[x, y], [x, y]]</translation>
-    </message>
-    <message>
-        <source>style &apos;%1&apos; of CSV</source>
-        <translation>style &apos;%1&apos; de CSV</translation>
-    </message>
-    <message>
-        <source>there is no such style</source>
-        <translation>ce style n’existe pas</translation>
-    </message>
-    <message>
-        <source>choose analysis, international or continental</source>
-        <translation>choisissez analysis, international ou continental</translation>
-    </message>
-    <message>
-        <source>write it with digits, like 12.5, or leave the place blank</source>
-        <translation>écrivez-le avec des chiffres, comme 12.5, ou laissez la place vide</translation>
-    </message>
-    <message>
-        <source>write it with digits, like 12.5</source>
-        <translation>écrivez-le avec des chiffres, comme 12.5</translation>
-    </message>
-    <message>
-        <source>its time is that of the line before</source>
-        <translation>son temps est celui de la ligne précédente</translation>
-    </message>
-    <message>
-        <source>its time is before that of the line before</source>
-        <translation>son temps précède celui de la ligne précédente</translation>
-    </message>
-    <message>
-        <source>put the lines in the order of time, each time once</source>
-        <translation>mettez les lignes dans l’ordre du temps, chaque temps une fois</translation>
-    </message>
-    <message>
-        <source>it is more than a week after the first line</source>
-        <translation>c’est plus d’une semaine après la première ligne</translation>
-    </message>
-    <message>
-        <source>check the unit of the times, and that all lines are of one run</source>
-        <translation>vérifiez l’unité des temps, et que toutes les lignes sont d’un même passage</translation>
-    </message>
-    <message>
-        <source>its place is more than 100 km away</source>
-        <translation>sa place est à plus de 100 km</translation>
-    </message>
-    <message>
-        <source>check the unit of the places: m, cm or mm</source>
-        <translation>vérifiez l’unité des places&#xa0;: m, cm ou mm</translation>
-    </message>
-    <message>
-        <source>the track has %1 position</source>
-        <translation>la trajectoire a %1 position</translation>
-    </message>
-    <message>
-        <source>the track has %1 positions</source>
-        <translation>la trajectoire a %1 positions</translation>
-    </message>
-    <message>
-        <source>track &apos;%1&apos; has %2 position</source>
-        <translation>la trajectoire &apos;%1&apos; a %2 position</translation>
-    </message>
-    <message>
-        <source>track &apos;%1&apos; has %2 positions</source>
-        <translation>la trajectoire &apos;%1&apos; a %2 positions</translation>
-    </message>
-    <message>
-        <source>choose a file with three positions or more</source>
-        <translation>choisissez un fichier avec trois positions ou plus</translation>
-    </message>
-    <message>
-        <source>choose a track with more positions</source>
-        <translation>choisissez une trajectoire avec plus de positions</translation>
-    </message>
-    <message>
-        <source>none of its tracks has a position</source>
-        <translation>aucune de ses trajectoires n’a de position</translation>
-    </message>
-    <message>
-        <source>it has %1 entry instead of the 8 of TUM</source>
-        <translation>il y a %1 entrée au lieu des 8 de TUM</translation>
-    </message>
-    <message>
-        <source>it has %1 entries instead of the 8 of TUM</source>
-        <translation>il y a %1 entrées au lieu des 8 de TUM</translation>
-    </message>
-    <message>
-        <source>write %1, or begin the file with the line %2</source>
-        <translation>écrivez %1, ou commencez le fichier par la ligne %2</translation>
-    </message>
-    <message>
-        <source>begin the file with the line %1, or write lines of %2</source>
-        <translation>commencez le fichier par la ligne %1, ou écrivez des lignes de %2</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not a time in seconds</source>
-        <translation>&apos;%1&apos; n’est pas un temps en secondes</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not a time</source>
-        <translation>&apos;%1&apos; n’est pas un temps</translation>
-    </message>
-    <message>
-        <source>one of its two places is blank</source>
-        <translation>une de ses deux places est vide</translation>
-    </message>
-    <message>
-        <source>one of its two errors is blank</source>
-        <translation>une de ses deux erreurs est vide</translation>
-    </message>
-    <message>
-        <source>fill in both or none</source>
-        <translation>remplissez les deux ou aucun</translation>
-    </message>
-    <message>
-        <source>it has %1 cell where the header has %2</source>
-        <translation>il y a %1 cellule où l’en-tête en a %2</translation>
-    </message>
-    <message>
-        <source>it has %1 cells where the header has %2</source>
-        <translation>il y a %1 cellules où l’en-tête en a %2</translation>
-    </message>
-    <message>
-        <source>give each line as many cells as the header</source>
-        <translation>donnez à chaque ligne autant de cellules qu’à l’en-tête</translation>
-    </message>
-    <message>
-        <source>it has no header with a time, x and y, and is no TUM either</source>
-        <translation>il n’a pas d’en-tête avec un temps, x et y, et n’est pas non plus du TUM</translation>
-    </message>
-    <message>
-        <source>it holds more than one document</source>
-        <translation>il contient plus d’un document</translation>
-    </message>
-    <message>
-        <source>it is nested more than %1 deep</source>
-        <translation>l’imbrication dépasse %1 niveaux</translation>
-    </message>
-    <message>
-        <source>it holds more than %1 values</source>
-        <translation>il contient plus de %1 valeurs</translation>
-    </message>
-    <message>
-        <source>the key &apos;%1&apos; is there twice</source>
-        <translation>la clé &apos;%1&apos; y est deux fois</translation>
-    </message>
-    <message>
-        <source>the archive library refused</source>
-        <translation>la bibliothèque d’archives a refusé</translation>
-    </message>
-    <message>
-        <source>it has %1</source>
-        <translation>présents&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>give one or more, like --track R=run.csv</source>
-        <translation>donnez-en une ou plus, comme --track R=run.csv</translation>
-    </message>
-    <message>
-        <source>number &apos;%1&apos;</source>
-        <translation>nombre &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>colour &apos;%1&apos;</source>
-        <translation>couleur &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>marker</source>
-        <translation>marqueur</translation>
-    </message>
-    <message>
-        <source>member</source>
-        <translation>membre</translation>
-    </message>
-    <message>
-        <source>pseudonym</source>
-        <translation>pseudonyme</translation>
-    </message>
-    <message>
-        <source>track</source>
-        <translation>trajectoire</translation>
-    </message>
-    <message>
-        <source>gate</source>
-        <translation>porte</translation>
-    </message>
-    <message>
-        <source>zone</source>
-        <translation>zone</translation>
-    </message>
-    <message>
-        <source>figure</source>
-        <translation>grandeur</translation>
-    </message>
-    <message>
-        <source>tag</source>
-        <translation>étiquette</translation>
-    </message>
-    <message>
-        <source>calibration</source>
-        <translation>étalonnage</translation>
-    </message>
-    <message>
-        <source>registration</source>
-        <translation>localisation</translation>
-    </message>
-    <message>
-        <source>lens</source>
-        <translation>objectif</translation>
-    </message>
-    <message>
-        <source>title of the project</source>
-        <translation>titre du projet</translation>
-    </message>
-    <message>
-        <source>address of a camera</source>
-        <translation>adresse d’une caméra</translation>
-    </message>
-    <message>
-        <source>origin of a calibration</source>
-        <translation>origine d’un étalonnage</translation>
-    </message>
-    <message>
-        <source>reading of a track</source>
-        <translation>lecture d’une trajectoire</translation>
-    </message>
-    <message>
-        <source>words of a change</source>
-        <translation>libellé d’une modification</translation>
-    </message>
-    <message>
-        <source>notes of a trial</source>
-        <translation>notes d’un essai</translation>
-    </message>
-    <message>
-        <source>path of a recording</source>
-        <translation>chemin d’un enregistrement</translation>
-    </message>
-    <message>
-        <source>path of a registration&apos;s picture</source>
-        <translation>chemin de la photo d’une localisation</translation>
-    </message>
-    <message>
-        <source>path of a calibration picture</source>
-        <translation>chemin d’une photo d’étalonnage</translation>
-    </message>
-    <message>
-        <source>name of a calibration picture</source>
-        <translation>nom d’une photo d’étalonnage</translation>
-    </message>
-    <message>
-        <source>samples and profile differ in length</source>
-        <translation>échantillons et profil n’ont pas la même longueur</translation>
-    </message>
-    <message>
-        <source>it has more than %1 samples</source>
-        <translation>il y a plus de %1 échantillons</translation>
-    </message>
-    <message>
-        <source>views and registrations differ in number</source>
-        <translation>vues et localisations ne sont pas en même nombre</translation>
-    </message>
-    <message>
-        <source>metric &apos;%1&apos;</source>
-        <translation>grandeur &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>it is not a finite number</source>
-        <translation>ce n’est pas un nombre fini</translation>
-    </message>
-    <message>
-        <source>analysis %1 of the project</source>
-        <translation>analyse %1 du projet</translation>
-    </message>
-    <message>
-        <source>its series are missing</source>
-        <translation>ses séries manquent</translation>
-    </message>
-    <message>
-        <source>a spike refers to a sample that is not there</source>
-        <translation>un pic aberrant renvoie à un échantillon absent</translation>
-    </message>
-    <message>
-        <source>its stored series is not of the expected kind</source>
-        <translation>sa série enregistrée n’est pas du genre attendu</translation>
-    </message>
-    <message>
-        <source>its stored series has the unknown layout %1</source>
-        <translation>sa série enregistrée a la disposition inconnue %1</translation>
-    </message>
-    <message>
-        <source>its stored series announces %1 rows but holds %2 bytes</source>
-        <translation>sa série enregistrée annonce %1 lignes mais contient %2 octets</translation>
-    </message>
-    <message>
-        <source>check the input that it was computed from</source>
-        <translation>vérifiez les données dont elle a été calculée</translation>
-    </message>
-    <message>
-        <source>lens %1 of the project</source>
-        <translation>objectif %1 du projet</translation>
-    </message>
-    <message>
-        <source>registration %1 of the project</source>
-        <translation>localisation %1 du projet</translation>
-    </message>
-    <message>
-        <source>it has no %1 with the number %2</source>
-        <translation>absent sous le numéro %2&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>restore the project from a backup copy</source>
-        <translation>restaurez le projet d’une copie de sauvegarde</translation>
-    </message>
-    <message>
-        <source>it has no file</source>
-        <translation>il n’a pas de fichier</translation>
-    </message>
-    <message>
-        <source>name the video&apos;s file</source>
-        <translation>nommez le fichier de la vidéo</translation>
-    </message>
-    <message>
-        <source>its relative path leaves the project&apos;s folder</source>
-        <translation>son chemin relatif sort du dossier du projet</translation>
-    </message>
-    <message>
-        <source>copy the file beside the project</source>
-        <translation>copiez le fichier à côté du projet</translation>
-    </message>
-    <message>
-        <source>its stored covariance is not a 6 by 6 matrix</source>
-        <translation>sa covariance enregistrée n’est pas une matrice 6 × 6</translation>
-    </message>
-    <message>
-        <source>its stored matrix of %1 numbers is not square</source>
-        <translation>sa matrice enregistrée de %1 nombres n’est pas carrée</translation>
-    </message>
-    <message>
-        <source>track &apos;%1&apos;</source>
-        <translation>trajectoire &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>a position or its covariance is no number</source>
-        <translation>une position ou sa covariance n’est pas un nombre</translation>
-    </message>
-    <message>
-        <source>truth of a trial</source>
-        <translation>vérité d’un essai</translation>
-    </message>
-    <message>
-        <source>its series differ in length</source>
-        <translation>ses séries n’ont pas la même longueur</translation>
-    </message>
-    <message>
-        <source>give position, velocity and acceleration for each time</source>
-        <translation>donnez position, vitesse et accélération pour chaque temps</translation>
-    </message>
-    <message>
-        <source>its stored setting &apos;%1&apos; is unknown</source>
-        <translation>son réglage enregistré &apos;%1&apos; est inconnu</translation>
-    </message>
-    <message>
-        <source>its reference path ends within a point</source>
-        <translation>son tracé de référence s’arrête au milieu d’un point</translation>
-    </message>
-    <message>
-        <source>its zone &apos;%1&apos; ends within a point</source>
-        <translation>sa zone &apos;%1&apos; s’arrête au milieu d’un point</translation>
-    </message>
-    <message>
-        <source>raw times of recording %1</source>
-        <translation>temps bruts de l’enregistrement %1</translation>
-    </message>
-    <message>
-        <source>its recording has ended, and is kept</source>
-        <translation>son enregistrement est terminé, et gardé</translation>
-    </message>
-    <message>
-        <source>leave it</source>
-        <translation>laissez-le</translation>
-    </message>
-    <message>
-        <source>look for lost videos</source>
-        <translation>chercher les vidéos perdues</translation>
-    </message>
-    <message>
-        <source>demo</source>
-        <translation>démo</translation>
-    </message>
-    <message>
-        <source>the planned camera</source>
-        <translation>la caméra prévue</translation>
-    </message>
-    <message>
-        <source>from there it would see %1 of the layout&apos;s markers (%2), four are needed</source>
-        <translation>de là, elle verrait %1 des marqueurs du plan (%2), il en faut quatre</translation>
-    </message>
-    <message>
-        <source>move it back or up, or choose a wider lens</source>
-        <translation>reculez-la ou montez-la, ou choisissez un objectif plus large</translation>
-    </message>
-    <message>
-        <source>the markers that it would see do not hold it</source>
-        <translation>les marqueurs qu’elle verrait ne fixent pas sa position</translation>
-    </message>
-    <message>
-        <source>it cannot stand %1 m above the floor</source>
-        <translation>elle ne peut pas être à %1 m au-dessus du sol</translation>
-    </message>
-    <message>
-        <source>give a height of 0.05 m to 100 m</source>
-        <translation>donnez une hauteur de 0,05 m à 100 m</translation>
-    </message>
-    <message>
-        <source>it cannot stand %1 m away</source>
-        <translation>elle ne peut pas être à %1 m de distance</translation>
-    </message>
-    <message>
-        <source>give a distance of 0 m to 1000 m</source>
-        <translation>donnez une distance de 0 m à 1000 m</translation>
-    </message>
-    <message>
-        <source>its field of view is %1°</source>
-        <translation>son champ de vision est de %1°</translation>
-    </message>
-    <message>
-        <source>give 2° to 150°, and the size of its pictures</source>
-        <translation>donnez de 2° à 150°, et la taille de ses images</translation>
-    </message>
-    <message>
-        <source>the best place for a camera</source>
-        <translation>la meilleure place pour une caméra</translation>
-    </message>
-    <message>
-        <source>the layout has %1 markers, four are needed</source>
-        <translation>le plan a %1 marqueurs, il en faut quatre</translation>
-    </message>
-    <message>
-        <source>make a layout of four markers or more</source>
-        <translation>faites un plan de quatre marqueurs ou plus</translation>
-    </message>
-    <message>
-        <source>from nowhere within %1 m beyond the markers would it see four of them at the height and with the lens given</source>
-        <translation>à moins de %1 m des marqueurs, nulle part elle n’en verrait quatre à cette hauteur et avec cet objectif</translation>
-    </message>
-    <message>
-        <source>let it stand higher or farther away, or choose a wider lens</source>
-        <translation>placez-la plus haut ou plus loin, ou choisissez un objectif plus large</translation>
-    </message>
-    <message>
-        <source>the board is seen too obliquely, at %1 degrees</source>
-        <translation>la mire est vue trop en biais, à %1 degrés</translation>
-    </message>
-    <message>
-        <source>tilt it by 30 to 45 degrees</source>
-        <translation>inclinez-la de 30 à 45 degrés</translation>
-    </message>
-    <message>
-        <source>the board is too small</source>
-        <translation>la mire est trop petite</translation>
-    </message>
-    <message>
-        <source>it fills %1 % of the picture</source>
-        <translation>elle remplit %1&#xa0;% de l’image</translation>
-    </message>
-    <message>
-        <source>hold it closer to the camera</source>
-        <translation>tenez-la plus près de la caméra</translation>
-    </message>
-    <message>
-        <source>it is %1×%2, the first picture %3×%4</source>
-        <translation>elle fait %1×%2, la première photo %3×%4</translation>
-    </message>
-    <message>
-        <source>use pictures of one camera at one resolution</source>
-        <translation>utilisez des photos d’une même caméra à une même résolution</translation>
-    </message>
-    <message>
-        <source>the corners do not lie as on a flat board</source>
-        <translation>les coins ne sont pas placés comme sur une mire plane</translation>
-    </message>
-    <message>
-        <source>glue the board onto something stiff and flat</source>
-        <translation>collez la mire sur un support rigide et plat</translation>
-    </message>
-    <message>
-        <source>the board stands as in %1 already</source>
-        <translation>la mire est placée comme déjà dans %1</translation>
-    </message>
-    <message>
-        <source>the board stands as in a picture already taken</source>
-        <translation>la mire est placée comme dans une photo déjà prise</translation>
-    </message>
-    <message>
-        <source>move it elsewhere, turn it or tilt it</source>
-        <translation>déplacez-la, tournez-la ou inclinez-la</translation>
-    </message>
-    <message>
-        <source>the board is not sharp</source>
-        <translation>la mire n’est pas nette</translation>
-    </message>
-    <message>
-        <source>focus the camera, or give more light</source>
-        <translation>faites la mise au point, ou donnez plus de lumière</translation>
-    </message>
-    <message>
-        <source>the pictures ask for two focal lengths</source>
-        <translation>les photos demandent deux distances focales</translation>
-    </message>
-    <message>
-        <source>%1 for about %2 px, %3 (such as %4) for about %5 px</source>
-        <translation>%1 environ %2 px, %3 (dont %4) environ %5 px</translation>
-    </message>
-    <message>
-        <source>it has %1 corners of the board, six are needed</source>
-        <translation>elle a %1 coins de la mire, il en faut six</translation>
-    </message>
-    <message>
-        <source>show more of it</source>
-        <translation>montrez-en davantage</translation>
-    </message>
-    <message>
-        <source>a corner of it is not a number</source>
-        <translation>un de ses coins n’est pas un nombre</translation>
-    </message>
-    <message>
-        <source>let the board be found in it again</source>
-        <translation>faites-y rechercher la mire à nouveau</translation>
-    </message>
-    <message>
-        <source>too few pictures to compare it with others</source>
-        <translation>trop peu de photos pour le comparer à d’autres</translation>
-    </message>
-    <message>
-        <source>name one like DICT_6X6_250, or leave it out</source>
-        <translation>nommez-en un comme DICT_6X6_250, ou omettez-le</translation>
-    </message>
-    <message>
-        <source>the markers that were read do not lie as on a ChArUco board</source>
-        <translation>les marqueurs lus ne sont pas placés comme sur une mire ChArUco</translation>
-    </message>
-    <message>
-        <source>the markers that were read do not lie as on a ChArUco board of %1 inner corners</source>
-        <translation>les marqueurs lus ne sont pas placés comme sur une mire ChArUco de %1 coins intérieurs</translation>
-    </message>
-    <message>
-        <source>the pixel of point %1 is not a finite number</source>
-        <translation>le pixel du point %1 n’est pas un nombre fini</translation>
-    </message>
-    <message>
-        <source>the pixel of marker %1 is not a finite number</source>
-        <translation>le pixel du marqueur %1 n’est pas un nombre fini</translation>
-    </message>
-    <message>
-        <source>the place of marker %1 is not a finite number</source>
-        <translation>la place du marqueur %1 n’est pas un nombre fini</translation>
-    </message>
-    <message>
-        <source>point %1 lies outside the picture of %2 (%3)</source>
-        <translation>le point %1 est hors de l’image de %2 (%3)</translation>
-    </message>
-    <message>
-        <source>check which columns belong to which camera</source>
-        <translation>vérifiez quelles colonnes vont avec quelle caméra</translation>
-    </message>
-    <message>
-        <source>this camera</source>
-        <translation>cette caméra</translation>
-    </message>
-    <message>
-        <source>camera &apos;%1&apos; is there twice</source>
-        <translation>la caméra &apos;%1&apos; y est deux fois</translation>
-    </message>
-    <message>
-        <source>name each camera once</source>
-        <translation>nommez chaque caméra une fois</translation>
-    </message>
-    <message>
-        <source>the σ of the tape measure is not above 0</source>
-        <translation>le σ du mètre ruban n’est pas supérieur à 0</translation>
-    </message>
-    <message>
-        <source>give some 2 mm</source>
-        <translation>donnez environ 2 mm</translation>
-    </message>
-    <message>
-        <source>no pose</source>
-        <translation>pas de pose</translation>
-    </message>
-    <message>
-        <source>%1 lies where this camera&apos;s lens cannot have put it</source>
-        <translation>%1 est là où l’objectif de cette caméra ne peut pas l’avoir mis</translation>
-    </message>
-    <message>
-        <source>check its pixel and the camera&apos;s intrinsics</source>
-        <translation>vérifiez son pixel et les paramètres intrinsèques de la caméra</translation>
-    </message>
-    <message>
-        <source>spread the points over the floor, not along a line</source>
-        <translation>répartissez les points sur le sol, pas le long d’une ligne</translation>
-    </message>
-    <message>
-        <source>both an angle and a pair of markers were given for X</source>
-        <translation>un angle et une paire de marqueurs ont été donnés pour X</translation>
-    </message>
-    <message>
-        <source>both a marker and a point were given for the origin</source>
-        <translation>un marqueur et un point ont été donnés pour l’origine</translation>
-    </message>
-    <message>
-        <source>unit &apos;%1&apos;</source>
-        <translation>unité &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>it is not known</source>
-        <translation>ce n’est pas connu</translation>
-    </message>
-    <message>
-        <source>use mm, cm, m or inch</source>
-        <translation>utilisez mm, cm, m ou inch</translation>
-    </message>
-    <message>
-        <source>a length factor of %1 makes no floor</source>
-        <translation>un facteur de longueur de %1 ne donne pas de sol</translation>
-    </message>
-    <message>
-        <source>give a number above 0</source>
-        <translation>donnez un nombre supérieur à 0</translation>
-    </message>
-    <message>
-        <source>the origin or the angle is not a finite number</source>
-        <translation>l’origine ou l’angle n’est pas un nombre fini</translation>
-    </message>
-    <message>
-        <source>give plain numbers</source>
-        <translation>donnez des nombres ordinaires</translation>
-    </message>
-    <message>
-        <source>check the unit of the layout</source>
-        <translation>vérifiez l’unité du plan</translation>
-    </message>
-    <message>
-        <source>it is given in mm</source>
-        <translation>il est donné en mm</translation>
-    </message>
-    <message>
-        <source>no homography</source>
-        <translation>pas d’homographie</translation>
-    </message>
-    <message>
-        <source>four points are needed, %1 given</source>
-        <translation>il faut quatre points, %1 donnés</translation>
-    </message>
-    <message>
-        <source>add points</source>
-        <translation>ajoutez des points</translation>
-    </message>
-    <message>
-        <source>a coordinate of %1 is not a finite number</source>
-        <translation>une coordonnée de %1 n’est pas un nombre fini</translation>
-    </message>
-    <message>
-        <source>%1 lie at one place</source>
-        <translation>%1 sont au même endroit</translation>
-    </message>
-    <message>
-        <source>%1 lie at one place in the picture</source>
-        <translation>%1 sont au même endroit de l’image</translation>
-    </message>
-    <message>
-        <source>%1 lie on one line</source>
-        <translation>%1 sont alignés</translation>
-    </message>
-    <message>
-        <source>%1 lie on one line in the picture</source>
-        <translation>%1 sont alignés dans l’image</translation>
-    </message>
-    <message>
-        <source>use four points of which no three are in line</source>
-        <translation>utilisez quatre points dont trois ne sont jamais alignés</translation>
-    </message>
-    <message>
-        <source>%1 would lie beyond the horizon</source>
-        <translation>%1 serait au-delà de l’horizon</translation>
-    </message>
-    <message>
-        <source>the order of the points crosses over like a bow tie</source>
-        <translation>l’ordre des points se croise comme un nœud papillon</translation>
-    </message>
-    <message>
-        <source>check which point is which</source>
-        <translation>vérifiez quel point est lequel</translation>
-    </message>
-    <message>
-        <source>the points do not determine it</source>
-        <translation>les points ne la déterminent pas</translation>
-    </message>
-    <message>
-        <source>spread the points</source>
-        <translation>écartez les points</translation>
-    </message>
-    <message>
-        <source>the chain has no links</source>
-        <translation>la chaîne n’a pas de maillons</translation>
-    </message>
-    <message>
-        <source>give at least one</source>
-        <translation>donnez-en au moins un</translation>
-    </message>
-    <message>
-        <source>link %1 of %2 of the chain is singular</source>
-        <translation>le maillon %1 sur %2 de la chaîne est singulier</translation>
-    </message>
-    <message>
-        <source>use four points in it of which no three are in line</source>
-        <translation>utilisez-y quatre points dont trois ne sont jamais alignés</translation>
-    </message>
-    <message>
-        <source>the picture size %1 is not positive</source>
-        <translation>la taille d’image %1 n’est pas positive</translation>
-    </message>
-    <message>
-        <source>one of the values is not a finite number</source>
-        <translation>une des valeurs n’est pas un nombre fini</translation>
-    </message>
-    <message>
-        <source>the focal length %1 px is not positive</source>
-        <translation>la distance focale %1 px n’est pas positive</translation>
-    </message>
-    <message>
-        <source>%1 distortion coefficients do not belong to this lens model</source>
-        <translation>%1 coefficients de distorsion ne vont pas avec ce modèle d’objectif</translation>
-    </message>
-    <message>
-        <source>the covariance has the wrong size</source>
-        <translation>la covariance n’a pas la bonne taille</translation>
-    </message>
-    <message>
-        <source>no picture could be read</source>
-        <translation>aucune photo n’a pu être lue</translation>
-    </message>
-    <message>
-        <source>calibration picture &apos;%1&apos;</source>
-        <translation>photo d’étalonnage &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>intrinsics of camera &apos;%1&apos;</source>
-        <translation>paramètres intrinsèques de la caméra &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>run odograph calibrate, or odograph intrinsics import</source>
-        <translation>étalonnez-la, ou importez ses paramètres intrinsèques</translation>
-    </message>
-    <message>
-        <source>markers for camera &apos;%1&apos;</source>
-        <translation>marqueurs pour la caméra &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>give --pixels pixels.csv, --image picture.png or --video clip.mp4</source>
-        <translation>donnez --pixels pixels.csv, --image picture.png ou --video clip.mp4</translation>
-    </message>
-    <message>
-        <source>calibrate it, import its intrinsics, or give --image or --video as well</source>
-        <translation>étalonnez-la, importez ses paramètres intrinsèques, ou donnez aussi --image ou --video</translation>
-    </message>
-    <message>
-        <source>registration of camera &apos;%1&apos; with the lens in force</source>
-        <translation>localisation de la caméra &apos;%1&apos; avec l’objectif en vigueur</translation>
-    </message>
-    <message>
-        <source>camera &apos;%1&apos; has none of that number</source>
-        <translation>la caméra &apos;%1&apos; n’en a pas de ce numéro</translation>
-    </message>
-    <message>
-        <source>see its revisions for those there are</source>
-        <translation>voyez dans ses révisions celles qui existent</translation>
-    </message>
-    <message>
-        <source>calibration %1</source>
-        <translation>étalonnage %1</translation>
-    </message>
-    <message>
-        <source>registration %1</source>
-        <translation>localisation %1</translation>
-    </message>
-    <message>
-        <source>one view saw the robot in fewer than %1 pictures</source>
-        <translation>une vue a vu le robot dans moins de %1 images</translation>
-    </message>
-    <message>
-        <source>the views hardly ever saw the robot at the same time</source>
-        <translation>les vues n’ont presque jamais vu le robot en même temps</translation>
-    </message>
-    <message>
-        <source>the robot stood still or ran straight at constant speed, so every offset fits</source>
-        <translation>le robot était immobile ou allait droit à vitesse constante, si bien que tout décalage convient</translation>
-    </message>
-    <message>
-        <source>the views&apos; tracks do not resemble one another</source>
-        <translation>les trajectoires des vues ne se ressemblent pas</translation>
-    </message>
-    <message>
-        <source>the views&apos; tracks do not coincide at any offset looked at</source>
-        <translation>les trajectoires des vues ne coïncident à aucun décalage examiné</translation>
-    </message>
-    <message>
-        <source>the motion repeats itself</source>
-        <translation>le mouvement se répète</translation>
-    </message>
-    <message>
-        <source>offsets of %1 s and %2 s fit alike</source>
-        <translation>des décalages de %1 s et %2 s conviennent autant</translation>
-    </message>
-    <message>
-        <source>neither view shows a flash of light</source>
-        <translation>aucune des vues ne montre d’éclair de lumière</translation>
-    </message>
-    <message>
-        <source>only one of the views shows a flash of light</source>
-        <translation>une seule des vues montre un éclair de lumière</translation>
-    </message>
-    <message>
-        <source>the light flickers</source>
-        <translation>la lumière scintille</translation>
-    </message>
-    <message>
-        <source>the flashes of light in the views do not belong together</source>
-        <translation>les éclairs de lumière des vues ne se correspondent pas</translation>
-    </message>
-    <message>
-        <source>the flashes of light fit alike at offsets of %1 s and %2 s</source>
-        <translation>les éclairs de lumière conviennent autant à des décalages de %1 s et %2 s</translation>
-    </message>
-    <message>
-        <source>%1, and neither view shows a flash of light</source>
-        <translation>%1, et aucune des vues ne montre d’éclair de lumière</translation>
-    </message>
-    <message>
-        <source>%1, and only one of the views shows a flash of light</source>
-        <translation>%1, et une seule des vues montre un éclair de lumière</translation>
-    </message>
-    <message>
-        <source>%1, and the light flickers</source>
-        <translation>%1, et la lumière scintille</translation>
-    </message>
-    <message>
-        <source>%1, and the flashes of light in the views do not belong together</source>
-        <translation>%1, et les éclairs de lumière des vues ne se correspondent pas</translation>
-    </message>
-    <message>
-        <source>%1, and the flashes of light fit alike at offsets of %2 s and %3 s</source>
-        <translation>%1, et les éclairs de lumière conviennent autant à des décalages de %2 s et %3 s</translation>
-    </message>
-    <message>
-        <source>%1, so it is taken as begun together</source>
-        <translation>%1, elle est donc prise comme commencée en même temps</translation>
-    </message>
-    <message>
-        <source>fit of %1</source>
-        <translation>ajustement (%1)</translation>
-    </message>
-    <message>
-        <source>a constant</source>
-        <translation>une constante</translation>
-    </message>
-    <message>
-        <source>a straight line</source>
-        <translation>une droite</translation>
-    </message>
-    <message>
-        <source>a parabola</source>
-        <translation>une parabole</translation>
-    </message>
-    <message>
-        <source>%1 point is too few for it</source>
-        <translation>%1 point est trop peu pour cela</translation>
-    </message>
-    <message>
-        <source>the robot does not move in %1</source>
-        <translation>le robot ne bouge pas dans %1</translation>
-    </message>
-    <message>
-        <source>the robot hardly moves in %1</source>
-        <translation>le robot bouge à peine dans %1</translation>
-    </message>
-    <message>
-        <source>choose a run with motion</source>
-        <translation>choisissez un passage avec du mouvement</translation>
-    </message>
-    <message>
-        <source>%1 drives the way in the other direction than %2</source>
-        <translation>%1 fait le trajet dans l’autre sens que %2</translation>
-    </message>
-    <message>
-        <source>choose runs in the same direction</source>
-        <translation>choisissez des passages dans le même sens</translation>
-    </message>
-    <message>
-        <source>%1 has no stretch of the way in common with the task&apos;s path</source>
-        <translation>%1 n’a aucune portion de trajet commune avec le tracé de l’épreuve</translation>
-    </message>
-    <message>
-        <source>%1 has no stretch of the way in common with %2</source>
-        <translation>%1 n’a aucune portion de trajet commune avec %2</translation>
-    </message>
-    <message>
-        <source>choose runs of the same task</source>
-        <translation>choisissez des passages de la même épreuve</translation>
-    </message>
-    <message>
-        <source>%1 does not pass a start gate</source>
-        <translation>%1 ne franchit pas de porte de départ</translation>
-    </message>
-    <message>
-        <source>align by motion onset or distance</source>
-        <translation>alignez sur le début du mouvement ou la distance</translation>
-    </message>
-    <message>
-        <source>the robot of %1 drives already when it is first seen</source>
-        <translation>le robot de %1 roule déjà quand il est vu pour la première fois</translation>
-    </message>
-    <message>
-        <source>align by distance</source>
-        <translation>alignez sur la distance</translation>
-    </message>
-    <message>
-        <source>a moment of each run is needed to align them by hand</source>
-        <translation>pour les aligner à la main, il faut un instant de chaque passage</translation>
-    </message>
-    <message>
-        <source>tell one for each</source>
-        <translation>donnez-en un pour chacun</translation>
-    </message>
-    <message>
-        <source>the moment told for %1 lies outside of it</source>
-        <translation>l’instant donné pour %1 est en dehors</translation>
-    </message>
-    <message>
-        <source>tell one between its first and last frame</source>
-        <translation>donnez-en un entre sa première et sa dernière image</translation>
-    </message>
-    <message>
-        <source>%1 was not seen at the place to align by</source>
-        <translation>%1 n’a pas été vu à l’endroit de l’alignement</translation>
-    </message>
-    <message>
-        <source>choose a place that both runs pass</source>
-        <translation>choisissez un endroit par où passent les deux passages</translation>
-    </message>
-    <message>
-        <source>there is no such template</source>
-        <translation>ce modèle n’existe pas</translation>
-    </message>
-    <message>
-        <source>template &apos;%1&apos;</source>
-        <translation>modèle &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>rule &apos;%1&apos;</source>
-        <translation>règle &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>use stay_inside or stay_outside</source>
-        <translation>utilisez stay_inside ou stay_outside</translation>
-    </message>
-    <message>
-        <source>smoother %1</source>
-        <translation>lissage %1</translation>
-    </message>
-    <message>
-        <source>there is none of that name</source>
-        <translation>il n’y en a pas de ce nom</translation>
-    </message>
-    <message>
-        <source>use rts, savgol, tracker or none</source>
-        <translation>utilisez rts, savgol, tracker ou none</translation>
-    </message>
-    <message>
-        <source>robot &apos;%1&apos; was not tracked in it, but %2</source>
-        <translation>le robot &apos;%1&apos; n’y a pas été suivi, mais %2 l’a été</translation>
-    </message>
-    <message>
-        <source>track it, or choose another</source>
-        <translation>suivez-le, ou choisissez-en un autre</translation>
-    </message>
-    <message>
-        <source>track it, or choose another with --robot</source>
-        <translation>suivez-le, ou choisissez-en un autre avec --robot</translation>
-    </message>
-    <message>
-        <source>none of its tracks is called &apos;%1&apos;; it has %2</source>
-        <translation>aucune de ses trajectoires ne s’appelle &apos;%1&apos;&#xa0;; présentes&#xa0;: %2</translation>
-    </message>
-    <message>
-        <source>run odograph track first</source>
-        <translation>faites d’abord le suivi</translation>
-    </message>
-    <message>
-        <source>run odograph track without --again first</source>
-        <translation>faites d’abord le suivi sans --again</translation>
-    </message>
-    <message>
-        <source>analyse them anew with</source>
-        <translation>analysez-les à nouveau avec</translation>
-    </message>
-    <message>
-        <source>choose one with --robot</source>
-        <translation>choisissez-en un avec --robot</translation>
-    </message>
-    <message>
-        <source>frame %1 of trial &apos;%2&apos;</source>
-        <translation>image %1 de l’essai &apos;%2&apos;</translation>
-    </message>
-    <message>
-        <source>%1 s of trial &apos;%2&apos;</source>
-        <translation>%1 s de l’essai &apos;%2&apos;</translation>
-    </message>
-    <message>
-        <source>the analysis has no sample</source>
-        <translation>l’analyse n’a aucun échantillon</translation>
-    </message>
-    <message>
-        <source>track the trial again</source>
-        <translation>suivez l’essai à nouveau</translation>
-    </message>
-    <message>
-        <source>choose a time from %1 s to %2 s</source>
-        <translation>choisissez un temps de %1 s à %2 s</translation>
-    </message>
-    <message>
-        <source>choose a frame with a measurement</source>
-        <translation>choisissez une image avec une mesure</translation>
-    </message>
-    <message>
-        <source>nothing was said by hand there</source>
-        <translation>rien n’y a été dit à la main</translation>
-    </message>
-    <message>
-        <source>see the flags by_hand in odograph export</source>
-        <translation>voyez les marques by_hand dans odograph export</translation>
-    </message>
-    <message>
-        <source>tracking</source>
-        <translation>suivi</translation>
-    </message>
-    <message>
-        <source>add one with</source>
-        <translation>ajoutez-en un avec</translation>
-    </message>
-    <message>
-        <source>cannot render %1</source>
-        <translation>impossible de calculer %1</translation>
-    </message>
-    <message>
-        <source>rendering %1</source>
-        <translation>calcul de %1</translation>
-    </message>
-    <message>
-        <source>camera %1 takes no frame while the scene lasts</source>
-        <translation>la caméra %1 ne prend aucune image tant que dure la scène</translation>
-    </message>
-    <message>
-        <source>give the scene a longer duration or start the camera earlier</source>
-        <translation>donnez à la scène une durée plus longue ou démarrez la caméra plus tôt</translation>
-    </message>
-    <message>
-        <source>a picture cannot be coded</source>
-        <translation>une image ne peut pas être codée</translation>
-    </message>
-    <message>
-        <source>JPEG does not have its layout of colours</source>
-        <translation>JPEG n’a pas sa disposition de couleurs</translation>
-    </message>
-    <message>
-        <source>let the camera give another format</source>
-        <translation>faites donner un autre format à la caméra</translation>
-    </message>
-    <message>
-        <source>cannot decode all of a frame</source>
-        <translation>impossible de décoder toute une image</translation>
-    </message>
-    <message>
-        <source>its sound part is used</source>
-        <translation>la partie intacte est utilisée</translation>
-    </message>
-    <message>
-        <source>its time scale was not found where the muxer should have put it</source>
-        <translation>son échelle de temps n’est pas là où le multiplexeur devait la mettre</translation>
-    </message>
-    <message>
-        <source>report this as a bug</source>
-        <translation>signalez-le comme un bogue</translation>
-    </message>
-    <message>
-        <source>its header could not be rewritten</source>
-        <translation>son en-tête n’a pas pu être réécrit</translation>
-    </message>
-    <message>
-        <source>check that there is room on the disk</source>
-        <translation>vérifiez qu’il y a de la place sur le disque</translation>
-    </message>
-    <message>
-        <source>a packet there is damaged</source>
-        <translation>un paquet y est endommagé</translation>
-    </message>
-    <message>
-        <source>its header promises %1</source>
-        <translation>son en-tête promet %1</translation>
-    </message>
-    <message>
-        <source>not one whole frame is in it</source>
-        <translation>aucune image entière n’y est</translation>
-    </message>
-    <message>
-        <source>its time stamps span %1</source>
-        <translation>ses horodatages couvrent %1</translation>
-    </message>
-    <message>
-        <source>it says that it has %1 pixels</source>
-        <translation>elle dit avoir %1 pixels</translation>
-    </message>
-    <message>
-        <source>picture</source>
-        <translation>image</translation>
-    </message>
-    <message>
-        <source>picture &apos;%1&apos;</source>
-        <translation>image &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>it could not be packed</source>
-        <translation>elle n’a pas pu être compressée</translation>
-    </message>
-    <message>
-        <source>check the folder, the free space, and that the name ends in .png or .jpg</source>
-        <translation>vérifiez le dossier, la place libre, et que le nom finit par .png ou .jpg</translation>
-    </message>
-    <message>
-        <source>it could not be written</source>
-        <translation>elle n’a pas pu être écrite</translation>
-    </message>
-    <message>
-        <source>its format is not known</source>
-        <translation>son format n’est pas connu</translation>
-    </message>
-    <message>
-        <source>the size of its pictures could not be found out</source>
-        <translation>la taille de ses images n’a pas pu être trouvée</translation>
-    </message>
-    <message>
-        <source>its pixel format %1 is not read</source>
-        <translation>son format de pixel %1 n’est pas lu</translation>
-    </message>
-    <message>
-        <source>its pixel format (unknown) is not read</source>
-        <translation>son format de pixel (inconnu) n’est pas lu</translation>
-    </message>
-    <message>
-        <source>convert it to 8-bit YUV, e.g. ffmpeg -i FILE -pix_fmt yuv420p NEW.mp4</source>
-        <translation>convertissez-la en YUV 8 bits, p. ex. ffmpeg -i FILE -pix_fmt yuv420p NEW.mp4</translation>
-    </message>
-    <message>
-        <source>frames of this size or chroma format cannot be encoded</source>
-        <translation>les images de cette taille ou de ce format de chrominance ne peuvent pas être codées</translation>
-    </message>
-    <message>
-        <source>use 4:2:0, 4:2:2 or 4:4:4</source>
-        <translation>utilisez 4:2:0, 4:2:2 ou 4:4:4</translation>
-    </message>
-    <message>
-        <source>install Debian&apos;s libavcodec with libx264</source>
-        <translation>installez le libavcodec de Debian avec libx264</translation>
-    </message>
-    <message>
-        <source>the chroma siting could not be set (%1)</source>
-        <translation>la position de la chrominance n’a pas pu être fixée (%1)</translation>
-    </message>
-    <message>
-        <source>install Debian&apos;s libavcodec</source>
-        <translation>installez le libavcodec de Debian</translation>
-    </message>
-    <message>
-        <source>FFV1 does not go into MP4</source>
-        <translation>FFV1 ne va pas dans du MP4</translation>
-    </message>
-    <message>
-        <source>use the ending .mkv</source>
-        <translation>utilisez l’extension .mkv</translation>
-    </message>
-    <message>
-        <source>its frame rate is not positive</source>
-        <translation>sa cadence d’images n’est pas positive</translation>
-    </message>
-    <message>
-        <source>give the frames per second, e.g. 30</source>
-        <translation>donnez les images par seconde, p. ex. 30</translation>
-    </message>
-    <message>
-        <source>start the video again</source>
-        <translation>recommencez la vidéo</translation>
-    </message>
-    <message>
-        <source>its format differs from the video&apos;s</source>
-        <translation>son format diffère de celui de la vidéo</translation>
-    </message>
-    <message>
-        <source>write one format to a file</source>
-        <translation>écrivez un seul format par fichier</translation>
-    </message>
-    <message>
-        <source>its time is not after the frame&apos;s before it</source>
-        <translation>son temps ne suit pas celui de l’image précédente</translation>
-    </message>
-    <message>
-        <source>write the frames in order, at least a microsecond apart</source>
-        <translation>écrivez les images dans l’ordre, à une microseconde au moins l’une de l’autre</translation>
-    </message>
-    <message>
-        <source>it is finished</source>
-        <translation>elle est terminée</translation>
-    </message>
-    <message>
-        <source>start it again</source>
-        <translation>recommencez-la</translation>
-    </message>
-    <message>
-        <source>no frame was written to it</source>
-        <translation>aucune image n’y a été écrite</translation>
-    </message>
-    <message>
-        <source>write at least one</source>
-        <translation>écrivez-en au moins une</translation>
-    </message>
-    <message>
-        <source>give one view or more, like --video A=a.mp4</source>
-        <translation>donnez une vue ou plus, comme --video A=a.mp4</translation>
-    </message>
-    <message>
-        <source>%1 views were given and the offsets of %2</source>
-        <translation>%1 vues ont été données, et les décalages de %2</translation>
-    </message>
-    <message>
-        <source>give one offset for each view but the first, like --sync 0.1,0.2, or use --sync auto</source>
-        <translation>donnez un décalage par vue sauf la première, comme --sync 0.1,0.2, ou utilisez --sync auto</translation>
-    </message>
-    <message>
-        <source>frame %1 of &apos;%2&apos;</source>
-        <translation>image %1 de &apos;%2&apos;</translation>
-    </message>
-    <message>
-        <source>choose one from %1 to %2</source>
-        <translation>choisissez-en une de %1 à %2</translation>
-    </message>
-    <message>
-        <source>its only one is frame 0</source>
-        <translation>la seule est l’image 0</translation>
-    </message>
-    <message>
-        <source>there is no such role</source>
-        <translation>ce rôle n’existe pas</translation>
-    </message>
-    <message>
-        <source>role &apos;%1&apos;</source>
-        <translation>rôle &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>from a flash of light, to %1 ms only, for %2</source>
-        <translation>d’après un éclair de lumière, à %1 ms seulement, car %2</translation>
-    </message>
-    <message>
-        <source>%1 frames left out</source>
-        <translation>%1 images omises</translation>
-    </message>
-    <message>
-        <source>their time stamps repeat the frame before</source>
-        <translation>leurs horodatages répètent celui de l’image précédente</translation>
-    </message>
-    <message>
-        <source>ends early at %1</source>
-        <translation>finit trop tôt, à %1</translation>
-    </message>
-    <message>
-        <source>the file has no time stamps</source>
-        <translation>le fichier n’a pas d’horodatages</translation>
-    </message>
-    <message>
-        <source>an even %1 frames/s is assumed</source>
-        <translation>une cadence régulière de %1 images/s est supposée</translation>
-    </message>
-    <message>
-        <source>Simulated camera %1</source>
-        <translation>Caméra simulée %1</translation>
-    </message>
-    <message>
-        <source>%1 at %2 frames/s</source>
-        <translation>%1 à %2 images/s</translation>
-    </message>
-    <message>
-        <source>check that all lines are of one run</source>
-        <translation>vérifiez que toutes les lignes sont d’un même passage</translation>
-    </message>
-    <message>
-        <source>it sends no pictures</source>
-        <translation>elle n’envoie pas d’images</translation>
-    </message>
-    <message>
-        <source>check its cable</source>
-        <translation>vérifiez son câble</translation>
-    </message>
-    <message>
-        <source>it is taken up again by itself</source>
-        <translation>elle est reprise d’elle-même</translation>
-    </message>
-    <message>
-        <source>it has been away</source>
-        <translation>elle était partie</translation>
-    </message>
-    <message>
-        <source>wait: it is taken up again</source>
-        <translation>attendez&#xa0;: elle est reprise</translation>
-    </message>
-    <message>
-        <source>its pictures come incomplete</source>
-        <translation>ses images arrivent incomplètes</translation>
-    </message>
-    <message>
-        <source>check its cable and the network</source>
-        <translation>vérifiez son câble et le réseau</translation>
-    </message>
-    <message>
-        <source>ask for a smaller size or rate</source>
-        <translation>demandez une taille ou une cadence plus faible</translation>
-    </message>
-    <message>
-        <source>it answers, but sends no pictures</source>
-        <translation>elle répond, mais n’envoie pas d’images</translation>
-    </message>
-    <message>
-        <source>check its trigger and this computer&apos;s firewall</source>
-        <translation>vérifiez son déclencheur et le pare-feu de cet ordinateur</translation>
-    </message>
-    <message>
-        <source>it failed (%1)</source>
-        <translation>elle a échoué (%1)</translation>
-    </message>
-    <message>
-        <source>unplug it and plug it in again if that lasts</source>
-        <translation>débranchez-la et rebranchez-la si cela dure</translation>
-    </message>
-    <message>
-        <source>no picture has come for %1</source>
-        <translation>aucune image n’est venue depuis %1</translation>
-    </message>
-    <message>
-        <source>look at its cable</source>
-        <translation>regardez son câble</translation>
-    </message>
-    <message>
-        <source>take it off and put it on again if it stays so</source>
-        <translation>débranchez-la et rebranchez-la si cela continue</translation>
-    </message>
-    <message>
-        <source>its disk has only %1 MB left, of which %2 are kept free</source>
-        <translation>son disque n’a plus que %1 Mo, dont %2 sont gardés libres</translation>
-    </message>
-    <message>
-        <source>the disk of %1</source>
-        <translation>le disque de %1</translation>
-    </message>
-    <message>
-        <source>it is too slow</source>
-        <translation>il est trop lent</translation>
-    </message>
-    <message>
-        <source>a picture has waited %1 s for it, and %2 % of the room to wait in is taken</source>
-        <translation>une image l’a attendu %1 s, et %2&#xa0;% de la place d’attente est prise</translation>
-    </message>
-    <message>
-        <source>nothing is lost yet</source>
-        <translation>rien n’est encore perdu</translation>
-    </message>
-    <message>
-        <source>end what else writes to it</source>
-        <translation>arrêtez ce qui y écrit par ailleurs</translation>
-    </message>
-    <message>
-        <source>pictures are being lost</source>
-        <translation>des images se perdent</translation>
-    </message>
-    <message>
-        <source>record to another disk, or fewer cameras</source>
-        <translation>filmez sur un autre disque, ou avec moins de caméras</translation>
-    </message>
-    <message>
-        <source>Exposure and gain</source>
-        <translation>Pose et gain</translation>
-    </message>
-    <message>
-        <source>line %1 has no team</source>
-        <translation>la ligne %1 n’a pas d’équipe</translation>
-    </message>
-    <message>
-        <source>line %1 has no class for team &apos;%2&apos;</source>
-        <translation>la ligne %1 n’a pas de classe pour l’équipe &apos;%2&apos;</translation>
-    </message>
-    <message>
-        <source>line %1 names team &apos;%2&apos; again, as line %3</source>
-        <translation>la ligne %1 nomme encore l’équipe &apos;%2&apos;, comme la ligne %3</translation>
-    </message>
-    <message>
-        <source>and %1 lines more</source>
-        <translation>et %1 autres lignes</translation>
-    </message>
-    <message>
-        <source>line %1</source>
-        <translation>ligne %1</translation>
-    </message>
-    <message>
-        <source>positions to %1 mm, as the file says</source>
-        <translation>positions à %1 mm, d’après le fichier</translation>
-    </message>
-    <message>
-        <source>positions to %1 mm, as estimated from them</source>
-        <translation>positions à %1 mm, estimé d’après elles</translation>
-    </message>
-    <message>
-        <source>the file&apos;s track &apos;%1&apos;</source>
-        <translation>trajectoire &apos;%1&apos; du fichier</translation>
-    </message>
-    <message>
-        <source>its times count from %1 s</source>
-        <translation>ses temps comptent à partir de %1 s</translation>
-    </message>
-    <message>
-        <source>a value is too large to be stored</source>
-        <translation>une valeur est trop grande pour être enregistrée</translation>
-    </message>
-    <message>
-        <source>split the recording into shorter ones</source>
-        <translation>divisez l’enregistrement en plus courts</translation>
-    </message>
-    <message>
-        <source>%1 is missing</source>
-        <translation>%1 manque</translation>
-    </message>
-    <message>
-        <source>put the file back in its place, and open the project again</source>
-        <translation>remettez le fichier à sa place, et rouvrez le projet</translation>
-    </message>
-    <message>
-        <source>camera &apos;%1&apos; is not registered to the floor</source>
-        <translation>la caméra &apos;%1&apos; n’est pas localisée par rapport au sol</translation>
-    </message>
-    <message>
-        <source>glue the board onto something stiff</source>
-        <translation>collez la mire sur un support rigide</translation>
-    </message>
-    <message>
-        <source>its corners do not lie as on a flat board</source>
-        <translation>ses coins ne sont pas placés comme sur une mire plane</translation>
-    </message>
-    <message>
-        <source>point %1 lies outside the picture of the camera to register (%2)</source>
-        <translation>le point %1 est hors de l’image de la caméra à localiser (%2)</translation>
-    </message>
-    <message>
-        <source>its numbers look like %1, then it would stand %2 m above the floor</source>
-        <translation>ses nombres semblent être des %1, elle serait alors à %2 m au-dessus du sol</translation>
-    </message>
-    <message>
-        <source>metres</source>
-        <translation>mètres</translation>
-    </message>
-    <message>
-        <source>inches</source>
-        <translation>pouces</translation>
-    </message>
-    <message>
-        <source>centimetres</source>
-        <translation>centimètres</translation>
-    </message>
-    <message>
-        <source>thousandths of a mm</source>
-        <translation>millièmes de mm</translation>
-    </message>
-    <message>
-        <source>tenths of a mm</source>
-        <translation>dixièmes de mm</translation>
-    </message>
-    <message>
-        <source>with %1 and %2 exchanged they fit to %3 px</source>
-        <translation>avec %1 et %2 échangés, ils conviennent à %3 px</translation>
-    </message>
-    <message>
-        <source>%1 % of what was measured is beyond the limits of task &apos;%2&apos;, so that they were left out</source>
-        <translation>%1&#xa0;% des mesures dépassent les limites de l’épreuve &apos;%2&apos;, qui ont donc été ignorées</translation>
-    </message>
-    <message>
-        <source>nearly all that was measured is beyond the limits of task &apos;%1&apos;, so that they were left out</source>
-        <translation>presque toutes les mesures dépassent les limites de l’épreuve &apos;%1&apos;, qui ont donc été ignorées</translation>
-    </message>
-    <message>
-        <source>give the task the limits of its fastest robot</source>
-        <translation>donnez à l’épreuve les limites de son robot le plus rapide</translation>
-    </message>
-    <message>
-        <source>copy &apos;%1&apos;, which is sound, to a new name and open that, and keep the damaged file</source>
-        <translation>copiez « %1 », qui est intact, sous un nouveau nom et ouvrez cette copie, et gardez le fichier endommagé</translation>
-    </message>
-    <message>
-        <source>the disk could not be read, and nothing was changed</source>
-        <translation>le disque n’a pas pu être lu, et rien n’a été modifié</translation>
-    </message>
-    <message>
-        <source>it lies on a network disk (%1), where a recording can stall and two computers can damage it</source>
-        <translation>il se trouve sur un disque réseau (%1), où un enregistrement peut se bloquer et deux ordinateurs peuvent l’endommager</translation>
-    </message>
-    <message>
-        <source>it lies in a folder that %1 copies while it changes, so that a copy may have half a change</source>
-        <translation>il se trouve dans un dossier que %1 copie pendant qu’il change, si bien qu’une copie peut avoir une demi-modification</translation>
-    </message>
-    <message>
-        <source>keep it on a disk of this computer, and pack it to share it</source>
-        <translation>gardez-le sur un disque de cet ordinateur, et empaquetez-le pour le partager</translation>
-    </message>
-    <message>
-        <source>printing on &apos;%1&apos;</source>
-        <translation>impression sur « %1 »</translation>
-    </message>
-    <message>
-        <source>it cannot be reached</source>
-        <translation>elle est injoignable</translation>
-    </message>
-    <message>
-        <source>it takes no further page</source>
-        <translation>elle n’accepte plus de page</translation>
-    </message>
-    <message>
-        <source>it did not take the pages</source>
-        <translation>elle n’a pas accepté les pages</translation>
-    </message>
-    <message>
-        <source>look at the printer and its queue, or save the report as PDF</source>
-        <translation>regardez l’imprimante et sa file d’attente, ou enregistrez le rapport en PDF</translation>
-    </message>
-    <message>
-        <source>report &apos;%1&apos;</source>
-        <translation>rapport « %1 »</translation>
-    </message>
-    <message>
-        <source>it has no page</source>
-        <translation>il n’a aucune page</translation>
-    </message>
-    <message>
-        <source>choose a trial or a class</source>
-        <translation>choisissez un essai ou une classe</translation>
-    </message>
-    <message>
-        <source>cannot decode the video</source>
-        <translation>la vidéo ne peut pas être décodée</translation>
-    </message>
-    <message>
-        <source>cannot read the picture %1</source>
-        <translation>l&apos;image %1 ne peut pas être lue</translation>
-    </message>
-    <message>
-        <source>cannot do this</source>
-        <translation>impossible de faire cela maintenant</translation>
-    </message>
-    <message>
-        <source>the cameras</source>
-        <translation>les caméras</translation>
-    </message>
-    <message>
-        <source>live tracking</source>
-        <translation>suivi en direct</translation>
-    </message>
-    <message>
-        <source>a picture of camera %1</source>
-        <translation>une image de la caméra %1</translation>
-    </message>
-    <message>
-        <source>this computer has not enough free memory for it</source>
-        <translation>cet ordinateur n&apos;a pas assez de mémoire libre pour cela</translation>
-    </message>
-    <message>
-        <source>this computer gives no further thread</source>
-        <translation>cet ordinateur n&apos;accorde plus de fil d&apos;exécution</translation>
-    </message>
-    <message>
-        <source>too many files are open</source>
-        <translation>trop de fichiers sont ouverts</translation>
-    </message>
-    <message>
-        <source>what was saved is safe</source>
-        <translation>ce qui était enregistré est à l&apos;abri</translation>
-    </message>
-    <message>
-        <source>its frame rate varies, pictures are %1 to %2 ms apart</source>
-        <translation>sa cadence varie, les images sont espacées de %1 à %2 ms</translation>
-    </message>
-    <message>
-        <source>each counts at its own time</source>
-        <translation>chacune compte à son propre instant</translation>
-    </message>
-    <message>
-        <source>frame times of &apos;%1&apos;</source>
-        <translation>temps des images de &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>calibration %1 of the project</source>
-        <translation>étalonnage %1 du projet</translation>
-    </message>
-    <message>
-        <source>observations %1 of the project</source>
-        <translation>observations %1 du projet</translation>
-    </message>
-    <message>
-        <source>truth of trial %1</source>
-        <translation>vérité de l’essai %1</translation>
-    </message>
-    <message>
-        <source>the list of changes</source>
-        <translation>la liste des modifications</translation>
-    </message>
-    <message>
-        <source>registration of camera &apos;%1&apos; through &apos;%2&apos;</source>
-        <translation>localisation de la caméra &apos;%1&apos; par &apos;%2&apos;</translation>
-    </message>
-    <message>
-        <source>point %1</source>
-        <translation>point %1</translation>
-    </message>
-    <message>
-        <source>checking halves against one another</source>
-        <translation>contrôle des moitiés l’une par l’autre</translation>
-    </message>
-    <message>
-        <source>completing a recording that was cut off</source>
-        <translation>un enregistrement interrompu est complété</translation>
-    </message>
-    <message>
-        <source>done</source>
-        <translation>terminé</translation>
-    </message>
-    <message>
-        <source>fitting the lens to %1 pictures</source>
-        <translation>ajustement de l’objectif à %1 photos</translation>
-    </message>
-    <message>
-        <source>looking about the best place</source>
-        <translation>recherche autour de la meilleure place</translation>
-    </message>
-    <message>
-        <source>looking for the board in %1</source>
-        <translation>recherche de la mire dans %1</translation>
-    </message>
-    <message>
-        <source>making the hash of %1</source>
-        <translation>calcul de l’empreinte de %1</translation>
-    </message>
-    <message>
-        <source>packing %1</source>
-        <translation>empaquetage de %1</translation>
-    </message>
-    <message>
-        <source>unpacking</source>
-        <translation>dépaquetage</translation>
-    </message>
-    <message>
-        <source>reading %1</source>
-        <translation>lecture de %1</translation>
-    </message>
-    <message>
-        <source>reading line %1</source>
-        <translation>lecture de la ligne %1</translation>
-    </message>
-    <message>
-        <source>removing %1</source>
-        <translation>suppression de %1</translation>
-    </message>
-    <message>
-        <source>tracking, picture %1 of %2</source>
-        <translation>suivi, image %1 sur %2</translation>
-    </message>
-    <message>
-        <source>The world axes were changed afterwards</source>
-        <translation>Les axes du monde ont été changés ensuite</translation>
-    </message>
-    <message>
-        <source>The world axes were changed afterwards, and all lengths multiplied by %1</source>
-        <translation>Les axes du monde ont été changés ensuite, et toutes les longueurs multipliées par %1</translation>
-    </message>
-    <message>
-        <source>It was made through registration %1 of the project</source>
-        <translation>Elle a été faite par la localisation %1 du projet</translation>
-    </message>
-    <message>
-        <source>the video of camera %1 in trial &apos;%2&apos; lies elsewhere and is another file than it was, and not in the packed project</source>
-        <translation>la vidéo de la caméra %1 dans l’essai &apos;%2&apos; se trouve ailleurs et n’est plus le même fichier, et absente du projet empaqueté</translation>
-    </message>
-    <message>
-        <source>another program uses it (open in %1)</source>
-        <translation>un autre programme l’utilise (ouverte dans %1)</translation>
-    </message>
-    <message>
-        <source>its USB bus has no room left for its pictures (the bus is full, not the disk)</source>
-        <translation>son bus USB n’a plus de place pour ses images (c’est le bus qui est plein, pas le disque)</translation>
-    </message>
-    <message>
-        <source>no sound backup lies beside it</source>
-        <translation>aucune copie de sauvegarde intacte ne se trouve à côté</translation>
-    </message>
-    <message>
-        <source>its file is no longer there</source>
-        <translation>son fichier n’est plus là</translation>
-    </message>
-    <message>
-        <source>the project&apos;s file is no longer there</source>
-        <translation>le fichier du projet n’est plus là</translation>
-    </message>
-    <message>
-        <source>put its disk or folder back where it was</source>
-        <translation>remettez son disque ou son dossier où il était</translation>
-    </message>
-    <message>
-        <source>what was recorded so far is there</source>
-        <translation>ce qui a été enregistré jusqu’ici s’y trouve</translation>
-    </message>
-    <message>
-        <source>nothing was recorded</source>
-        <translation>rien n’a été enregistré</translation>
-    </message>
-    <message>
-        <source>the disk has become read-only, the change was not saved</source>
-        <translation>le disque est passé en lecture seule, la modification n’a pas été enregistrée</translation>
-    </message>
-    <message>
-        <source>with %1 called %2 they fit to %3 px</source>
-        <translation>avec %1 nommés %2, ils conviennent à %3 px</translation>
-    </message>
-    <message>
-        <source>its pictures have more than 100 megapixels or 32000 pixels a side</source>
-        <translation>ses images ont plus de 100 mégapixels ou 32000 pixels de côté</translation>
-    </message>
-    <message>
-        <source>more than 50 megapixels or 32000 pixels a side are not read</source>
-        <translation>plus de 50 mégapixels ou 32000 pixels de côté ne sont pas lus</translation>
-    </message>
-    <message>
-        <source>its results are not those that its analysis gave</source>
-        <translation>ses résultats ne sont pas ceux que son analyse a donnés</translation>
-    </message>
-    <message>
-        <source>they were changed in the file</source>
-        <translation>ils ont été modifiés dans le fichier</translation>
-    </message>
-    <message>
-        <source>run odograph check, or analyse the trial again</source>
-        <translation>lancez odograph check, ou analysez de nouveau l’essai</translation>
-    </message>
-    <message>
-        <source>it has no name</source>
-        <translation>il n’a pas de nom</translation>
-    </message>
-    <message>
-        <source>its folder cannot be used (%1)</source>
-        <translation>son dossier est inutilisable (%1)</translation>
-    </message>
-    <message>
-        <source>choose another folder</source>
-        <translation>choisissez un autre dossier</translation>
-    </message>
-    <message>
-        <source>it is a named pipe</source>
-        <translation>c’est un tube nommé</translation>
-    </message>
-    <message>
-        <source>it is a socket</source>
-        <translation>c’est un socket</translation>
-    </message>
-    <message>
-        <source>it is a device</source>
-        <translation>c’est un périphérique</translation>
-    </message>
-    <message>
-        <source>it is the project itself</source>
-        <translation>c’est le projet lui-même</translation>
-    </message>
-    <message>
-        <source>it is the log, the lock or a backup of a project</source>
-        <translation>c’est le journal, le verrou ou une copie de sauvegarde d’un projet</translation>
-    </message>
-    <message>
-        <source>it is in the media folder of project &apos;%1&apos;</source>
-        <translation>il est dans le dossier des médias du projet &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>it is an input of the same call</source>
-        <translation>c’est une entrée du même appel</translation>
-    </message>
-    <message>
-        <source>it is a recording of the project</source>
-        <translation>c’est un enregistrement du projet</translation>
-    </message>
-    <message>
-        <source>it is another project</source>
-        <translation>c’est un autre projet</translation>
-    </message>
-    <message>
-        <source>it is a database</source>
-        <translation>c’est une base de données</translation>
-    </message>
-    <message>
-        <source>a file of another kind has that name</source>
-        <translation>un fichier d’un autre type porte ce nom</translation>
-    </message>
-    <message>
-        <source>choose another name, or replace it with --force</source>
-        <translation>choisissez un autre nom, ou remplacez-le avec --force</translation>
-    </message>
-    <message>
-        <source>choose another name or folder</source>
-        <translation>choisissez un autre nom ou un autre dossier</translation>
-    </message>
-    <message>
-        <source>the file has more than 1.5 million places</source>
-        <translation>le fichier a plus de 1,5 million de positions</translation>
-    </message>
-    <message>
-        <source>it is longer than 8 MiB</source>
-        <translation>elle dépasse 8 Mio</translation>
-    </message>
-    <message>
-        <source>folder &apos;%1&apos;</source>
-        <translation>dossier &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>it holds an invisible character, %1</source>
-        <translation>il contient un caractère invisible, %1</translation>
-    </message>
-    <message>
-        <source>it has more than %1 markers</source>
-        <translation>il a plus de %1 repères</translation>
-    </message>
-    <message>
-        <source>leave out those that no camera sees</source>
-        <translation>omettez ceux qu’aucune caméra ne voit</translation>
-    </message>
-    <message>
-        <source>marker &apos;%1&apos; is not on a floor of 1 km</source>
-        <translation>le repère &apos;%1&apos; n’est pas sur un sol de 1 km</translation>
-    </message>
-    <message>
-        <source>it is larger than %1 m</source>
-        <translation>il mesure plus de %1 m</translation>
-    </message>
-    <message>
-        <source>it has %1 views</source>
-        <translation>il a %1 vues</translation>
-    </message>
-    <message>
-        <source>it has %1 robots</source>
-        <translation>il a %1 robots</translation>
-    </message>
-    <message>
-        <source>%1: texts of more than %2 characters: %3</source>
-        <translation>%1 : textes de plus de %2 caractères : %3</translation>
-    </message>
-    <message>
-        <source>%1: numbers beyond %2: %3</source>
-        <translation>%1 : nombres au-delà de %2 : %3</translation>
-    </message>
-    <message>
-        <source>%1: more than %2 of one %3: %4</source>
-        <translation>%1 : plus de %2 pour un même %3 : %4</translation>
-    </message>
-    <message>
-        <source>the rest is not read; change it here, or where the file comes from</source>
-        <translation>le reste n’est pas lu ; changez-le ici ou là d’où vient le fichier</translation>
-    </message>
-    <message>
-        <source>trial %1 of the project</source>
-        <translation>essai %1 du projet</translation>
-    </message>
-    <message>
-        <source>a value to be stored is not a number of ordinary size</source>
-        <translation>une valeur à enregistrer n’est pas un nombre de taille ordinaire</translation>
-    </message>
-    <message>
-        <source>look for stray files</source>
-        <translation>chercher les fichiers orphelins</translation>
-    </message>
-    <message>
-        <source>remove stray files</source>
-        <translation>supprimer les fichiers orphelins</translation>
-    </message>
-    <message>
-        <source>cannot remove &apos;%1&apos;</source>
-        <translation>impossible de supprimer &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>check the rights of the project&apos;s folder</source>
-        <translation>vérifiez les droits du dossier du projet</translation>
-    </message>
-    <message>
-        <source>another program is writing or removing it just now</source>
-        <translation>un autre programme est en train de l’écrire ou de le supprimer</translation>
-    </message>
-    <message>
-        <source>its videos are kept in &apos;%1&apos;; put the project back, and run odograph check P.odo --adopt</source>
-        <translation>ses vidéos sont conservées dans &apos;%1&apos; ; remettez le projet à sa place et lancez odograph check P.odo --adopt</translation>
-    </message>
-    <message>
-        <source>something unexpected happened (%1)</source>
-        <translation>un événement inattendu s’est produit (%1)</translation>
-    </message>
-    <message>
-        <source>try again, and report it if it happens again</source>
-        <translation>réessayez et signalez-le si cela se reproduit</translation>
-    </message>
-    <message>
-        <source>its frame rate is not between 0.1 and 100,000 frames a second</source>
-        <translation>sa fréquence n’est pas comprise entre 0,1 et 100 000 images par seconde</translation>
-    </message>
-    <message>
-        <source>give the rate at which the camera took the frames</source>
-        <translation>indiquez la fréquence à laquelle la caméra a pris les images</translation>
-    </message>
-    <message>
-        <source>looking through the media folder</source>
-        <translation>examen du dossier des médias</translation>
-    </message>
-    <message>
-        <source>it is a project that is open here</source>
-        <translation>c&apos;est un projet qui est ouvert ici</translation>
-    </message>
-    <message>
-        <source>choose another file</source>
-        <translation>choisissez un autre fichier</translation>
-    </message>
-    <message>
-        <source>put the file back in its place</source>
-        <translation>remettez le fichier à sa place</translation>
-    </message>
-    <message>
-        <source>its folder is gone, and there is no home folder to rescue it to</source>
-        <translation>son dossier a disparu, et il n&apos;y a pas de dossier personnel où le récupérer</translation>
-    </message>
-    <message>
-        <source>it could not be copied to be read (%1)</source>
-        <translation>il n&apos;a pas pu être copié pour être lu (%1)</translation>
-    </message>
-    <message>
-        <source>copy it with the files beside it to a folder that you may write to, and open the copy</source>
-        <translation>copiez-le avec les fichiers voisins dans un dossier où vous pouvez écrire, et ouvrez la copie</translation>
-    </message>
-    <message>
-        <source>analysing position %1</source>
-        <translation>analyse de la position %1</translation>
-    </message>
-    <message>
-        <source>check of the project</source>
-        <translation>vérification du projet</translation>
-    </message>
-    <message>
-        <source>checking the database</source>
-        <translation>vérification de la base de données</translation>
-    </message>
-    <message>
-        <source>checking %1</source>
-        <translation>vérification de %1</translation>
-    </message>
-    <message>
-        <source>project &apos;%1&apos; beside it may use them, and cannot be read (%2)</source>
-        <translation>le projet « %1 » à côté les utilise peut-être et ne peut pas être lu (%2)</translation>
-    </message>
-    <message>
-        <source>open that project, or move it to a folder of its own with its videos</source>
-        <translation>ouvrez ce projet, ou déplacez-le avec ses vidéos dans un dossier à part</translation>
-    </message>
-    <message>
-        <source>another program wrote over its file while it was open; nothing more was stored</source>
-        <translation>un autre programme a écrasé son fichier pendant qu’il était ouvert ; plus rien n’a été enregistré</translation>
-    </message>
-    <message>
-        <source>open it again; if you were recording, look for stray files (odograph check --adopt)</source>
-        <translation>ouvrez-le à nouveau ; si vous étiez en train d’enregistrer, cherchez les fichiers orphelins (odograph check --adopt)</translation>
-    </message>
-    <message>
-        <source>the project&apos;s file was deleted, renamed or replaced; recording goes on, and what is in it is rescued at the end</source>
-        <translation>le fichier du projet a été supprimé, renommé ou remplacé ; l’enregistrement continue et son contenu est récupéré à la fin</translation>
-    </message>
-    <message>
-        <source>the project&apos;s file was deleted, renamed or replaced meanwhile; what was in it is rescued in &apos;%1&apos;, which is the project from now on</source>
-        <translation>le fichier du projet a entre-temps été supprimé, renommé ou remplacé ; son contenu est récupéré dans &apos;%1&apos;, qui est désormais le projet</translation>
-    </message>
-    <message>
-        <source>its file was deleted, renamed or replaced while it was open; nothing was stored</source>
-        <translation>son fichier a été supprimé, renommé ou remplacé pendant qu’il était ouvert ; rien n’a été enregistré</translation>
-    </message>
-    <message>
-        <source>it is in a media folder beside a project</source>
-        <translation>il se trouve dans un dossier de médias à côté d’un projet</translation>
-    </message>
-    <message>
-        <source>Odograph uses such names for temporary files</source>
-        <translation>Odograph utilise de tels noms pour ses fichiers temporaires</translation>
-    </message>
-    <message>
-        <source>a name ending in .odo is for a project</source>
-        <translation>un nom qui se termine par .odo est réservé à un projet</translation>
-    </message>
-    <message>
-        <source>give the project a title</source>
-        <translation>donnez un titre au projet</translation>
-    </message>
-    <message>
-        <source>put it back in its place and try again</source>
-        <translation>remettez-le à sa place et réessayez</translation>
-    </message>
-    <message>
-        <source>its folder has &apos;%1&apos;, the log or journal of another file of this name</source>
-        <translation>son dossier contient « %1 », le journal d’un autre fichier de ce nom</translation>
-    </message>
-    <message>
-        <source>choose another name, or move &apos;%1&apos; to another folder first</source>
-        <translation>choisissez un autre nom, ou déplacez d’abord « %1 » dans un autre dossier</translation>
-    </message>
-    <message>
-        <source>the log beside it (&apos;%1&apos;) belongs to another file or to another state of this one</source>
-        <translation>le journal à côté (« %1 ») appartient à un autre fichier ou à un autre état de celui-ci</translation>
-    </message>
-    <message>
-        <source>move the log to another folder to open the file without it, or put the file back that the log belongs to</source>
-        <translation>déplacez le journal dans un autre dossier pour ouvrir le fichier sans lui, ou remettez en place le fichier auquel il appartient</translation>
-    </message>
-    <message>
-        <source>it is a folder or a device, not a file</source>
-        <translation>c’est un dossier ou un périphérique, pas un fichier</translation>
-    </message>
-    <message>
-        <source>put the original file back in its place</source>
-        <translation>remettez le fichier d’origine à sa place</translation>
-    </message>
-    <message>
-        <source>add the robot without a colour, so that it is found by how it differs from the floor</source>
-        <translation>ajoutez le robot sans couleur, pour qu’il soit trouvé par ce qui le distingue du sol</translation>
-    </message>
-    <message>
-        <source>tell no colour, so that it is found by how it differs from the floor</source>
-        <translation>n’indiquez aucune couleur, pour qu’il soit trouvé par ce qui le distingue du sol</translation>
-    </message>
-    <message>
-        <source>check that the robot moves in the pictures, that a colour that was told is the one it has there, and that the light is sufficient</source>
-        <translation>vérifiez que le robot se déplace dans les images, qu’une couleur indiquée est bien celle qu’il y a, et que la lumière suffit</translation>
-    </message>
-    <message>
-        <source>its reference point is farther from its centre than %1 m</source>
-        <translation>son point de référence est à plus de %1 m de son centre</translation>
-    </message>
-    <message>
-        <source>a reference point beside its centre takes a heading, which is not known where the height changes</source>
-        <translation>un point de référence hors du centre demande un cap, qui n’est pas connu là où la hauteur change</translation>
-    </message>
-    <message>
-        <source>leave out one of the two</source>
-        <translation>omettez l’un des deux</translation>
-    </message>
-    <message>
-        <source>its reference point lies beside its centre, but its outlines do not tell its heading</source>
-        <translation>son point de référence est hors de son centre, mais ses contours n’indiquent pas son cap</translation>
-    </message>
-    <message>
-        <source>give it the reference point 0,0 and track again</source>
-        <translation>donnez-lui le point de référence 0,0 et suivez-le à nouveau</translation>
-    </message>
-    <message>
-        <source>another sample was judged by hand while this one was analysed</source>
-        <translation>un autre échantillon a été jugé à la main pendant l’analyse de celui-ci</translation>
-    </message>
-    <message>
-        <source>say it again for frame %1</source>
-        <translation>indiquez-le de nouveau pour l’image %1</translation>
-    </message>
-    <message>
-        <source>give each a colour of its own</source>
-        <translation>donnez à chacun une couleur à lui</translation>
-    </message>
-    <message>
-        <source>track only the robots that are in the pictures (--robot)</source>
-        <translation>ne suivez que les robots qui sont dans les images (--robot)</translation>
-    </message>
-    <message>
-        <source>from %1 s to %2 s it is doubtful whether this is %3 or %4</source>
-        <translation>de %1 s à %2 s, il n’est pas sûr qu’il s’agisse de %3 ou de %4</translation>
-    </message>
-    <message>
-        <source>from %1 s to %2 s it is doubtful whether this is %3 or another robot of its look</source>
-        <translation>de %1 s à %2 s, il n’est pas sûr qu’il s’agisse de %3 ou d’un autre robot de même apparence</translation>
-    </message>
-    <message>
-        <source>from %1 s to %2 s (the first of %3 times) it is doubtful whether this is %4 or %5</source>
-        <translation>de %1 s à %2 s (la première de %3 fois), il n’est pas sûr qu’il s’agisse de %4 ou de %5</translation>
-    </message>
-    <message>
-        <source>from %1 s to %2 s (the first of %3 times) it is doubtful whether this is %4 or another robot of its look</source>
-        <translation>de %1 s à %2 s (la première de %3 fois), il n’est pas sûr qu’il s’agisse de %4 ou d’un autre robot de même apparence</translation>
-    </message>
-    <message>
-        <source>in %1 of %2 pictures the views have it at places far apart</source>
-        <translation>dans %1 images sur %2, les vues le placent à des endroits très éloignés</translation>
-    </message>
-    <message>
-        <source>one of them follows something else, or is not where it was registered</source>
-        <translation>l’une d’elles suit autre chose, ou n’est plus là où elle a été localisée</translation>
-    </message>
-    <message>
-        <source>look at the outlines, and tell the robot&apos;s colour or keep others out of the pictures</source>
-        <translation>regardez les contours, et indiquez la couleur du robot ou gardez les autres hors des images</translation>
-    </message>
-    <message>
-        <source>robot &apos;%1&apos; in view &apos;%2&apos;</source>
-        <translation>robot &apos;%1&apos; dans la vue &apos;%2&apos;</translation>
-    </message>
-    <message>
-        <source>robot &apos;%1&apos; pointed out in view &apos;%2&apos;</source>
-        <translation>robot &apos;%1&apos; montré dans la vue &apos;%2&apos;</translation>
-    </message>
-    <message>
-        <source>nothing stands out from the floor at %1,%2 at %3 s for some frames</source>
-        <translation>rien ne se distingue du sol en %1,%2 à %3 s pendant quelques images</translation>
-    </message>
-    <message>
-        <source>point it out where all of it is seen and it moves</source>
-        <translation>montrez-le là où il est vu en entier et se déplace</translation>
-    </message>
-    <message>
-        <source>it is found by its colour</source>
-        <translation>il est trouvé par sa couleur</translation>
-    </message>
-    <message>
-        <source>pick its colour again, or take the colour from it</source>
-        <translation>reprenez sa couleur, ou retirez-la-lui</translation>
-    </message>
-    <message>
-        <source>the trial has no such view</source>
-        <translation>l’essai n’a pas cette vue</translation>
-    </message>
-    <message>
-        <source>name one of its cameras</source>
-        <translation>nommez l’une de ses caméras</translation>
-    </message>
-    <message>
-        <source>the view has no picture at that time</source>
-        <translation>la vue n’a pas d&apos;image à ce moment</translation>
-    </message>
-    <message>
-        <source>name a time within the trial, in seconds</source>
-        <translation>indiquez un moment de l’essai, en secondes</translation>
-    </message>
-    <message>
-        <source>the place lies outside the picture</source>
-        <translation>l’endroit est hors de l’image</translation>
-    </message>
-    <message>
-        <source>name it in pixels from the picture&apos;s top left corner</source>
-        <translation>indiquez-le en pixels depuis le coin supérieur gauche de l’image</translation>
-    </message>
-    <message>
-        <source>it is not tracked in trial &apos;%1&apos;</source>
-        <translation>il n’est pas suivi dans l’essai &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>name one of its robots</source>
-        <translation>nommez l&apos;un de ses robots</translation>
-    </message>
-    <message>
-        <source>hidden behind %1 in view %2</source>
-        <translation>caché derrière %1 dans la vue %2</translation>
-    </message>
-    <message>
-        <source>partly hidden behind %1 in view %2</source>
-        <translation>partiellement caché derrière %1 dans la vue %2</translation>
-    </message>
-    <message>
-        <source>one outline with %1 in view %2</source>
-        <translation>un seul contour avec %1 dans la vue %2</translation>
-    </message>
-    <message>
-        <source>cut by the frame&apos;s edge in view %1</source>
-        <translation>coupé par le bord de l’image dans la vue %1</translation>
-    </message>
-    <message>
-        <source>not visible in view %1</source>
-        <translation>non visible dans la vue %1</translation>
-    </message>
-    <message>
-        <source>outline smaller than usual in view %1</source>
-        <translation>contour plus petit que d’habitude dans la vue %1</translation>
-    </message>
-    <message>
-        <source>outline larger than usual in view %1</source>
-        <translation>contour plus grand que d’habitude dans la vue %1</translation>
-    </message>
-    <message>
-        <source>in %1 of %2 pictures the views contradict one another</source>
-        <translation>dans %1 images sur %2, les vues se contredisent</translation>
-    </message>
-    <message>
-        <source>they put it %1 mm apart</source>
-        <translation>elles le placent à %1 mm d’écart</translation>
-    </message>
-    <message>
-        <source>a camera was moved after it was registered, the views are out of step, or the robot&apos;s height is not what was told</source>
-        <translation>une caméra a été déplacée après sa localisation, les vues ne sont pas synchronisées ou la hauteur du robot n’est pas celle indiquée</translation>
-    </message>
-    <message>
-        <source>register the cameras again</source>
-        <translation>localisez de nouveau les caméras</translation>
-    </message>
-    <message>
-        <source>the views put it %1 mm apart</source>
-        <translation>les vues le placent à %1 mm d’écart</translation>
-    </message>
-    <message>
-        <source>a camera was moved after it was registered, the videos belong to other cameras, or one view follows something else</source>
-        <translation>une caméra a été déplacée après sa localisation, les vidéos proviennent d’autres caméras ou une vue suit autre chose</translation>
-    </message>
-    <message>
-        <source>look at the outlines, and register the cameras again</source>
-        <translation>regardez les contours et localisez de nouveau les caméras</translation>
-    </message>
-    <message>
-        <source>a key is no text, or a bracket is not closed</source>
-        <translation>une clé n&apos;est pas un texte, ou une parenthèse n&apos;est pas fermée</translation>
-    </message>
-    <message>
-        <source>anchors and aliases are not understood</source>
-        <translation>les ancres et les alias ne sont pas compris</translation>
-    </message>
-    <message>
-        <source>it is no valid YAML (%1)</source>
-        <translation>ce n&apos;est pas du YAML valide (%1)</translation>
-    </message>
-</context>
-<context>
     <name>DoubtfulStretches</name>
     <message>
         <source>Which robot? Until %1</source>
@@ -7373,28 +1070,12 @@ La méthode suit S. Park, «&#xa0;Computational Vision for Automatic Tracking an
 <context>
     <name>OwnChanges</name>
     <message>
-        <source>nothing was changed here</source>
-        <translation>rien n’a été modifié ici</translation>
-    </message>
-    <message>
-        <source>what was changed before is taken back in the window&apos;s menu Edit</source>
-        <translation>ce qui a été modifié avant s’annule dans le menu «&#xa0;Édition&#xa0;» de la fenêtre</translation>
-    </message>
-    <message>
         <source>Done: %1. Ctrl+Z takes it back.</source>
         <translation>Fait&#xa0;: %1. Ctrl+Z l’annule.</translation>
     </message>
     <message>
-        <source>undo</source>
-        <translation>annuler</translation>
-    </message>
-    <message>
         <source>Undone: %1.</source>
         <translation>Annulé&#xa0;: %1.</translation>
-    </message>
-    <message>
-        <source>redo</source>
-        <translation>rétablir</translation>
     </message>
     <message>
         <source>Made again: %1.</source>
@@ -7811,6 +1492,42 @@ La méthode suit S. Park, «&#xa0;Computational Vision for Automatic Tracking an
         <source>±: %1.</source>
         <translation>±&#xa0;: %1.</translation>
     </message>
+    <message>
+        <source>jump</source>
+        <translation>saut</translation>
+    </message>
+    <message>
+        <source>speed limit</source>
+        <translation>limite de vitesse</translation>
+    </message>
+    <message>
+        <source>acceleration limit</source>
+        <translation>limite d’accélération</translation>
+    </message>
+    <message>
+        <source>views disagree</source>
+        <translation>désaccord des vues</translation>
+    </message>
+    <message>
+        <source>low score</source>
+        <translation>score faible</translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation>perdu</translation>
+    </message>
+    <message>
+        <source>duplicate frame</source>
+        <translation>image répétée</translation>
+    </message>
+    <message>
+        <source>interpolated</source>
+        <translation>interpolé</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>à la main</translation>
+    </message>
 </context>
 <context>
     <name>ReportStills</name>
@@ -7972,6 +1689,37 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>%1 points at %2 or more, none at %3 or less</source>
         <translation>%1 points à %2 ou plus, aucun à %3 ou moins</translation>
+    </message>
+</context>
+<context>
+    <name>ShownMessageWords</name>
+    <message>
+        <source>none</source>
+        <translation>aucun</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1 or %2</source>
+        <translation>%1 ou %2</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 et %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1; %2</translation>
     </message>
 </context>
 <context>
@@ -8177,18 +1925,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Robot:</source>
         <translation>Robot&#xa0;:</translation>
-    </message>
-    <message>
-        <source>export of %1</source>
-        <translation>exportation de %1</translation>
-    </message>
-    <message>
-        <source>it has not been tracked yet</source>
-        <translation>il n’a pas encore été suivi</translation>
-    </message>
-    <message>
-        <source>track it first</source>
-        <translation>suivez-le d’abord</translation>
     </message>
     <message>
         <source>Export %1</source>
@@ -8486,6 +2222,5963 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Odograph</source>
         <translation>Odograph</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.a_constant</name>
+    <message>
+        <source>a constant</source>
+        <translation>une constante</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.a_parabola</name>
+    <message>
+        <source>a parabola</source>
+        <translation>une parabole</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.a_straight_line</name>
+    <message>
+        <source>a straight line</source>
+        <translation>une droite</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.align_by_distance</name>
+    <message>
+        <source>align by distance</source>
+        <translation>alignez sur la distance</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.align_otherwise</name>
+    <message>
+        <source>align by motion onset or distance</source>
+        <translation>alignez sur le début du mouvement ou la distance</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.check_numbers</name>
+    <message>
+        <source>check the numbers</source>
+        <translation>vérifiez les nombres</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.choose_another_run</name>
+    <message>
+        <source>choose another run as well</source>
+        <translation>choisissez aussi un autre passage</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.choose_common_place</name>
+    <message>
+        <source>choose a place that both runs pass</source>
+        <translation>choisissez un endroit par où passent les deux passages</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.choose_figure</name>
+    <message>
+        <source>choose what is scored</source>
+        <translation>choisissez ce qui est noté</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.choose_longer_range</name>
+    <message>
+        <source>choose a longer range</source>
+        <translation>choisissez une plage plus longue</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.choose_motion</name>
+    <message>
+        <source>choose a run with motion</source>
+        <translation>choisissez un passage avec du mouvement</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.choose_same_direction</name>
+    <message>
+        <source>choose runs in the same direction</source>
+        <translation>choisissez des passages dans le même sens</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.choose_same_task</name>
+    <message>
+        <source>choose runs of the same task</source>
+        <translation>choisissez des passages de la même épreuve</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.comparison</name>
+    <message>
+        <source>comparison</source>
+        <translation>comparaison</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.comparison_of</name>
+    <message>
+        <source>comparison of %1</source>
+        <translation>comparaison de %1</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.corners_in_order</name>
+    <message>
+        <source>give the corners in order, all the way round</source>
+        <translation>donnez les coins dans l’ordre, tout autour</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.corners_off_floor</name>
+    <message>
+        <source>its corners are not on a floor of 1 km</source>
+        <translation>ses coins ne sont pas sur un sol de 1 km</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.corners_once</name>
+    <message>
+        <source>give each corner once</source>
+        <translation>donnez chaque coin une fois</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.corners_too_near</name>
+    <message>
+        <source>two corners are less than 1 mm apart</source>
+        <translation>deux coins sont à moins de 1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.draw_coarsely</name>
+    <message>
+        <source>draw it more coarsely</source>
+        <translation>dessinez-la plus grossièrement</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.ends_off_floor</name>
+    <message>
+        <source>its ends are not on a floor of 1 km</source>
+        <translation>ses extrémités ne sont pas sur un sol de 1 km</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.ends_too_near</name>
+    <message>
+        <source>its ends are less than 1 mm apart</source>
+        <translation>ses extrémités sont à moins de 1 mm l’une de l’autre</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.few_corners</name>
+    <message>
+        <source>it has less than three corners</source>
+        <translation>elle a moins de trois coins</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.few_points</name>
+    <message>
+        <source>it has too few points</source>
+        <translation>trop peu de points</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.finish_is_there</name>
+    <message>
+        <source>gate &apos;%1&apos; is the finish already</source>
+        <translation>la porte &apos;%1&apos; est déjà l’arrivée</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.fit_of</name>
+    <message>
+        <source>fit of %1</source>
+        <translation>ajustement (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.gate</name>
+    <message>
+        <source>gate &apos;%1&apos;</source>
+        <translation>porte &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.give_another_number</name>
+    <message>
+        <source>give another number</source>
+        <translation>donnez un autre nombre</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.give_corners</name>
+    <message>
+        <source>give the corners of its outline, all the way round</source>
+        <translation>donnez les coins de son contour, tout autour</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.give_ends</name>
+    <message>
+        <source>give the two ends of the line that is to be passed</source>
+        <translation>donnez les deux extrémités de la ligne à franchir</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.give_limits</name>
+    <message>
+        <source>give the largest speed and acceleration that a robot can have in the task</source>
+        <translation>donnez la vitesse et l’accélération maximales d’un robot dans l’épreuve</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.give_place</name>
+    <message>
+        <source>give where it lies in millimetres</source>
+        <translation>donnez sa place en millimètres</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.give_points</name>
+    <message>
+        <source>give points from 1 to 1000, below zero for a penalty</source>
+        <translation>donnez des points de 1 à 1000, négatifs pour une pénalité</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.give_sizes</name>
+    <message>
+        <source>give the sizes in millimetres</source>
+        <translation>donnez les tailles en millimètres</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.give_three_numbers</name>
+    <message>
+        <source>give three numbers</source>
+        <translation>donnez trois nombres</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.give_two_points</name>
+    <message>
+        <source>give two points or more, three where the path is closed</source>
+        <translation>donnez deux points ou plus, trois si le tracé est fermé</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.give_two_values</name>
+    <message>
+        <source>give two values, between which the points rise</source>
+        <translation>donnez deux valeurs, entre lesquelles les points montent</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.join_zones</name>
+    <message>
+        <source>join zones that lie beside one another</source>
+        <translation>réunissez des zones voisines</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.keep_what_matters</name>
+    <message>
+        <source>keep those that matter</source>
+        <translation>gardez celles qui comptent</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.limit_not_positive</name>
+    <message>
+        <source>a limit is not above zero</source>
+        <translation>une limite n’est pas supérieure à zéro</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.limits</name>
+    <message>
+        <source>limits of a task</source>
+        <translation>limites d’une épreuve</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.line_of_scoring</name>
+    <message>
+        <source>line %1 of the scoring</source>
+        <translation>ligne %1 du barème</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.little_motion</name>
+    <message>
+        <source>the robot hardly moves in %1</source>
+        <translation>le robot bouge à peine dans %1</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.many_corners</name>
+    <message>
+        <source>it has more than %1 corners</source>
+        <translation>elle a plus de %1 coins</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.many_lines</name>
+    <message>
+        <source>it has more than %1 lines</source>
+        <translation>il a plus de %1 lignes</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.many_points</name>
+    <message>
+        <source>it has more than %1 points</source>
+        <translation>plus de %1 points</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.many_zones</name>
+    <message>
+        <source>the task has %1 zones already</source>
+        <translation>l’épreuve a déjà %1 zones</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.moment_outside</name>
+    <message>
+        <source>the moment told for %1 lies outside of it</source>
+        <translation>l’instant donné pour %1 est en dehors</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.moments_missing</name>
+    <message>
+        <source>a moment of each run is needed to align them by hand</source>
+        <translation>pour les aligner à la main, il faut un instant de chaque passage</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.name_each_gate</name>
+    <message>
+        <source>give each gate a name of its own</source>
+        <translation>donnez à chaque porte son propre nom</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.name_each_zone</name>
+    <message>
+        <source>give each zone a name of its own</source>
+        <translation>donnez à chaque zone son propre nom</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.name_twice</name>
+    <message>
+        <source>the name is there twice</source>
+        <translation>le nom y est deux fois</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.no_figure</name>
+    <message>
+        <source>it names no figure</source>
+        <translation>elle ne nomme aucune grandeur</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.no_motion</name>
+    <message>
+        <source>the robot does not move in %1</source>
+        <translation>le robot ne bouge pas dans %1</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.no_onset</name>
+    <message>
+        <source>the robot of %1 drives already when it is first seen</source>
+        <translation>le robot de %1 roule déjà quand il est vu pour la première fois</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.no_start_gate</name>
+    <message>
+        <source>%1 does not pass a start gate</source>
+        <translation>%1 ne franchit pas de porte de départ</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.no_such_role</name>
+    <message>
+        <source>there is no such role</source>
+        <translation>ce rôle n’existe pas</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.no_such_rule</name>
+    <message>
+        <source>there is no such rule of a zone</source>
+        <translation>cette règle de zone n’existe pas</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.no_such_template</name>
+    <message>
+        <source>there is no such template</source>
+        <translation>ce modèle n’existe pas</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.not_on_tasks_path</name>
+    <message>
+        <source>%1 has no stretch of the way in common with the task&apos;s path</source>
+        <translation>%1 n’a aucune portion de trajet commune avec le tracé de l’épreuve</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.not_seen_there</name>
+    <message>
+        <source>%1 was not seen at the place to align by</source>
+        <translation>%1 n’a pas été vu à l’endroit de l’alignement</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.nothing_in_common</name>
+    <message>
+        <source>%1 has no stretch of the way in common with %2</source>
+        <translation>%1 n’a aucune portion de trajet commune avec %2</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.number_is_none</name>
+    <message>
+        <source>a number in it is none</source>
+        <translation>un de ses nombres n’en est pas un</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.one_point_too_few</name>
+    <message>
+        <source>%1 point is too few for it</source>
+        <translation>%1 point est trop peu pour cela</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.one_start_and_finish</name>
+    <message>
+        <source>keep one start and one finish, or one gate with the role start_finish</source>
+        <translation>gardez un départ et une arrivée, ou une porte qui soit les deux</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.other_direction</name>
+    <message>
+        <source>%1 drives the way in the other direction than %2</source>
+        <translation>%1 fait le trajet dans l’autre sens que %2</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.outline_crosses</name>
+    <message>
+        <source>its outline crosses itself</source>
+        <translation>son contour se croise</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.path_too_short</name>
+    <message>
+        <source>it is shorter than 1 mm</source>
+        <translation>moins de 1 mm de long</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.place_no_number</name>
+    <message>
+        <source>its place is not a number</source>
+        <translation>sa place n’est pas un nombre</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.points_off_floor</name>
+    <message>
+        <source>its points are not on a floor of 1 km</source>
+        <translation>ses points ne sont pas sur un sol de 1 km</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.points_out_of_range</name>
+    <message>
+        <source>its points are 0, or beyond 1000</source>
+        <translation>ses points sont 0, ou au-delà de 1000</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.points_too_few</name>
+    <message>
+        <source>%1 points are too few for it</source>
+        <translation>%1 points ne suffisent pas</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.reference_path</name>
+    <message>
+        <source>reference path</source>
+        <translation>tracé de référence</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.role</name>
+    <message>
+        <source>role &apos;%1&apos;</source>
+        <translation>rôle &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.rule</name>
+    <message>
+        <source>rule &apos;%1&apos;</source>
+        <translation>règle &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.same_values</name>
+    <message>
+        <source>all points and no points are at the same value</source>
+        <translation>tous les points et aucun point sont à la même valeur</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.sample_coarsely</name>
+    <message>
+        <source>sample it more coarsely</source>
+        <translation>échantillonnez-le plus grossièrement</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.scoring</name>
+    <message>
+        <source>scoring</source>
+        <translation>barème</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.size_too_small</name>
+    <message>
+        <source>a size is less than 1 mm</source>
+        <translation>une taille est inférieure à 1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.start_is_there</name>
+    <message>
+        <source>gate &apos;%1&apos; is the start already</source>
+        <translation>la porte &apos;%1&apos; est déjà le départ</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.takes_two_runs</name>
+    <message>
+        <source>it takes two runs</source>
+        <translation>il faut deux passages</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.tell_moment_inside</name>
+    <message>
+        <source>tell one between its first and last frame</source>
+        <translation>donnez-en un entre sa première et sa dernière image</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.tell_moments</name>
+    <message>
+        <source>tell one for each</source>
+        <translation>donnez-en un pour chacun</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.template</name>
+    <message>
+        <source>template &apos;%1&apos;</source>
+        <translation>modèle &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.template_of_task</name>
+    <message>
+        <source>template of a task</source>
+        <translation>modèle d’une épreuve</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.use_a_rule</name>
+    <message>
+        <source>use stay_inside or stay_outside</source>
+        <translation>utilisez stay_inside ou stay_outside</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.use_one_of</name>
+    <message>
+        <source>use %1</source>
+        <translation>utilisez %1</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.wrong_poles</name>
+    <message>
+        <source>a slalom has 1 to 100 poles, not %1</source>
+        <translation>un slalom a 1 à 100 piquets, pas %1</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.zone</name>
+    <message>
+        <source>zone &apos;%1&apos;</source>
+        <translation>zone &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.camera</name>
+    <message>
+        <source>camera &apos;%1&apos;</source>
+        <translation>caméra &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.cancelled</name>
+    <message>
+        <source>cancelled</source>
+        <translation>annulé</translation>
+    </message>
+</context>
+<context>
+    <name>base.cannot_do_this</name>
+    <message>
+        <source>cannot do this</source>
+        <translation>impossible de faire cela maintenant</translation>
+    </message>
+</context>
+<context>
+    <name>base.class</name>
+    <message>
+        <source>class &apos;%1&apos;</source>
+        <translation>classe &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.close_other_programs</name>
+    <message>
+        <source>close other programs and try again</source>
+        <translation>fermez d’autres programmes et réessayez</translation>
+    </message>
+</context>
+<context>
+    <name>base.colon</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>base.colour</name>
+    <message>
+        <source>colour &apos;%1&apos;</source>
+        <translation>couleur &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.comma</name>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>base.file</name>
+    <message>
+        <source>file &apos;%1&apos;</source>
+        <translation>fichier &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.foreign</name>
+    <message>
+        <source>%1</source>
+        <translation>%1</translation>
+    </message>
+</context>
+<context>
+    <name>base.is_device</name>
+    <message>
+        <source>it is a device</source>
+        <translation>c’est un périphérique</translation>
+    </message>
+</context>
+<context>
+    <name>base.is_folder</name>
+    <message>
+        <source>it is a folder</source>
+        <translation>c’est un dossier</translation>
+    </message>
+</context>
+<context>
+    <name>base.is_pipe</name>
+    <message>
+        <source>it is a named pipe</source>
+        <translation>c’est un tube nommé</translation>
+    </message>
+</context>
+<context>
+    <name>base.is_socket</name>
+    <message>
+        <source>it is a socket</source>
+        <translation>c’est un socket</translation>
+    </message>
+</context>
+<context>
+    <name>base.layout</name>
+    <message>
+        <source>layout &apos;%1&apos;</source>
+        <translation>plan &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.length</name>
+    <message>
+        <source>length &apos;%1&apos;</source>
+        <translation>longueur &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.marker</name>
+    <message>
+        <source>marker %1</source>
+        <translation>marqueur %1</translation>
+    </message>
+</context>
+<context>
+    <name>base.name</name>
+    <message>
+        <source>%1</source>
+        <translation>%1</translation>
+    </message>
+</context>
+<context>
+    <name>base.no_colour</name>
+    <message>
+        <source>not of the form #rrggbb</source>
+        <translation>pas de la forme #rrggbb</translation>
+    </message>
+</context>
+<context>
+    <name>base.no_files</name>
+    <message>
+        <source>too many files are open</source>
+        <translation>trop de fichiers sont ouverts</translation>
+    </message>
+</context>
+<context>
+    <name>base.no_length</name>
+    <message>
+        <source>not a number with the unit mm, cm or m</source>
+        <translation>pas un nombre avec l’unité mm, cm ou m</translation>
+    </message>
+</context>
+<context>
+    <name>base.no_memory</name>
+    <message>
+        <source>this computer has not enough free memory for it</source>
+        <translation>cet ordinateur n&apos;a pas assez de mémoire libre pour cela</translation>
+    </message>
+</context>
+<context>
+    <name>base.no_number</name>
+    <message>
+        <source>not a finite decimal number</source>
+        <translation>pas un nombre décimal fini</translation>
+    </message>
+</context>
+<context>
+    <name>base.no_thread</name>
+    <message>
+        <source>this computer gives no further thread</source>
+        <translation>cet ordinateur n&apos;accorde plus de fil d&apos;exécution</translation>
+    </message>
+</context>
+<context>
+    <name>base.none</name>
+    <message>
+        <source>none</source>
+        <translation>aucun</translation>
+    </message>
+</context>
+<context>
+    <name>base.nothing_changed</name>
+    <message>
+        <source>nothing was changed</source>
+        <translation>rien n’a été changé</translation>
+    </message>
+</context>
+<context>
+    <name>base.number</name>
+    <message>
+        <source>number &apos;%1&apos;</source>
+        <translation>nombre &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.quoted_name</name>
+    <message>
+        <source>&apos;%1&apos;</source>
+        <translation>&apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.robot</name>
+    <message>
+        <source>robot &apos;%1&apos;</source>
+        <translation>robot &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.robot_in_trial</name>
+    <message>
+        <source>robot &apos;%1&apos; in trial &apos;%2&apos;</source>
+        <translation>robot &apos;%1&apos; dans l’essai &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.saved_is_safe</name>
+    <message>
+        <source>what was saved is safe</source>
+        <translation>ce qui était enregistré est à l&apos;abri</translation>
+    </message>
+</context>
+<context>
+    <name>base.semicolon</name>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1; %2</translation>
+    </message>
+</context>
+<context>
+    <name>base.space</name>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+</context>
+<context>
+    <name>base.task</name>
+    <message>
+        <source>task &apos;%1&apos;</source>
+        <translation>épreuve &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.team</name>
+    <message>
+        <source>team &apos;%1&apos;</source>
+        <translation>équipe &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.trial</name>
+    <message>
+        <source>trial &apos;%1&apos;</source>
+        <translation>essai &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.try_again_and_report</name>
+    <message>
+        <source>try again, and report it if it happens again</source>
+        <translation>réessayez et signalez-le si cela se reproduit</translation>
+    </message>
+</context>
+<context>
+    <name>base.unexpected</name>
+    <message>
+        <source>something unexpected happened (%1)</source>
+        <translation>un événement inattendu s’est produit (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>base.view_in_trial</name>
+    <message>
+        <source>view &apos;%1&apos; in trial &apos;%2&apos;</source>
+        <translation>vue &apos;%1&apos; dans l’essai &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.wordless_exception</name>
+    <message>
+        <source>an exception without words</source>
+        <translation>une exception sans message</translation>
+    </message>
+</context>
+<context>
+    <name>base.write_colour</name>
+    <message>
+        <source>write it like #d72328</source>
+        <translation>écrivez-la comme #d72328</translation>
+    </message>
+</context>
+<context>
+    <name>base.write_length</name>
+    <message>
+        <source>write it like 25mm, 2.5cm or 0.3m</source>
+        <translation>écrivez-le comme 25mm, 2.5cm ou 0.3m</translation>
+    </message>
+</context>
+<context>
+    <name>base.write_number</name>
+    <message>
+        <source>write it with digits and a point, like 12.5</source>
+        <translation>écrivez-le avec des chiffres et un point, comme 12.5</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.add_floor_points</name>
+    <message>
+        <source>add points of the floor, such as corners of tiles</source>
+        <translation>ajoutez des points du sol, tels que des coins de carreaux</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.all_agree</name>
+    <message>
+        <source>The markers and the cameras agree with one another.</source>
+        <translation>Les marqueurs et les caméras concordent.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.axes_changed</name>
+    <message>
+        <source>The world axes were changed afterwards.</source>
+        <translation>Les axes du monde ont été changés ensuite.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.axes_changed_and_scaled</name>
+    <message>
+        <source>The world axes were changed afterwards, and all lengths multiplied by %1.</source>
+        <translation>Les axes du monde ont été changés ensuite, et toutes les longueurs multipliées par %1.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.axes_no_number</name>
+    <message>
+        <source>the origin or the angle is not a finite number</source>
+        <translation>l’origine ou l’angle n’est pas un nombre fini</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.axes_not_changed</name>
+    <message>
+        <source>the axes of layout &apos;%1&apos; cannot be changed</source>
+        <translation>les axes du plan &apos;%1&apos; ne peuvent pas être changés</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.best_place</name>
+    <message>
+        <source>the best place for a camera</source>
+        <translation>la meilleure place pour une caméra</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_blurred</name>
+    <message>
+        <source>the board is blurred</source>
+        <translation>la mire est floue</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_cut_off</name>
+    <message>
+        <source>the board is cut off</source>
+        <translation>la mire est coupée</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_fills</name>
+    <message>
+        <source>it fills %1 of the picture</source>
+        <translation>elle remplit %1 de l’image</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_in_one_place</name>
+    <message>
+        <source>all %1 pictures show the board in one place, the %2 %3 of the picture</source>
+        <translation>les %1 photos montrent la mire à une seule place (%2, %3 de l’image)</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_not_flat</name>
+    <message>
+        <source>the corners do not lie as on a flat board</source>
+        <translation>les coins ne sont pas placés comme sur une mire plane</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_not_sharp</name>
+    <message>
+        <source>the board is not sharp</source>
+        <translation>la mire n’est pas nette</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_of_other_size</name>
+    <message>
+        <source>this board has %1 inner corners, %2 was asked for</source>
+        <translation>cette mire a %1 coins intérieurs, %2 était demandé</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_part_seen</name>
+    <message>
+        <source>only %1 of its %2 inner corners are seen</source>
+        <translation>seuls %1 de ses %2 coins intérieurs sont vus</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_stands_as_before</name>
+    <message>
+        <source>the board stands as in a picture already taken</source>
+        <translation>la mire est placée comme dans une photo déjà prise</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_stands_as_in</name>
+    <message>
+        <source>the board stands as in %1 already</source>
+        <translation>la mire est placée comme déjà dans %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_too_oblique</name>
+    <message>
+        <source>the board is seen too obliquely, at %1 degrees</source>
+        <translation>la mire est vue trop en biais, à %1 degrés</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_too_small</name>
+    <message>
+        <source>the board is too small</source>
+        <translation>la mire est trop petite</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.calibrate_to_rely</name>
+    <message>
+        <source>Calibrate it for positions to rely on.</source>
+        <translation>Étalonnez-la pour des positions fiables.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.camera_alone_says</name>
+    <message>
+        <source>Camera &apos;%1&apos; alone says %2</source>
+        <translation>La caméra &apos;%1&apos; seule donne %2</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.camera_below_floor</name>
+    <message>
+        <source>seen in this order the camera would be below the floor</source>
+        <translation>vue dans cet ordre, la caméra serait sous le sol</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.camera_moved</name>
+    <message>
+        <source>%1 has moved %2 = %3</source>
+        <translation>%1 a bougé de %2 = %3</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.camera_sees_elsewhere</name>
+    <message>
+        <source>%1 sees %2 %3 from where the others do</source>
+        <translation>%1 voit %2 à %3 de là où les autres le voient</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.camera_sees_too_few</name>
+    <message>
+        <source>camera &apos;%1&apos; sees only %2 of the markers</source>
+        <translation>la caméra &apos;%1&apos; ne voit que %2 des marqueurs</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.camera_stands_low</name>
+    <message>
+        <source>The camera would stand only %1 above the floor</source>
+        <translation>La caméra ne serait qu’à %1 du sol</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.camera_still</name>
+    <message>
+        <source>%1 stands where it was registered</source>
+        <translation>%1 est là où elle a été localisée</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.camera_too_high</name>
+    <message>
+        <source>the camera would stand %1 above the floor</source>
+        <translation>la caméra serait à %1 du sol</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.camera_too_low</name>
+    <message>
+        <source>the camera would stand only %1 above the floor</source>
+        <translation>la caméra ne serait qu’à %1 du sol</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.camera_twice</name>
+    <message>
+        <source>camera &apos;%1&apos; is there twice</source>
+        <translation>la caméra &apos;%1&apos; y est deux fois</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.cameras_undetermined</name>
+    <message>
+        <source>the markers do not determine where the cameras stand</source>
+        <translation>les marqueurs ne déterminent pas où sont les caméras</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.cannot_be_calibrated</name>
+    <message>
+        <source>the camera cannot be calibrated</source>
+        <translation>la caméra ne peut pas être étalonnée</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.centimetres</name>
+    <message>
+        <source>centimetres</source>
+        <translation>centimètres</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_all</name>
+    <message>
+        <source>check the layout, the labels and the intrinsics</source>
+        <translation>vérifiez le plan, les libellés et les paramètres intrinsèques</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_both_lenses</name>
+    <message>
+        <source>check its pixels and the intrinsics of both cameras</source>
+        <translation>vérifiez ses pixels et les paramètres intrinsèques des deux caméras</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_both_pixels</name>
+    <message>
+        <source>check its pixels in both pictures</source>
+        <translation>vérifiez ses pixels dans les deux images</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_columns</name>
+    <message>
+        <source>check which columns belong to which camera</source>
+        <translation>vérifiez quelles colonnes vont avec quelle caméra</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_labels</name>
+    <message>
+        <source>check these labels</source>
+        <translation>vérifiez ces libellés</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_layout_places</name>
+    <message>
+        <source>check the layout&apos;s places and their unit, cover other round things, or mark the markers by hand</source>
+        <translation>vérifiez les places du plan et leur unité, masquez les autres objets ronds, ou pointez les marqueurs à la main</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_length</name>
+    <message>
+        <source>Check the length itself, whether it lies on the floor, and the places of the markers.</source>
+        <translation>Vérifiez la longueur elle-même, si elle est posée au sol, et les places des marqueurs.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_one_camera</name>
+    <message>
+        <source>check that all are of one camera, at one zoom and focus</source>
+        <translation>vérifiez que toutes sont d’une même caméra, au même zoom et à la même mise au point</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_pictures</name>
+    <message>
+        <source>check that all pictures are sharp, of one flat board and of one camera at one zoom and focus</source>
+        <translation>vérifiez que toutes les photos sont nettes, d’une même mire plate et d’une caméra au même zoom et à la même mise au point</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_pixel_and_lens</name>
+    <message>
+        <source>check its pixel and the camera&apos;s intrinsics</source>
+        <translation>vérifiez son pixel et les paramètres intrinsèques de la caméra</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_place_and_pixel</name>
+    <message>
+        <source>check its place and its pixel</source>
+        <translation>vérifiez sa place et son pixel</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_point_labels</name>
+    <message>
+        <source>check which label belongs to which point in %1 and in this camera</source>
+        <translation>vérifiez quel libellé va à quel point dans %1 et dans cette caméra</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_signs</name>
+    <message>
+        <source>check the signs of the layout</source>
+        <translation>vérifiez les signes du plan</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_unit</name>
+    <message>
+        <source>check the unit of the layout</source>
+        <translation>vérifiez l’unité du plan</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.checking_halves</name>
+    <message>
+        <source>checking halves against one another</source>
+        <translation>contrôle des moitiés l’une par l’autre</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.choose_floor_points</name>
+    <message>
+        <source>choose points of the floor</source>
+        <translation>choisissez des points du sol</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.choose_others</name>
+    <message>
+        <source>choose others</source>
+        <translation>choisissez-en d’autres</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.clear_view</name>
+    <message>
+        <source>clear the view of the markers</source>
+        <translation>dégagez la vue des marqueurs</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.common_and_unknown_markers</name>
+    <message>
+        <source>there are %1 (%2), and the layout does not know %3</source>
+        <translation>il y en a %1 (%2), et le plan ne connaît pas %3</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.common_markers</name>
+    <message>
+        <source>there are %1 (%2)</source>
+        <translation>il y en a %1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.convert_unit</name>
+    <message>
+        <source>convert its unit.</source>
+        <translation>convertissez son unité.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.corner_left_out</name>
+    <message>
+        <source>1 corner that stands out was left out, in %1.</source>
+        <translation>1 coin qui s’écarte a été écarté, dans %1.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.corner_no_number</name>
+    <message>
+        <source>a corner of it is not a number</source>
+        <translation>un de ses coins n’est pas un nombre</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.corner_unclear</name>
+    <message>
+        <source>a corner of the board cannot be made out</source>
+        <translation>un coin de la mire ne se distingue pas</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.corners_disagree</name>
+    <message>
+        <source>%1 of the corners do not agree with the others</source>
+        <translation>%1 des coins ne concordent pas avec les autres</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.corners_kept_in</name>
+    <message>
+        <source>%1 corners that stand out side by side were kept, in %2</source>
+        <translation>%1 coins voisins qui s’écartent ont été gardés, dans %2</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.corners_kept_most_in</name>
+    <message>
+        <source>%1 corners that stand out side by side were kept, most in %2</source>
+        <translation>%1 coins voisins qui s’écartent ont été gardés, surtout dans %2</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.corners_left_out_in</name>
+    <message>
+        <source>%1 corners that stand out were left out, in %2.</source>
+        <translation>%1 coins qui s’écartent ont été écartés, dans %2.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.corners_left_out_most_in</name>
+    <message>
+        <source>%1 corners that stand out were left out, most in %2.</source>
+        <translation>%1 coins qui s’écartent ont été écartés, surtout dans %2.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.corners_not_flat</name>
+    <message>
+        <source>its corners do not lie as on a flat board</source>
+        <translation>ses coins ne sont pas placés comme sur une mire plane</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.correct_layout</name>
+    <message>
+        <source>correct the layout</source>
+        <translation>corrigez le plan</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.correct_pixels</name>
+    <message>
+        <source>correct the pixels</source>
+        <translation>corrigez les pixels</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.count_corners</name>
+    <message>
+        <source>count the inner corners, or leave the size out</source>
+        <translation>comptez les coins intérieurs, ou omettez la taille</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.disagree_in</name>
+    <message>
+        <source>%1 of the corners disagree, in %2</source>
+        <translation>%1 des coins ne concordent pas, dans %2</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.disagree_most_in</name>
+    <message>
+        <source>%1 of the corners disagree, most in %2</source>
+        <translation>%1 des coins ne concordent pas, surtout dans %2</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.done</name>
+    <message>
+        <source>done</source>
+        <translation>terminé</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.edges_wide</name>
+    <message>
+        <source>its edges are %1 pixels wide</source>
+        <translation>ses bords font %1 pixels de large</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.ends_on_one_pixel</name>
+    <message>
+        <source>both ends lie on one pixel of camera &apos;%1&apos;</source>
+        <translation>les deux extrémités sont sur le même pixel de la caméra &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.far_edge</name>
+    <message>
+        <source>at the far edge</source>
+        <translation>au bord éloigné</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.far_left_corner</name>
+    <message>
+        <source>in the far left corner</source>
+        <translation>dans le coin gauche éloigné</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.far_right_corner</name>
+    <message>
+        <source>in the far right corner</source>
+        <translation>dans le coin droit éloigné</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.few_corners_seen</name>
+    <message>
+        <source>only %1 corners of the board are seen</source>
+        <translation>seuls %1 coins de la mire sont vus</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.fifth_would</name>
+    <message>
+        <source>a fifth would.</source>
+        <translation>un cinquième le ferait.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.find_board_again</name>
+    <message>
+        <source>let the board be found in it again</source>
+        <translation>faites-y rechercher la mire à nouveau</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.first_end_beyond</name>
+    <message>
+        <source>the first end lies at or beyond the horizon of camera &apos;%1&apos;</source>
+        <translation>la première extrémité est à l’horizon de la caméra &apos;%1&apos; ou au-delà</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.fisheye</name>
+    <message>
+        <source>fisheye</source>
+        <translation>fisheye</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.fisheye_lens</name>
+    <message>
+        <source>Fisheye lens</source>
+        <translation>Objectif fisheye</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.fitting_lens</name>
+    <message>
+        <source>fitting the lens to %1 pictures</source>
+        <translation>ajustement de l’objectif à %1 photos</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.floor_not_registered</name>
+    <message>
+        <source>the floor cannot be registered</source>
+        <translation>le sol ne peut pas être localisé</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.floor_part_unseen</name>
+    <message>
+        <source>%1 of the floor among the markers is not seen.</source>
+        <translation>%1 du sol entre les marqueurs ne sont pas vus.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.floor_unseen</name>
+    <message>
+        <source>None of the floor among the markers is seen.</source>
+        <translation>Rien du sol entre les marqueurs n’est vu.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.floor_unsure</name>
+    <message>
+        <source>the floor among the points is known only to ±%1</source>
+        <translation>le sol entre les points n’est connu qu’à ±%1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.focal_length_estimated</name>
+    <message>
+        <source>The camera was taken as free of distortion, its focal length estimated from the markers (%1 ± %2).</source>
+        <translation>La caméra a été prise comme sans distorsion, sa distance focale estimée d’après les marqueurs (%1 ± %2).</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.focal_length_groups</name>
+    <message>
+        <source>%1 for about %2, %3 (such as %4) for about %5</source>
+        <translation>%1 environ %2, %3 (dont %4) environ %5</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.focal_length_guessed</name>
+    <message>
+        <source>The camera was taken as free of distortion, its focal length guessed (%1), since this view does not determine it.</source>
+        <translation>La caméra a été prise comme sans distorsion, sa distance focale supposée (%1), car cette vue ne la détermine pas.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.focal_length_taken</name>
+    <message>
+        <source>The camera was taken as free of distortion, its focal length as %1.</source>
+        <translation>La caméra a été prise comme sans distorsion, sa distance focale comme %1.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.focal_length_unsure</name>
+    <message>
+        <source>the pictures determine the focal length only to %1</source>
+        <translation>les photos ne déterminent la distance focale qu’à %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.focus_or_light</name>
+    <message>
+        <source>focus the camera, or give more light</source>
+        <translation>faites la mise au point, ou donnez plus de lumière</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.foretells_as_well</name>
+    <message>
+        <source>it foretells pictures held out to %1, the %2 one no better (%3)</source>
+        <translation>il prédit les photos mises à part à %1, le modèle %2 pas mieux (%3)</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.foretells_better</name>
+    <message>
+        <source>it foretells pictures held out to %1, the %2 one only to %3</source>
+        <translation>il prédit les photos mises à part à %1, le modèle %2 seulement à %3</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.foretells_by_chance</name>
+    <message>
+        <source>it foretells pictures held out to %1, the %2 one to %3, which may be chance</source>
+        <translation>il prédit les photos mises à part à %1, le modèle %2 à %3, ce qui peut être un hasard</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.four_common_markers</name>
+    <message>
+        <source>four markers are needed that the layout and the picture have in common</source>
+        <translation>il faut quatre marqueurs communs au plan et à l’image</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.four_markers_unchecked</name>
+    <message>
+        <source>Four markers hardly check one another</source>
+        <translation>Quatre marqueurs ne se contrôlent guère</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.four_points_unchecked</name>
+    <message>
+        <source>Four points hardly check one another</source>
+        <translation>Quatre points ne se contrôlent guère</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.four_shared_points</name>
+    <message>
+        <source>four points are needed that both cameras see</source>
+        <translation>il faut quatre points vus par les deux caméras</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.give_board_size</name>
+    <message>
+        <source>give 3x3 at least, like 9x6, or leave the size out</source>
+        <translation>donnez au moins 3x3, comme 9x6, ou omettez la taille</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.give_distance</name>
+    <message>
+        <source>give a distance of 0 m to 1000 m</source>
+        <translation>donnez une distance de 0 m à 1000 m</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.give_field_of_view</name>
+    <message>
+        <source>give 2° to 150°, and the size of its pictures</source>
+        <translation>donnez de 2° à 150°, et la taille de ses images</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.give_height</name>
+    <message>
+        <source>give a height of 0.05 m to 100 m</source>
+        <translation>donnez une hauteur de 0,05 m à 100 m</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.give_one_of_them</name>
+    <message>
+        <source>give one of them</source>
+        <translation>donnez l’un d’eux</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.give_plain_numbers</name>
+    <message>
+        <source>give plain numbers</source>
+        <translation>donnez des nombres ordinaires</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.give_positive_number</name>
+    <message>
+        <source>give a number above 0</source>
+        <translation>donnez un nombre supérieur à 0</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.give_square_size</name>
+    <message>
+        <source>give it like 25mm</source>
+        <translation>donnez-la comme 25mm</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.give_tape_sigma</name>
+    <message>
+        <source>give some 2 mm</source>
+        <translation>donnez environ 2 mm</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.give_taped_length</name>
+    <message>
+        <source>give the length as it was measured with a tape</source>
+        <translation>donnez la longueur mesurée au mètre ruban</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.glue_board</name>
+    <message>
+        <source>glue the board onto something stiff</source>
+        <translation>collez la mire sur un support rigide</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.glue_board_flat</name>
+    <message>
+        <source>glue the board onto something stiff and flat</source>
+        <translation>collez la mire sur un support rigide et plat</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.good</name>
+    <message>
+        <source>Good: %1.</source>
+        <translation>Bon&#xa0;: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.halves_contradict</name>
+    <message>
+        <source>two halves of the pictures give focal lengths that differ by %1</source>
+        <translation>deux moitiés des photos donnent des distances focales différant de %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.halves_foretell</name>
+    <message>
+        <source>each half of them foretells the other to %1</source>
+        <translation>chaque moitié prédit l’autre à %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.halves_foretell_apart</name>
+    <message>
+        <source>each half of them foretells the other to %1, %2 apart at worst on that floor</source>
+        <translation>chaque moitié prédit l’autre à %1, à %2 l’une de l’autre au pire sur ce sol</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.hold_board_closer</name>
+    <message>
+        <source>hold it closer to the camera</source>
+        <translation>tenez-la plus près de la caméra</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.hold_board_still</name>
+    <message>
+        <source>hold it still, and focus the camera</source>
+        <translation>tenez-la immobile, et faites la mise au point</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.inches</name>
+    <message>
+        <source>inches</source>
+        <translation>pouces</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.inside</name>
+    <message>
+        <source>inside</source>
+        <translation>à l’intérieur</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.inside_expected_error</name>
+    <message>
+        <source>inside the expected error of %1.</source>
+        <translation>dans l’erreur attendue de %1.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.keep_board_clear</name>
+    <message>
+        <source>keep the board clear and well lit</source>
+        <translation>gardez la mire dégagée et bien éclairée</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.keep_whole_board</name>
+    <message>
+        <source>keep the whole board in the picture</source>
+        <translation>gardez toute la mire dans l’image</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.label_each_point</name>
+    <message>
+        <source>give each point a label of its own</source>
+        <translation>donnez à chaque point son propre libellé</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.labels_called</name>
+    <message>
+        <source>with %1 called %2 they fit to %3</source>
+        <translation>avec %1 nommés %2, ils conviennent à %3</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.labels_exchanged</name>
+    <message>
+        <source>with %1 and %2 exchanged they fit to %3</source>
+        <translation>avec %1 et %2 échangés, ils conviennent à %3</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.lay_stick_nearer</name>
+    <message>
+        <source>lay the stick on the floor, nearer to the camera</source>
+        <translation>posez la règle au sol, plus près de la caméra</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.layout_in_mm</name>
+    <message>
+        <source>it is given in mm</source>
+        <translation>il est donné en mm</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.layout_not_in_mm</name>
+    <message>
+        <source>if that is wrong, the layout&apos;s numbers are no mm</source>
+        <translation>si c’est faux, les nombres du plan ne sont pas des mm</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.layout_too_small</name>
+    <message>
+        <source>the layout has %1 markers, four are needed</source>
+        <translation>le plan a %1 marqueurs, il en faut quatre</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.layout_written_mirrored</name>
+    <message>
+        <source>if the layout was written down mirrored, correct its signs and add it anew</source>
+        <translation>si le plan a été noté en miroir, corrigez ses signes et ajoutez-le à nouveau</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.leave_one_tag</name>
+    <message>
+        <source>leave one of them on the floor</source>
+        <translation>n’en laissez qu’un au sol</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.leave_out_pictures</name>
+    <message>
+        <source>leave out these pictures if the board is bent, cut or covered there.</source>
+        <translation>écartez ces photos si la mire y est déformée, coupée ou masquée.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.left_edge</name>
+    <message>
+        <source>at the left edge</source>
+        <translation>au bord gauche</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.length_factor</name>
+    <message>
+        <source>a length factor of %1 makes no floor</source>
+        <translation>un facteur de longueur de %1 ne donne pas de sol</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.length_is</name>
+    <message>
+        <source>The length is %1 ± %2.</source>
+        <translation>La longueur est %1 ± %2.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.length_longer</name>
+    <message>
+        <source>It is %1 longer than the %2 told</source>
+        <translation>Elle est plus longue de %1 que les %2 indiqués</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.length_shorter</name>
+    <message>
+        <source>It is %1 shorter than the %2 told</source>
+        <translation>Elle est plus courte de %1 que les %2 indiqués</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.length_unmeasured</name>
+    <message>
+        <source>the length cannot be measured</source>
+        <translation>la longueur ne peut pas être mesurée</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.length_unseen</name>
+    <message>
+        <source>no camera was given that sees it</source>
+        <translation>aucune caméra qui la voit n’a été donnée</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.lens_on_floor</name>
+    <message>
+        <source>±%1 in the middle and ±%2 at worst (%3) on %4, as far as the lens is concerned</source>
+        <translation>±%1 au milieu et ±%2 au pire (%3) sur %4, pour ce qui tient à l’objectif</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.lens_told</name>
+    <message>
+        <source>told</source>
+        <translation>indiqué</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.lens_unknown_elsewhere</name>
+    <message>
+        <source>how the lens bends elsewhere stays unknown</source>
+        <translation>la distorsion ailleurs reste inconnue</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.likely_unit</name>
+    <message>
+        <source>its numbers look like %1, then it would stand %2 above the floor</source>
+        <translation>ses nombres semblent être des %1, elle serait alors à %2 au-dessus du sol</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.look_at</name>
+    <message>
+        <source>Look at %1</source>
+        <translation>Regardez %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.look_at_ends</name>
+    <message>
+        <source>look whether the same ends are marked in each picture, and register it again if they are.</source>
+        <translation>regardez si les mêmes extrémités sont pointées dans chaque image et, si oui, localisez-la à nouveau.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.look_at_pictures</name>
+    <message>
+        <source>look at these pictures and leave out those that are blurred, bent or of another board.</source>
+        <translation>regardez ces photos et écartez celles qui sont floues, déformées ou d’une autre mire.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.looking_about</name>
+    <message>
+        <source>looking about the best place</source>
+        <translation>recherche autour de la meilleure place</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.make_larger_layout</name>
+    <message>
+        <source>make a layout of four markers or more</source>
+        <translation>faites un plan de quatre marqueurs ou plus</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.mark_ends_in_one</name>
+    <message>
+        <source>mark its ends in one picture at least</source>
+        <translation>pointez ses extrémités dans au moins une image</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.mark_more</name>
+    <message>
+        <source>mark more of the layout&apos;s markers, under the layout&apos;s names</source>
+        <translation>pointez davantage de marqueurs du plan, sous les noms du plan</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.mark_there_again</name>
+    <message>
+        <source>mark it there again.</source>
+        <translation>pointez-le là à nouveau.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.mark_two_ends</name>
+    <message>
+        <source>mark the two ends where they are seen</source>
+        <translation>pointez les deux extrémités là où elles sont vues</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.mark_where_seen</name>
+    <message>
+        <source>mark each of them where it is seen</source>
+        <translation>pointez chacun là où il est vu</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.marker_against_lens</name>
+    <message>
+        <source>%1 lies where this camera&apos;s lens cannot have put it</source>
+        <translation>%1 est là où l’objectif de cette caméra ne peut pas l’avoir mis</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.marker_beyond_horizon</name>
+    <message>
+        <source>marker %1 would lie at or beyond the horizon</source>
+        <translation>le marqueur %1 serait à l’horizon ou au-delà</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.marker_moved</name>
+    <message>
+        <source>Marker %1 has moved %2 = %3, %4 has not</source>
+        <translation>Le marqueur %1 a bougé de %2 = %3, %4 non</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.marker_off_by_all</name>
+    <message>
+        <source>%1 is %2 off by all cameras</source>
+        <translation>%1 est décalé de %2 selon toutes les caméras</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.marker_off_by_one</name>
+    <message>
+        <source>%1 is %2 off by the one camera that sees it</source>
+        <translation>%1 est décalé de %2 selon la seule caméra qui le voit</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.marker_pixel_no_number</name>
+    <message>
+        <source>the pixel of marker %1 is not a finite number</source>
+        <translation>le pixel du marqueur %1 n’est pas un nombre fini</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.marker_place_no_number</name>
+    <message>
+        <source>the place of marker %1 is not a finite number</source>
+        <translation>la place du marqueur %1 n’est pas un nombre fini</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.marker_twice_in_layout</name>
+    <message>
+        <source>marker %1 stands twice in the layout</source>
+        <translation>le marqueur %1 est deux fois dans le plan</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.marker_twice_in_picture</name>
+    <message>
+        <source>marker %1 stands twice in the picture</source>
+        <translation>le marqueur %1 est deux fois dans l’image</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_at_one_place</name>
+    <message>
+        <source>markers %1 and %2 lie at one place of the floor</source>
+        <translation>les marqueurs %1 et %2 sont au même endroit du sol</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_fit</name>
+    <message>
+        <source>%1 markers fit to %2 RMS (worst %3, %4), and the floor among them is known to ±%5</source>
+        <translation>%1 marqueurs s’ajustent à %2 RMS (le pire %3, %4), et le sol entre eux est connu à ±%5</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_fit_many_ways</name>
+    <message>
+        <source>in %1 ways they fit the layout equally well, which looks the same from several sides</source>
+        <translation>ils s’ajustent aussi bien au plan de %1 façons, car il est identique vu de plusieurs côtés</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_fit_together</name>
+    <message>
+        <source>with %1 together %2 markers fit to %3 RMS, and the floor among them is known to ±%4</source>
+        <translation>avec %1, %2 marqueurs s’ajustent à %3 RMS, et le sol entre eux est connu à ±%4</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_found</name>
+    <message>
+        <source>%1 of %2 were found, four are needed</source>
+        <translation>%1 sur %2 ont été trouvés, il en faut quatre</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_in_place</name>
+    <message>
+        <source>%1 markers lie within %2 = %3 of their places.</source>
+        <translation>%1 marqueurs sont à moins de %2 = %3 de leur place.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_mirrored</name>
+    <message>
+        <source>the markers are mirrored</source>
+        <translation>les marqueurs sont en miroir</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_missing</name>
+    <message>
+        <source>missing: %1</source>
+        <translation>manquent&#xa0;: %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_moved</name>
+    <message>
+        <source>Markers %1 have moved %2 = %3, %4 has not</source>
+        <translation>Les marqueurs %1 ont bougé de %2 = %3, %4 non</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_nearly_on_line</name>
+    <message>
+        <source>the markers lie so nearly on one line (%1 the most) that the floor is known only to ±%2</source>
+        <translation>les marqueurs sont presque alignés (surtout %1), si bien que le sol n’est connu qu’à ±%2</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_not_found</name>
+    <message>
+        <source>the floor markers cannot be found</source>
+        <translation>les marqueurs du sol sont introuvables</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_not_told_apart</name>
+    <message>
+        <source>the markers cannot be told apart</source>
+        <translation>les marqueurs ne se distinguent pas</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_on_one_pixel</name>
+    <message>
+        <source>markers %1 and %2 lie on one pixel</source>
+        <translation>les marqueurs %1 et %2 sont sur le même pixel</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_read</name>
+    <message>
+        <source>%1 of its markers could be read</source>
+        <translation>%1 de ses marqueurs ont pu être lus</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_too_close</name>
+    <message>
+        <source>markers %1 and %2 lie only %3 apart, too close for two of four</source>
+        <translation>les marqueurs %1 et %2 ne sont qu’à %3 l’un de l’autre, trop proches pour deux sur quatre</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.measure_again</name>
+    <message>
+        <source>mark and measure them again, or add another</source>
+        <translation>pointez-les et mesurez-les à nouveau, ou ajoutez-en un</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.measure_it_again</name>
+    <message>
+        <source>measure it again.</source>
+        <translation>mesurez-le à nouveau.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.measure_or_mark_again</name>
+    <message>
+        <source>measure it, or mark it in the picture, again.</source>
+        <translation>mesurez-le, ou pointez-le dans l’image, à nouveau.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.metres</name>
+    <message>
+        <source>metres</source>
+        <translation>mètres</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.middle_and_corner</name>
+    <message>
+        <source>±%1 in the middle, ±%2 in the corner near %3.</source>
+        <translation>±%1 au milieu, ±%2 dans le coin près de %3.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.middle_and_edge</name>
+    <message>
+        <source>±%1 in the middle, ±%2 at the edge near %3.</source>
+        <translation>±%1 au milieu, ±%2 au bord près de %3.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.middle_and_near</name>
+    <message>
+        <source>±%1 in the middle, ±%2 near %3.</source>
+        <translation>±%1 au milieu, ±%2 près de %3.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.misfit_most_at</name>
+    <message>
+        <source>%1 RMS, most at %2 (%3)</source>
+        <translation>%1 RMS, surtout en %2 (%3)</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.misfit_unexplained</name>
+    <message>
+        <source>the %1 markers misfit by %2 (%3) and check one another too little to tell which of them</source>
+        <translation>les %1 marqueurs s’écartent de %2 (%3) et se contrôlent trop peu pour dire lequel</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.more_pictures</name>
+    <message>
+        <source>More pictures (%1 or more) would make it surer.</source>
+        <translation>Davantage de photos (%1 ou plus) le rendraient plus sûr.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.move_board</name>
+    <message>
+        <source>move it elsewhere, turn it or tilt it</source>
+        <translation>déplacez-la, tournez-la ou inclinez-la</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.move_planned_back</name>
+    <message>
+        <source>move it back or up, or choose a wider lens</source>
+        <translation>reculez-la ou montez-la, ou choisissez un objectif plus large</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.name_dictionary</name>
+    <message>
+        <source>name one like DICT_6X6_250, or leave it out</source>
+        <translation>nommez-en un comme DICT_6X6_250, ou omettez-le</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.name_each_camera</name>
+    <message>
+        <source>name each camera once</source>
+        <translation>nommez chaque caméra une fois</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.name_each_marker</name>
+    <message>
+        <source>give each marker a name of its own</source>
+        <translation>donnez à chaque marqueur son propre nom</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.name_one_marker</name>
+    <message>
+        <source>name one of %1</source>
+        <translation>nommez-en un parmi %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.name_two_apart</name>
+    <message>
+        <source>name two that lie apart</source>
+        <translation>nommez-en deux qui soient écartés</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.near_edge</name>
+    <message>
+        <source>at the near edge</source>
+        <translation>au bord proche</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.near_left_corner</name>
+    <message>
+        <source>in the near left corner</source>
+        <translation>dans le coin gauche proche</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.near_right_corner</name>
+    <message>
+        <source>in the near right corner</source>
+        <translation>dans le coin droit proche</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_board_found</name>
+    <message>
+        <source>no board found</source>
+        <translation>aucune mire trouvée</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_charuco</name>
+    <message>
+        <source>the markers that were read do not lie as on a ChArUco board</source>
+        <translation>les marqueurs lus ne sont pas placés comme sur une mire ChArUco</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_charuco_of_size</name>
+    <message>
+        <source>the markers that were read do not lie as on a ChArUco board of %1 inner corners</source>
+        <translation>les marqueurs lus ne sont pas placés comme sur une mire ChArUco de %1 coins intérieurs</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_common_marker</name>
+    <message>
+        <source>no two of the cameras see the same marker</source>
+        <translation>aucune paire de caméras ne voit le même marqueur</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_dictionary</name>
+    <message>
+        <source>there is no marker dictionary %1</source>
+        <translation>il n’y a pas de dictionnaire de marqueurs %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_flat_floor</name>
+    <message>
+        <source>the markers do not fit a flat floor</source>
+        <translation>les marqueurs ne s’ajustent pas à un sol plan</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_lens_fits</name>
+    <message>
+        <source>no lens fits these pictures</source>
+        <translation>aucun objectif ne convient à ces photos</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_millimetres</name>
+    <message>
+        <source>no figure in millimetres, since this lens holds only for a part of the picture</source>
+        <translation>pas de valeur en millimètres, car cet objectif ne vaut que pour une partie de l’image</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_other_lens</name>
+    <message>
+        <source>no other model fits</source>
+        <translation>aucun autre modèle ne convient</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_pose</name>
+    <message>
+        <source>no pose</source>
+        <translation>pas de pose</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_such_marker</name>
+    <message>
+        <source>it has no marker %1</source>
+        <translation>il n’a pas de marqueur %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.not_all_foretold</name>
+    <message>
+        <source>not all</source>
+        <translation>pas toutes</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.not_found_again</name>
+    <message>
+        <source>Not found again: %1.</source>
+        <translation>Non retrouvés&#xa0;: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.not_registered_through</name>
+    <message>
+        <source>the camera cannot be registered through another</source>
+        <translation>la caméra ne peut pas être localisée par une autre</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.not_registered_together</name>
+    <message>
+        <source>the cameras cannot be registered together</source>
+        <translation>les caméras ne peuvent pas être localisées ensemble</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.other_order_fits</name>
+    <message>
+        <source>the markers fit only to %1, but %2</source>
+        <translation>les marqueurs ne s’ajustent qu’à %1, mais %2</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.other_picture_size</name>
+    <message>
+        <source>it is %1×%2, the first picture %3×%4</source>
+        <translation>elle fait %1×%2, la première photo %3×%4</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.outside_expected_error</name>
+    <message>
+        <source>outside the expected error of %1.</source>
+        <translation>hors de l’erreur attendue de %1.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.picture_covered</name>
+    <message>
+        <source>Only %1 of the picture was covered</source>
+        <translation>Seulement %1 de l’image ont été couverts</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.picture_stands_out</name>
+    <message>
+        <source>its %1 stand out.</source>
+        <translation>ses %1 sortent du lot.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.picture_too_small</name>
+    <message>
+        <source>the picture is too small</source>
+        <translation>l’image est trop petite</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.picture_with_corners</name>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.picture_without_size</name>
+    <message>
+        <source>the picture has no size</source>
+        <translation>l’image n’a pas de taille</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pictures_fit</name>
+    <message>
+        <source>%1 pictures fit to %2, focal length %3 ± %4</source>
+        <translation>%1 photos s’ajustent à %2, distance focale %3 ± %4</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pictures_fit_halves_apart</name>
+    <message>
+        <source>%1 pictures fit to %2, focal length %3 ± %4, %5 apart at worst on that floor</source>
+        <translation>%1 photos s’ajustent à %2, distance focale %3 ± %4, à %5 l’une de l’autre au pire sur ce sol</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.place_left</name>
+    <message>
+        <source>left</source>
+        <translation>gauche</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.place_lower</name>
+    <message>
+        <source>lower</source>
+        <translation>en bas</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.place_lower_left</name>
+    <message>
+        <source>lower left</source>
+        <translation>en bas à gauche</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.place_lower_right</name>
+    <message>
+        <source>lower right</source>
+        <translation>en bas à droite</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.place_middle</name>
+    <message>
+        <source>middle</source>
+        <translation>au milieu</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.place_right</name>
+    <message>
+        <source>right</source>
+        <translation>droite</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.place_upper</name>
+    <message>
+        <source>upper</source>
+        <translation>en haut</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.place_upper_left</name>
+    <message>
+        <source>upper left</source>
+        <translation>en haut à gauche</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.place_upper_right</name>
+    <message>
+        <source>upper right</source>
+        <translation>en haut à droite</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.planned_camera</name>
+    <message>
+        <source>the planned camera</source>
+        <translation>la caméra prévue</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.planned_distance</name>
+    <message>
+        <source>it cannot stand %1 away</source>
+        <translation>elle ne peut pas être à %1 de distance</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.planned_field_of_view</name>
+    <message>
+        <source>its field of view is %1</source>
+        <translation>son champ de vision est de %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.planned_height</name>
+    <message>
+        <source>it cannot stand %1 above the floor</source>
+        <translation>elle ne peut pas être à %1 au-dessus du sol</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.planned_not_held</name>
+    <message>
+        <source>the markers that it would see do not hold it</source>
+        <translation>les marqueurs qu’elle verrait ne fixent pas sa position</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.planned_sees_too_few</name>
+    <message>
+        <source>from there it would see %1 of the layout&apos;s markers (%2), four are needed</source>
+        <translation>de là, elle verrait %1 des marqueurs du plan (%2), il en faut quatre</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.point_against_lens</name>
+    <message>
+        <source>point %1 lies where a lens cannot have put it</source>
+        <translation>le point %1 est là où aucun objectif ne peut l’avoir mis</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.point_beyond_horizon</name>
+    <message>
+        <source>point %1 would lie at or beyond the horizon</source>
+        <translation>le point %1 serait à l’horizon ou au-delà</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.point_beyond_through</name>
+    <message>
+        <source>point %1 lies at or beyond the horizon of %2</source>
+        <translation>le point %1 est à l’horizon de %2 ou au-delà</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.point_outside_own</name>
+    <message>
+        <source>point %1 lies outside the picture of the camera to register (%2)</source>
+        <translation>le point %1 est hors de l’image de la caméra à localiser (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.point_outside_through</name>
+    <message>
+        <source>point %1 lies outside the picture of %2 (%3)</source>
+        <translation>le point %1 est hors de l’image de %2 (%3)</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.point_pixel_no_number</name>
+    <message>
+        <source>the pixel of point %1 is not a finite number</source>
+        <translation>le pixel du point %1 n’est pas un nombre fini</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.point_twice</name>
+    <message>
+        <source>point %1 is there twice</source>
+        <translation>le point %1 y est deux fois</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.points_fit</name>
+    <message>
+        <source>through %1 %2 points of the floor fit to %3 RMS (worst %4, %5), and the floor among them is known to ±%6, of which ±%7 come from %8</source>
+        <translation>par %1, %2 points du sol s’ajustent à %3 RMS (le pire %4, %5), et le sol entre eux est connu à ±%6, dont ±%7 viennent de %8</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.points_mirrored</name>
+    <message>
+        <source>the points are mirrored between the pictures of the two cameras</source>
+        <translation>les points sont en miroir entre les images des deux caméras</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.points_on_one_pixel</name>
+    <message>
+        <source>points %1 and %2 lie on one pixel</source>
+        <translation>les points %1 et %2 sont sur le même pixel</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.points_undetermined</name>
+    <message>
+        <source>the points do not determine where the camera stands</source>
+        <translation>les points ne déterminent pas où est la caméra</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.poor</name>
+    <message>
+        <source>Poor: %1.</source>
+        <translation>Médiocre&#xa0;: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.poor_measure_again</name>
+    <message>
+        <source>Poor, measure the markers again: %1.</source>
+        <translation>Médiocre, mesurez à nouveau les marqueurs&#xa0;: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.put_marker_back</name>
+    <message>
+        <source>put it back, or measure again and register all cameras.</source>
+        <translation>remettez-le en place, ou mesurez à nouveau et localisez toutes les caméras.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.put_markers_back</name>
+    <message>
+        <source>put them back, or measure again and register all cameras.</source>
+        <translation>remettez-les en place, ou mesurez à nouveau et localisez toutes les caméras.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.rational</name>
+    <message>
+        <source>rational</source>
+        <translation>rationnel</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.rational_lens</name>
+    <message>
+        <source>Rational lens</source>
+        <translation>Objectif rationnel</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.register_before_recording</name>
+    <message>
+        <source>register it again before you record.</source>
+        <translation>localisez-la à nouveau avant de filmer.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.register_by_more</name>
+    <message>
+        <source>register it by more of them first</source>
+        <translation>localisez-la d’abord par davantage d’entre eux</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.register_if_gone</name>
+    <message>
+        <source>if they are gone or the camera looks elsewhere, register it again</source>
+        <translation>s’ils ont disparu ou si la caméra regarde ailleurs, localisez-la à nouveau</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.register_one_by_one</name>
+    <message>
+        <source>register the cameras one by one by this layout first</source>
+        <translation>localisez d’abord les caméras une à une par ce plan</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.reverse_both</name>
+    <message>
+        <source>reverse both (a half turn), or turn the axes</source>
+        <translation>inversez les deux (un demi-tour), ou tournez les axes</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.reversed_x_alone</name>
+    <message>
+        <source>reversing X alone would mirror the floor, and no camera above it sees it so</source>
+        <translation>inverser X seul mettrait le sol en miroir, et aucune caméra au-dessus ne le voit ainsi</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.reversed_y_alone</name>
+    <message>
+        <source>reversing Y alone would mirror the floor, and no camera above it sees it so</source>
+        <translation>inverser Y seul mettrait le sol en miroir, et aucune caméra au-dessus ne le voit ainsi</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.right_edge</name>
+    <message>
+        <source>at the right edge</source>
+        <translation>au bord droit</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.same_attitude</name>
+    <message>
+        <source>all %1 pictures show the board in nearly the same attitude, which does not determine the focal length</source>
+        <translation>les %1 photos montrent la mire presque dans la même orientation, ce qui ne détermine pas la distance focale</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.second_end_beyond</name>
+    <message>
+        <source>the second end lies at or beyond the horizon of camera &apos;%1&apos;</source>
+        <translation>la seconde extrémité est à l’horizon de la caméra &apos;%1&apos; ou au-delà</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.see_same_floor</name>
+    <message>
+        <source>let them see some of the same floor</source>
+        <translation>faites-leur voir une partie commune du sol</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.sees_too_few_anywhere</name>
+    <message>
+        <source>from nowhere within %1 beyond the markers would it see four of them at the height and with the lens given</source>
+        <translation>à moins de %1 des marqueurs, nulle part elle n’en verrait quatre à cette hauteur et avec cet objectif</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.sentence</name>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.shapes_fit_nowhere</name>
+    <message>
+        <source>none of the ways to name the %1 rings and dots fits the layout</source>
+        <translation>aucune façon de nommer les %1 anneaux et pastilles ne convient au plan</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.shared_points</name>
+    <message>
+        <source>there are %1</source>
+        <translation>il y en a %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.show_board_larger</name>
+    <message>
+        <source>show the board larger, sharp and well lit</source>
+        <translation>montrez la mire plus grande, nette et bien éclairée</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.show_everywhere</name>
+    <message>
+        <source>show the board in the middle and near each corner of the picture, and closer</source>
+        <translation>montrez la mire au milieu et près de chaque coin de l’image, et de plus près</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.show_missing_tags</name>
+    <message>
+        <source>show the missing tags (AprilTag 36h11, numbered from 0 in the layout&apos;s order) or rings, or mark the markers by hand</source>
+        <translation>montrez les tags manquants (AprilTag 36h11, numérotés à partir de 0 dans l’ordre du plan) ou des anneaux, ou pointez les marqueurs à la main</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.show_more_of_board</name>
+    <message>
+        <source>show more of the board</source>
+        <translation>montrez davantage de la mire</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.show_more_of_it</name>
+    <message>
+        <source>show more of it</source>
+        <translation>montrez-en davantage</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.show_more_shapes</name>
+    <message>
+        <source>show more of them, larger or in better light, or mark the markers by hand</source>
+        <translation>montrez-en davantage, plus grands ou mieux éclairés, ou pointez les marqueurs à la main</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.show_near_edges</name>
+    <message>
+        <source>show the board near its edges too.</source>
+        <translation>montrez la mire aussi près des bords.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.show_one_charuco</name>
+    <message>
+        <source>show one ChArUco board</source>
+        <translation>montrez une seule mire ChArUco</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.show_whole_board</name>
+    <message>
+        <source>show the whole board, flat, sharp and well lit</source>
+        <translation>montrez toute la mire, plate, nette et bien éclairée</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.spread_markers</name>
+    <message>
+        <source>spread the markers over the floor</source>
+        <translation>répartissez les marqueurs sur le sol</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.spread_or_register_better</name>
+    <message>
+        <source>spread the points over the floor, or register %1 better first</source>
+        <translation>répartissez les points sur le sol, ou localisez mieux %1 d’abord</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.spread_points</name>
+    <message>
+        <source>spread the points over the floor, not along a line</source>
+        <translation>répartissez les points sur le sol, pas le long d’une ligne</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.spread_them</name>
+    <message>
+        <source>spread them over the floor</source>
+        <translation>répartissez-les sur le sol</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.squares_without_size</name>
+    <message>
+        <source>the squares have no size</source>
+        <translation>les cases n’ont pas de taille</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.stand_higher</name>
+    <message>
+        <source>let it stand higher or farther away, or choose a wider lens</source>
+        <translation>placez-la plus haut ou plus loin, ou choisissez un objectif plus large</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.standard</name>
+    <message>
+        <source>standard</source>
+        <translation>standard</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.standard_lens</name>
+    <message>
+        <source>Standard lens</source>
+        <translation>Objectif standard</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.tag_seen_often</name>
+    <message>
+        <source>tag %1 (marker %2) is seen %3 times</source>
+        <translation>le tag %1 (marqueur %2) est vu %3 fois</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.take_ten</name>
+    <message>
+        <source>take ten or more, the board tilted differently in each</source>
+        <translation>prenez-en dix ou plus, la mire inclinée différemment à chaque fois</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.tape_sigma_not_positive</name>
+    <message>
+        <source>the σ of the tape measure is not above 0</source>
+        <translation>le σ du mètre ruban n’est pas supérieur à 0</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.tell_by_hand</name>
+    <message>
+        <source>tell by hand which of them is %1</source>
+        <translation>indiquez à la main lequel est %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.tenths_of_mm</name>
+    <message>
+        <source>tenths of a mm</source>
+        <translation>dixièmes de mm</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.thousandths_of_mm</name>
+    <message>
+        <source>thousandths of a mm</source>
+        <translation>millièmes de mm</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.tilt_board</name>
+    <message>
+        <source>take pictures with the board tilted by 30 to 45 degrees, to each side</source>
+        <translation>prenez des photos avec la mire inclinée de 30 à 45 degrés, de chaque côté</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.tilt_less</name>
+    <message>
+        <source>tilt it by 30 to 45 degrees</source>
+        <translation>inclinez-la de 30 à 45 degrés</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.told_board_too_small</name>
+    <message>
+        <source>a board of %1 inner corners is too small</source>
+        <translation>une mire de %1 coins intérieurs est trop petite</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.told_length_not_positive</name>
+    <message>
+        <source>the told length is not above 0</source>
+        <translation>la longueur indiquée n’est pas supérieure à 0</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.too_few_corners</name>
+    <message>
+        <source>it has %1 corners of the board, six are needed</source>
+        <translation>elle a %1 coins de la mire, il en faut six</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.too_few_found_again</name>
+    <message>
+        <source>%1 of its %2 markers were found again, two are needed</source>
+        <translation>%1 de ses %2 marqueurs ont été retrouvés, il en faut deux</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.too_few_pictures</name>
+    <message>
+        <source>three pictures of the board are needed, %1 can be used</source>
+        <translation>il faut trois photos de la mire, %1 sont utilisables</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.too_few_shapes</name>
+    <message>
+        <source>%1 rings or dots were found, four are needed</source>
+        <translation>%1 anneaux ou pastilles ont été trouvés, il en faut quatre</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.too_few_to_compare</name>
+    <message>
+        <source>too few pictures to compare it with others</source>
+        <translation>trop peu de photos pour le comparer à d’autres</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.too_frontal</name>
+    <message>
+        <source>the board is seen too nearly frontal</source>
+        <translation>la mire est vue trop de face</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.too_small_for_board</name>
+    <message>
+        <source>the picture is too small to hold a board</source>
+        <translation>l’image est trop petite pour une mire</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.two_cameras_needed</name>
+    <message>
+        <source>there is %1 camera on layout &apos;%2&apos;, two are needed</source>
+        <translation>il y a %1 caméra sur le plan &apos;%2&apos;, il en faut deux</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.two_directions</name>
+    <message>
+        <source>both an angle and a pair of markers were given for X</source>
+        <translation>un angle et une paire de marqueurs ont été donnés pour X</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.two_focal_lengths</name>
+    <message>
+        <source>the pictures ask for two focal lengths</source>
+        <translation>les photos demandent deux distances focales</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.two_origins</name>
+    <message>
+        <source>both a marker and a point were given for the origin</source>
+        <translation>un marqueur et un point ont été donnés pour l’origine</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.typical_testbed</name>
+    <message>
+        <source>a %1 × %2 floor seen from %3 above</source>
+        <translation>un sol de %1 × %2 vu de %3 de haut</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.unit</name>
+    <message>
+        <source>unit &apos;%1&apos;</source>
+        <translation>unité &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.unit_unknown</name>
+    <message>
+        <source>it is not known</source>
+        <translation>ce n’est pas connu</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.unseen_middle_corner</name>
+    <message>
+        <source>The middle is not seen, ±%1 in the corner near %2.</source>
+        <translation>Le milieu n’est pas vu, ±%1 dans le coin près de %2.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.unseen_middle_edge</name>
+    <message>
+        <source>The middle is not seen, ±%1 at the edge near %2.</source>
+        <translation>Le milieu n’est pas vu, ±%1 au bord près de %2.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.unseen_middle_near</name>
+    <message>
+        <source>The middle is not seen, ±%1 near %2.</source>
+        <translation>Le milieu n’est pas vu, ±%1 près de %2.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.usable</name>
+    <message>
+        <source>Usable: %1.</source>
+        <translation>Utilisable&#xa0;: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.use_another_picture</name>
+    <message>
+        <source>use another picture</source>
+        <translation>utilisez une autre image</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.use_camera_picture</name>
+    <message>
+        <source>use a picture of the camera</source>
+        <translation>utilisez une image de la caméra</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.use_camera_pictures</name>
+    <message>
+        <source>use pictures of the camera</source>
+        <translation>utilisez des images de la caméra</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.use_known_unit</name>
+    <message>
+        <source>use mm, cm, m or inch</source>
+        <translation>utilisez mm, cm, m ou inch</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.use_one_camera</name>
+    <message>
+        <source>use pictures of one camera at one zoom and focus</source>
+        <translation>utilisez des photos d’une caméra au même zoom et à la même mise au point</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.use_one_resolution</name>
+    <message>
+        <source>use pictures of one camera at one resolution</source>
+        <translation>utilisez des photos d’une même caméra à une même résolution</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.were_kept</name>
+    <message>
+        <source>they were kept</source>
+        <translation>ils ont été gardés</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.whether_moved</name>
+    <message>
+        <source>whether %1 has moved cannot be told</source>
+        <translation>impossible de dire si %1 a bougé</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.wrong_by_more</name>
+    <message>
+        <source>it may be wrong by much more</source>
+        <translation>l’erreur peut être bien plus grande</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.x_without_length</name>
+    <message>
+        <source>the markers that X is to run along lie at one place</source>
+        <translation>les marqueurs que X doit suivre sont au même endroit</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.y_left_of_x</name>
+    <message>
+        <source>seen from above, Y must point to the left of X</source>
+        <translation>vu d’en haut, Y doit pointer à gauche de X</translation>
+    </message>
+</context>
+<context>
+    <name>capture.access_to_cameras</name>
+    <message>
+        <source>Access to cameras</source>
+        <translation>Accès aux caméras</translation>
+    </message>
+</context>
+<context>
+    <name>capture.all_pictures_damaged</name>
+    <message>
+        <source>all its pictures come damaged</source>
+        <translation>toutes ses images arrivent endommagées</translation>
+    </message>
+</context>
+<context>
+    <name>capture.answers_but_silent</name>
+    <message>
+        <source>it answers, but sends no pictures</source>
+        <translation>elle répond, mais n’envoie pas d’images</translation>
+    </message>
+</context>
+<context>
+    <name>capture.answers_but_silent_advice</name>
+    <message>
+        <source>check its trigger and this computer&apos;s firewall</source>
+        <translation>vérifiez son déclencheur et le pare-feu de cet ordinateur</translation>
+    </message>
+</context>
+<context>
+    <name>capture.aravis_place_missing</name>
+    <message>
+        <source>it says neither an address nor a serial number</source>
+        <translation>elle ne donne ni adresse ni numéro de série</translation>
+    </message>
+</context>
+<context>
+    <name>capture.aravis_wishes</name>
+    <message>
+        <source>take rate, exposure_ms, gain, format, size, trigger=software, packet_size or packet_delay_us, as in ?rate=30&amp;size=640x480</source>
+        <translation>prenez rate, exposure_ms, gain, format, size, trigger=software, packet_size ou packet_delay_us, comme dans&#xa0;?rate=30&amp;size=640x480</translation>
+    </message>
+</context>
+<context>
+    <name>capture.ask_for_less</name>
+    <message>
+        <source>ask for a smaller size or rate</source>
+        <translation>demandez une taille ou une cadence plus faible</translation>
+    </message>
+</context>
+<context>
+    <name>capture.ask_for_other_mode</name>
+    <message>
+        <source>ask for another size or format</source>
+        <translation>demandez une autre taille ou un autre format</translation>
+    </message>
+</context>
+<context>
+    <name>capture.ask_for_something_else</name>
+    <message>
+        <source>ask it for something else, or leave that to the camera</source>
+        <translation>demandez autre chose, ou laissez faire la caméra</translation>
+    </message>
+</context>
+<context>
+    <name>capture.ask_for_usable_format</name>
+    <message>
+        <source>ask it for one of %1</source>
+        <translation>demandez-en un parmi %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.ask_within_sensor</name>
+    <message>
+        <source>ask it for a size within that</source>
+        <translation>demandez une taille qui y tient</translation>
+    </message>
+</context>
+<context>
+    <name>capture.automatics_held</name>
+    <message>
+        <source>exposure, gain, white balance and focus are held</source>
+        <translation>exposition, gain, balance des blancs et mise au point sont figés</translation>
+    </message>
+</context>
+<context>
+    <name>capture.automatics_of_camera</name>
+    <message>
+        <source>Automatics, camera %1</source>
+        <translation>Automatismes, caméra %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.buffer_enough</name>
+    <message>
+        <source>up to %1, enough for network cameras</source>
+        <translation>jusqu’à %1, assez pour des caméras réseau</translation>
+    </message>
+</context>
+<context>
+    <name>capture.buffer_not_known</name>
+    <message>
+        <source>the system does not say how large it may be (net.core.rmem_max)</source>
+        <translation>le système ne dit pas quelle taille il peut avoir (net.core.rmem_max)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.buffer_small</name>
+    <message>
+        <source>only %1</source>
+        <translation>seulement %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.buffer_without_use</name>
+    <message>
+        <source>%1, which only network cameras would find too small</source>
+        <translation>%1, trop peu seulement pour des caméras réseau</translation>
+    </message>
+</context>
+<context>
+    <name>capture.bus_of_speed_shared</name>
+    <message>
+        <source>cameras %1 share the bus %2, of %3</source>
+        <translation>les caméras %1 partagent le bus %2, de %3</translation>
+    </message>
+</context>
+<context>
+    <name>capture.bus_shared</name>
+    <message>
+        <source>cameras %1 share the bus %2</source>
+        <translation>les caméras %1 partagent le bus %2</translation>
+    </message>
+</context>
+<context>
+    <name>capture.came_back_changed</name>
+    <message>
+        <source>it came back with pictures of another size or format</source>
+        <translation>elle est revenue avec des images d’une autre taille ou d’un autre format</translation>
+    </message>
+</context>
+<context>
+    <name>capture.camera_at_address</name>
+    <message>
+        <source>camera %1</source>
+        <translation>caméra %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.camera_does_not_deliver</name>
+    <message>
+        <source>a camera does not deliver</source>
+        <translation>une caméra ne livre pas d’images</translation>
+    </message>
+</context>
+<context>
+    <name>capture.cameras_are_listed</name>
+    <message>
+        <source>odograph cameras lists them</source>
+        <translation>odograph cameras en donne la liste</translation>
+    </message>
+</context>
+<context>
+    <name>capture.cameras_will_lose</name>
+    <message>
+        <source>%1 will lose pictures</source>
+        <translation>%1 perdra des images</translation>
+    </message>
+</context>
+<context>
+    <name>capture.cannot_be_opened</name>
+    <message>
+        <source>it cannot be opened (%1)</source>
+        <translation>elle ne peut pas être ouverte (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.check_cable</name>
+    <message>
+        <source>check its cable</source>
+        <translation>vérifiez son câble</translation>
+    </message>
+</context>
+<context>
+    <name>capture.check_cable_and_address</name>
+    <message>
+        <source>check its cable and address</source>
+        <translation>vérifiez son câble et son adresse</translation>
+    </message>
+</context>
+<context>
+    <name>capture.check_cable_and_network</name>
+    <message>
+        <source>check its cable and the network</source>
+        <translation>vérifiez son câble et le réseau</translation>
+    </message>
+</context>
+<context>
+    <name>capture.check_power_and_cable</name>
+    <message>
+        <source>check its power and cable</source>
+        <translation>vérifiez son alimentation et son câble</translation>
+    </message>
+</context>
+<context>
+    <name>capture.check_power_and_network</name>
+    <message>
+        <source>check its power and cable, and that this computer has an address in the camera&apos;s network</source>
+        <translation>vérifiez son alimentation et son câble, et que cet ordinateur a une adresse dans le réseau de la caméra</translation>
+    </message>
+</context>
+<context>
+    <name>capture.check_usb_rights</name>
+    <message>
+        <source>check that you may use it (a udev rule), and that no other program does</source>
+        <translation>vérifiez que vous pouvez l’utiliser (une règle udev), et qu’aucun autre programme ne le fait</translation>
+    </message>
+</context>
+<context>
+    <name>capture.choose_another_value</name>
+    <message>
+        <source>choose another one</source>
+        <translation>choisissez-en un autre</translation>
+    </message>
+</context>
+<context>
+    <name>capture.choose_listed</name>
+    <message>
+        <source>choose one of those that odograph cameras lists</source>
+        <translation>choisissez-en une de celles que liste odograph cameras</translation>
+    </message>
+</context>
+<context>
+    <name>capture.choose_of_offer</name>
+    <message>
+        <source>choose of what it offers</source>
+        <translation>choisissez dans ce qu’elle offre</translation>
+    </message>
+</context>
+<context>
+    <name>capture.choose_value_between</name>
+    <message>
+        <source>choose a value between</source>
+        <translation>choisissez une valeur entre les deux</translation>
+    </message>
+</context>
+<context>
+    <name>capture.close_that_program</name>
+    <message>
+        <source>close that program</source>
+        <translation>fermez ce programme</translation>
+    </message>
+</context>
+<context>
+    <name>capture.connect_right_camera</name>
+    <message>
+        <source>connect the one that belongs there, or begin anew with this one</source>
+        <translation>branchez celle qui convient, ou recommencez avec celle-ci</translation>
+    </message>
+</context>
+<context>
+    <name>capture.control_automatic</name>
+    <message>
+        <source>%1 cannot be set while it is automatic</source>
+        <translation>%1 ne peut pas être réglé tant qu’il est automatique</translation>
+    </message>
+</context>
+<context>
+    <name>capture.control_goes</name>
+    <message>
+        <source>%1 goes from %2 to %3</source>
+        <translation>%1 va de %2 à %3</translation>
+    </message>
+</context>
+<context>
+    <name>capture.control_inactive</name>
+    <message>
+        <source>%1 cannot be set as the camera stands now</source>
+        <translation>%1 ne peut pas être réglé dans l’état actuel de la caméra</translation>
+    </message>
+</context>
+<context>
+    <name>capture.control_not_taken</name>
+    <message>
+        <source>it does not take this for %1 (%2)</source>
+        <translation>elle n’accepte pas cela pour %1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.control_value_refused</name>
+    <message>
+        <source>it refuses this value of %1</source>
+        <translation>elle refuse cette valeur de %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.damaged_advice</name>
+    <message>
+        <source>try another cable or port, or ask for fewer or smaller pictures</source>
+        <translation>essayez un autre câble ou port, ou demandez moins d’images ou de plus petites</translation>
+    </message>
+</context>
+<context>
+    <name>capture.dim_light_halves_rate</name>
+    <message>
+        <source>in dim light a camera halves its rate by itself, unless its automatic exposure is off</source>
+        <translation>par faible lumière, une caméra divise d’elle-même sa cadence par deux, sauf si l’exposition automatique est désactivée</translation>
+    </message>
+</context>
+<context>
+    <name>capture.disk_full</name>
+    <message>
+        <source>its disk has only %1 left, of which %2 are kept free</source>
+        <translation>il ne reste que %1 sur son disque, dont %2 sont réservés</translation>
+    </message>
+</context>
+<context>
+    <name>capture.disk_of</name>
+    <message>
+        <source>the disk of %1</source>
+        <translation>le disque de %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.disk_too_slow</name>
+    <message>
+        <source>it is too slow</source>
+        <translation>il est trop lent</translation>
+    </message>
+</context>
+<context>
+    <name>capture.does_not_answer</name>
+    <message>
+        <source>it does not answer</source>
+        <translation>elle ne répond pas</translation>
+    </message>
+</context>
+<context>
+    <name>capture.does_not_start</name>
+    <message>
+        <source>it does not start (%1)</source>
+        <translation>elle ne démarre pas (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.does_not_start_advice</name>
+    <message>
+        <source>check its cable, and that no other program uses it</source>
+        <translation>vérifiez son câble, et qu’aucun autre programme ne l’utilise</translation>
+    </message>
+</context>
+<context>
+    <name>capture.end_other_writers</name>
+    <message>
+        <source>end what else writes to it</source>
+        <translation>arrêtez ce qui y écrit par ailleurs</translation>
+    </message>
+</context>
+<context>
+    <name>capture.enlarge_buffer</name>
+    <message>
+        <source>sudo sysctl -w net.core.rmem_max=%1, and put the same into /etc/sysctl.d/ to keep it</source>
+        <translation>sudo sysctl -w net.core.rmem_max=%1, et mettez-le aussi dans /etc/sysctl.d/ pour le garder</translation>
+    </message>
+</context>
+<context>
+    <name>capture.expose_for_mains</name>
+    <message>
+        <source>expose for 10 or 20 ms with mains of 50 Hz, 8.3 or 16.7 ms with 60 Hz</source>
+        <translation>exposez 10 ou 20 ms avec un secteur de 50 Hz, 8,3 ou 16,7 ms avec 60 Hz</translation>
+    </message>
+</context>
+<context>
+    <name>capture.exposed_for</name>
+    <message>
+        <source>exposed for %1</source>
+        <translation>exposée %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.exposure_and_gain</name>
+    <message>
+        <source>Exposure and gain</source>
+        <translation>Pose et gain</translation>
+    </message>
+</context>
+<context>
+    <name>capture.exposure_not_taken</name>
+    <message>
+        <source>it does not take this exposure (%1)</source>
+        <translation>elle n’accepte pas cette pose (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.exposure_not_told</name>
+    <message>
+        <source>it does not tell its exposure</source>
+        <translation>elle n’indique pas son exposition</translation>
+    </message>
+</context>
+<context>
+    <name>capture.exposure_suits_lamps</name>
+    <message>
+        <source>exposed for %1, which suits lamps</source>
+        <translation>exposée %1, ce qui convient aux lampes</translation>
+    </message>
+</context>
+<context>
+    <name>capture.failed</name>
+    <message>
+        <source>it failed (%1)</source>
+        <translation>elle a échoué (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.failed_advice</name>
+    <message>
+        <source>unplug it and plug it in again if that lasts</source>
+        <translation>débranchez-la et rebranchez-la si cela dure</translation>
+    </message>
+</context>
+<context>
+    <name>capture.flicker_filter_off</name>
+    <message>
+        <source>its filter is off</source>
+        <translation>son filtre est désactivé</translation>
+    </message>
+</context>
+<context>
+    <name>capture.flicker_filtered</name>
+    <message>
+        <source>filtered by the camera (%1)</source>
+        <translation>filtré par la caméra (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.flicker_of_camera</name>
+    <message>
+        <source>Lamps&apos; flicker, camera %1</source>
+        <translation>Scintillement des lampes, caméra %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.forbidden</name>
+    <message>
+        <source>you may not use it</source>
+        <translation>vous n’avez pas le droit de l’utiliser</translation>
+    </message>
+</context>
+<context>
+    <name>capture.forbidden_advice</name>
+    <message>
+        <source>join the group video (sudo usermod -aG video YOUR-NAME) and log in again</source>
+        <translation>rejoignez le groupe video (sudo usermod -aG video YOUR-NAME) et reconnectez-vous</translation>
+    </message>
+</context>
+<context>
+    <name>capture.format</name>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 à %2</translation>
+    </message>
+</context>
+<context>
+    <name>capture.format_not_told</name>
+    <message>
+        <source>it does not tell its pixel format (%1)</source>
+        <translation>elle ne dit pas son format de pixel (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.format_not_understood</name>
+    <message>
+        <source>its pixel format is not understood</source>
+        <translation>son format de pixel n’est pas compris</translation>
+    </message>
+</context>
+<context>
+    <name>capture.free_after_crash</name>
+    <message>
+        <source>a camera whose program has crashed is free again after some seconds</source>
+        <translation>une caméra dont le programme a planté se libère après quelques secondes</translation>
+    </message>
+</context>
+<context>
+    <name>capture.gain_not_taken</name>
+    <message>
+        <source>it does not take this gain (%1)</source>
+        <translation>elle n’accepte pas ce gain (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.give_address</name>
+    <message>
+        <source>give one as v4l2:/dev/video0, aravis:192.168.1.20, sim:A or file:PATH</source>
+        <translation>donnez-en une comme v4l2:/dev/video0, aravis:192.168.1.20, sim:A ou file:PATH</translation>
+    </message>
+</context>
+<context>
+    <name>capture.give_aravis_place</name>
+    <message>
+        <source>give one as aravis:192.168.1.20 or aravis:SERIAL</source>
+        <translation>donnez-en une comme aravis:192.168.1.20 ou aravis:SERIAL</translation>
+    </message>
+</context>
+<context>
+    <name>capture.gives_no_pictures</name>
+    <message>
+        <source>%1 gives no pictures</source>
+        <translation>%1 ne donne pas d’images</translation>
+    </message>
+</context>
+<context>
+    <name>capture.has_been_away</name>
+    <message>
+        <source>it has been away</source>
+        <translation>elle était partie</translation>
+    </message>
+</context>
+<context>
+    <name>capture.held_while_recording</name>
+    <message>
+        <source>they are held while recording</source>
+        <translation>ils sont figés pendant l’enregistrement</translation>
+    </message>
+</context>
+<context>
+    <name>capture.in_step</name>
+    <message>
+        <source>in step to %1</source>
+        <translation>synchronisé à %1 près</translation>
+    </message>
+</context>
+<context>
+    <name>capture.in_step_as_way</name>
+    <message>
+        <source>at %1 that is %2</source>
+        <translation>à %1, cela fait %2</translation>
+    </message>
+</context>
+<context>
+    <name>capture.join_video_group</name>
+    <message>
+        <source>add yourself to the group video (sudo usermod -aG video $USER), then log out and in again</source>
+        <translation>ajoutez-vous au groupe video (sudo usermod -aG video $USER), puis déconnectez-vous et reconnectez-vous</translation>
+    </message>
+</context>
+<context>
+    <name>capture.keep_awake</name>
+    <message>
+        <source>keep it awake while it records</source>
+        <translation>gardez-le éveillé pendant l’enregistrement</translation>
+    </message>
+</context>
+<context>
+    <name>capture.kept_before_sleep</name>
+    <message>
+        <source>what came before is kept</source>
+        <translation>ce qui précède est gardé</translation>
+    </message>
+</context>
+<context>
+    <name>capture.large_packets</name>
+    <message>
+        <source>large packets are allowed</source>
+        <translation>les grands paquets sont permis</translation>
+    </message>
+</context>
+<context>
+    <name>capture.largest_picture</name>
+    <message>
+        <source>its pictures have %1 pixels at most</source>
+        <translation>ses images ont %1 pixels au plus</translation>
+    </message>
+</context>
+<context>
+    <name>capture.leave_control_out</name>
+    <message>
+        <source>leave it out</source>
+        <translation>omettez-le</translation>
+    </message>
+</context>
+<context>
+    <name>capture.look_again</name>
+    <message>
+        <source>wait a few seconds, and look again</source>
+        <translation>attendez quelques secondes et regardez à nouveau</translation>
+    </message>
+</context>
+<context>
+    <name>capture.look_at_cable</name>
+    <message>
+        <source>look at its cable</source>
+        <translation>regardez son câble</translation>
+    </message>
+</context>
+<context>
+    <name>capture.lost_by_slow_machine</name>
+    <message>
+        <source>%1, %2 lost because this machine is too slow</source>
+        <translation>%1, %2 perdues car cet ordinateur est trop lent</translation>
+    </message>
+</context>
+<context>
+    <name>capture.lost_here</name>
+    <message>
+        <source>%1, %2 lost here</source>
+        <translation>%1, %2 perdues ici</translation>
+    </message>
+</context>
+<context>
+    <name>capture.lost_on_wire</name>
+    <message>
+        <source>%1, %2 lost on the wire</source>
+        <translation>%1, %2 perdues sur le câble</translation>
+    </message>
+</context>
+<context>
+    <name>capture.lost_on_wire_and_here</name>
+    <message>
+        <source>%1, %2 lost (%3 on the wire, %4 here)</source>
+        <translation>%1, %2 perdues (%3 sur le câble, %4 ici)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.machine_slept</name>
+    <message>
+        <source>it slept for %1, and nothing was recorded meanwhile</source>
+        <translation>il a été en veille pendant %1, et rien n’a été enregistré entre-temps</translation>
+    </message>
+</context>
+<context>
+    <name>capture.make_room</name>
+    <message>
+        <source>make room, or move the project to another disk</source>
+        <translation>libérez de la place, ou déplacez le projet sur un autre disque</translation>
+    </message>
+</context>
+<context>
+    <name>capture.mode_not_taken</name>
+    <message>
+        <source>it does not take %1</source>
+        <translation>elle n’accepte pas %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_automatics</name>
+    <message>
+        <source>it has none</source>
+        <translation>elle n’en a pas</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_network_camera</name>
+    <message>
+        <source>no network camera is used</source>
+        <translation>aucune caméra réseau n’est utilisée</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_node</name>
+    <message>
+        <source>this machine shows no USB or built-in camera (/dev/video*)</source>
+        <translation>cet ordinateur ne montre aucune caméra USB ou intégrée (/dev/video*)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_node_advice</name>
+    <message>
+        <source>if one is connected, try another cable and port, without a hub</source>
+        <translation>s’il y en a une de branchée, essayez un autre câble et un autre port, sans concentrateur</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_pair_yet</name>
+    <message>
+        <source>no two pictures have been taken together yet</source>
+        <translation>aucune paire d’images n’a encore été prise ensemble</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_picture_came</name>
+    <message>
+        <source>no picture came for half a second</source>
+        <translation>aucune image n’est venue pendant une demi-seconde</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_picture_for</name>
+    <message>
+        <source>no picture has come for %1</source>
+        <translation>aucune image n’est venue depuis %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_readable_format</name>
+    <message>
+        <source>it has no format that can be read</source>
+        <translation>elle n’a aucun format lisible</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_simulated_camera</name>
+    <message>
+        <source>there is no simulated camera %1</source>
+        <translation>il n’y a pas de caméra simulée %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_software_trigger</name>
+    <message>
+        <source>it has no software trigger (%1)</source>
+        <translation>elle n’a pas de déclenchement logiciel (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_such_address</name>
+    <message>
+        <source>no camera has such an address</source>
+        <translation>aucune caméra n’a cette adresse</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_such_control</name>
+    <message>
+        <source>it has nothing named &apos;%1&apos; that could be set</source>
+        <translation>elle n’a rien nommé &apos;%1&apos; qui puisse être réglé</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_such_format</name>
+    <message>
+        <source>it has no format %1 (%2)</source>
+        <translation>elle n’a pas le format %1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_usable_format</name>
+    <message>
+        <source>it has no pixel format that is understood</source>
+        <translation>elle n’a aucun format de pixel compris</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_usb_camera</name>
+    <message>
+        <source>no USB camera is used</source>
+        <translation>aucune caméra USB n’est utilisée</translation>
+    </message>
+</context>
+<context>
+    <name>capture.nodes_forbidden</name>
+    <message>
+        <source>you may not use %1</source>
+        <translation>vous n’avez pas le droit d’utiliser %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.nodes_usable</name>
+    <message>
+        <source>you may use all %1 video devices</source>
+        <translation>vous pouvez utiliser les %1 périphériques vidéo</translation>
+    </message>
+</context>
+<context>
+    <name>capture.none_lost</name>
+    <message>
+        <source>%1, none lost</source>
+        <translation>%1, aucune perdue</translation>
+    </message>
+</context>
+<context>
+    <name>capture.not_offered</name>
+    <message>
+        <source>it does not offer what was asked for</source>
+        <translation>elle n’offre pas ce qui était demandé</translation>
+    </message>
+</context>
+<context>
+    <name>capture.not_registered</name>
+    <message>
+        <source>it is not registered to the floor</source>
+        <translation>elle n’est pas localisée au sol</translation>
+    </message>
+</context>
+<context>
+    <name>capture.not_there</name>
+    <message>
+        <source>it is not there</source>
+        <translation>elle n’est pas là</translation>
+    </message>
+</context>
+<context>
+    <name>capture.nothing_lost_yet</name>
+    <message>
+        <source>nothing is lost yet</source>
+        <translation>rien n’est encore perdu</translation>
+    </message>
+</context>
+<context>
+    <name>capture.one_camera_in_step</name>
+    <message>
+        <source>one camera is always in step</source>
+        <translation>une seule caméra est toujours synchronisée</translation>
+    </message>
+</context>
+<context>
+    <name>capture.one_not_held</name>
+    <message>
+        <source>%1 goes on changing by itself</source>
+        <translation>%1 continue de changer de lui-même</translation>
+    </message>
+</context>
+<context>
+    <name>capture.open_video_again</name>
+    <message>
+        <source>open it again to see it from the start</source>
+        <translation>rouvrez-la pour la voir depuis le début</translation>
+    </message>
+</context>
+<context>
+    <name>capture.other_camera_in_place</name>
+    <message>
+        <source>another camera (%1) is in its place</source>
+        <translation>une autre caméra (%1) est à sa place</translation>
+    </message>
+</context>
+<context>
+    <name>capture.other_serial_in_place</name>
+    <message>
+        <source>another camera (%1) is in the place of camera %2</source>
+        <translation>une autre caméra (%1) est à la place de la caméra %2</translation>
+    </message>
+</context>
+<context>
+    <name>capture.own_usb_buses</name>
+    <message>
+        <source>each USB camera has a bus of its own</source>
+        <translation>chaque caméra USB a son propre bus</translation>
+    </message>
+</context>
+<context>
+    <name>capture.packet_delay_not_taken</name>
+    <message>
+        <source>it does not take this packet delay (%1)</source>
+        <translation>elle n’accepte pas ce délai de paquet (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.packet_size</name>
+    <message>
+        <source>Packet size</source>
+        <translation>Taille des paquets</translation>
+    </message>
+</context>
+<context>
+    <name>capture.packet_size_not_taken</name>
+    <message>
+        <source>it does not take this packet size (%1)</source>
+        <translation>elle n’accepte pas cette taille de paquet (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.part_not_understood</name>
+    <message>
+        <source>&apos;%1&apos; is not understood</source>
+        <translation>&apos;%1&apos; n’est pas compris</translation>
+    </message>
+</context>
+<context>
+    <name>capture.payload_not_told</name>
+    <message>
+        <source>it does not tell how large its pictures are (%1)</source>
+        <translation>elle ne dit pas quelle taille ont ses images (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.picture_of_camera</name>
+    <message>
+        <source>a picture of camera %1</source>
+        <translation>une image de la caméra %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.picture_size_of_camera</name>
+    <message>
+        <source>Picture size, camera %1</source>
+        <translation>Taille d’image, caméra %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.picture_waits_for_disk</name>
+    <message>
+        <source>a picture has waited %1 for it, and %2 of the room to wait in is taken</source>
+        <translation>une image l’a attendu %1, et %2 de la place d’attente est prise</translation>
+    </message>
+</context>
+<context>
+    <name>capture.pictures_being_lost</name>
+    <message>
+        <source>pictures are being lost</source>
+        <translation>des images se perdent</translation>
+    </message>
+</context>
+<context>
+    <name>capture.pictures_incomplete</name>
+    <message>
+        <source>its pictures come incomplete</source>
+        <translation>ses images arrivent incomplètes</translation>
+    </message>
+</context>
+<context>
+    <name>capture.pictures_may_pulse</name>
+    <message>
+        <source>pictures may pulse under lamps</source>
+        <translation>les images peuvent pulser sous les lampes</translation>
+    </message>
+</context>
+<context>
+    <name>capture.pictures_without_size</name>
+    <message>
+        <source>its pictures have no size</source>
+        <translation>ses images n’ont pas de taille</translation>
+    </message>
+</context>
+<context>
+    <name>capture.plug_camera_in_again</name>
+    <message>
+        <source>plug %1 in again</source>
+        <translation>rebranchez %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.plug_in_again</name>
+    <message>
+        <source>plug it in again</source>
+        <translation>rebranchez-la</translation>
+    </message>
+</context>
+<context>
+    <name>capture.plug_in_or_choose</name>
+    <message>
+        <source>plug it in, or choose one of those that odograph cameras lists</source>
+        <translation>branchez-la, ou choisissez-en une de celles que liste odograph cameras</translation>
+    </message>
+</context>
+<context>
+    <name>capture.put_disk_back</name>
+    <message>
+        <source>put its disk or folder back where it was</source>
+        <translation>remettez son disque ou son dossier où il était</translation>
+    </message>
+</context>
+<context>
+    <name>capture.rate_not_taken</name>
+    <message>
+        <source>it does not take this rate (%1)</source>
+        <translation>elle n’accepte pas cette cadence (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.rate_too_slow</name>
+    <message>
+        <source>%1 (too slow)</source>
+        <translation>%1 (trop lent)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.rates_differ</name>
+    <message>
+        <source>the cameras run at %1 and %2</source>
+        <translation>les caméras tournent à %1 et %2</translation>
+    </message>
+</context>
+<context>
+    <name>capture.receive_buffer</name>
+    <message>
+        <source>Receive buffer</source>
+        <translation>Tampon de réception</translation>
+    </message>
+</context>
+<context>
+    <name>capture.receive_buffer_granted</name>
+    <message>
+        <source>the system keeps only %1 of the network&apos;s packets</source>
+        <translation>le système ne garde que %1 des paquets du réseau</translation>
+    </message>
+</context>
+<context>
+    <name>capture.record_elsewhere</name>
+    <message>
+        <source>record to another disk, or fewer cameras</source>
+        <translation>filmez sur un autre disque, ou avec moins de caméras</translation>
+    </message>
+</context>
+<context>
+    <name>capture.recorded_is_kept</name>
+    <message>
+        <source>what was recorded so far is kept</source>
+        <translation>ce qui a été enregistré jusqu’ici est gardé</translation>
+    </message>
+</context>
+<context>
+    <name>capture.recorded_is_there</name>
+    <message>
+        <source>what was recorded so far is there</source>
+        <translation>ce qui a été enregistré jusqu’ici s’y trouve</translation>
+    </message>
+</context>
+<context>
+    <name>capture.recording_file_gone</name>
+    <message>
+        <source>its file is no longer there</source>
+        <translation>son fichier n’est plus là</translation>
+    </message>
+</context>
+<context>
+    <name>capture.register_in_testbed</name>
+    <message>
+        <source>register it in Testbed, or its pictures cannot tell where a robot is</source>
+        <translation>localisez-la dans Banc, sinon ses images ne peuvent dire où est un robot</translation>
+    </message>
+</context>
+<context>
+    <name>capture.room_for</name>
+    <message>
+        <source>room for %1</source>
+        <translation>place pour %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.see_own_line</name>
+    <message>
+        <source>see its own line</source>
+        <translation>voir sa propre ligne</translation>
+    </message>
+</context>
+<context>
+    <name>capture.send_less</name>
+    <message>
+        <source>or let both send MJPEG, or smaller pictures</source>
+        <translation>ou faites envoyer aux deux du MJPEG, ou des images plus petites</translation>
+    </message>
+</context>
+<context>
+    <name>capture.send_registered_size</name>
+    <message>
+        <source>let it send the size it was registered at, or calibrate and register it anew</source>
+        <translation>faites-lui envoyer la taille de sa localisation, ou étalonnez-la et localisez-la à nouveau</translation>
+    </message>
+</context>
+<context>
+    <name>capture.sends_no_pictures</name>
+    <message>
+        <source>it sends no pictures</source>
+        <translation>elle n’envoie pas d’images</translation>
+    </message>
+</context>
+<context>
+    <name>capture.serial_advice</name>
+    <message>
+        <source>check its power and cable; odograph cameras lists those that answer</source>
+        <translation>vérifiez son alimentation et son câble&#xa0;; odograph cameras liste celles qui répondent</translation>
+    </message>
+</context>
+<context>
+    <name>capture.serial_does_not_answer</name>
+    <message>
+        <source>no camera of this serial number answers</source>
+        <translation>aucune caméra de ce numéro de série ne répond</translation>
+    </message>
+</context>
+<context>
+    <name>capture.set_as_before</name>
+    <message>
+        <source>set it as before, or begin anew with size and format in its address</source>
+        <translation>réglez-la comme avant, ou recommencez avec taille et format dans son adresse</translation>
+    </message>
+</context>
+<context>
+    <name>capture.set_between</name>
+    <message>
+        <source>set it to something between</source>
+        <translation>réglez sur une valeur entre les deux</translation>
+    </message>
+</context>
+<context>
+    <name>capture.set_rate_or_trigger</name>
+    <message>
+        <source>set both to one rate, or trigger them together</source>
+        <translation>réglez les deux à la même cadence, ou déclenchez-les ensemble</translation>
+    </message>
+</context>
+<context>
+    <name>capture.set_receive_buffer</name>
+    <message>
+        <source>sysctl -w net.core.rmem_max=%1</source>
+        <translation>sysctl -w net.core.rmem_max=%1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.set_to_mains</name>
+    <message>
+        <source>set &apos;%1&apos; to your mains</source>
+        <translation>réglez &apos;%1&apos; sur votre secteur</translation>
+    </message>
+</context>
+<context>
+    <name>capture.set_to_one_rate</name>
+    <message>
+        <source>set both to one rate</source>
+        <translation>réglez les deux à la même cadence</translation>
+    </message>
+</context>
+<context>
+    <name>capture.set_to_something_else</name>
+    <message>
+        <source>set it to something else</source>
+        <translation>réglez sur autre chose</translation>
+    </message>
+</context>
+<context>
+    <name>capture.set_width_and_height</name>
+    <message>
+        <source>set its width and height</source>
+        <translation>réglez sa largeur et sa hauteur</translation>
+    </message>
+</context>
+<context>
+    <name>capture.several_not_held</name>
+    <message>
+        <source>%1 go on changing by themselves</source>
+        <translation>%1 continuent de changer d’eux-mêmes</translation>
+    </message>
+</context>
+<context>
+    <name>capture.simulated_camera</name>
+    <message>
+        <source>Simulated camera %1</source>
+        <translation>Caméra simulée %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.size_as_registered</name>
+    <message>
+        <source>%1, as it was registered</source>
+        <translation>%1, comme à sa localisation</translation>
+    </message>
+</context>
+<context>
+    <name>capture.size_not_as_registered</name>
+    <message>
+        <source>%1, but registered at %2</source>
+        <translation>%1, mais localisée en %2</translation>
+    </message>
+</context>
+<context>
+    <name>capture.size_not_taken</name>
+    <message>
+        <source>it does not take this size (%1)</source>
+        <translation>elle n’accepte pas cette taille (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.size_not_told</name>
+    <message>
+        <source>it does not tell its size (%1)</source>
+        <translation>elle ne dit pas sa taille (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.slow_camera</name>
+    <message>
+        <source>it takes only %1 pictures a second of the %2 it was asked for</source>
+        <translation>elle ne prend que %1 images par seconde sur les %2 demandées</translation>
+    </message>
+</context>
+<context>
+    <name>capture.slow_camera_advice</name>
+    <message>
+        <source>give it more light or a shorter exposure, or ask for a lower rate</source>
+        <translation>donnez-lui plus de lumière ou une pose plus courte, ou demandez une cadence plus basse</translation>
+    </message>
+</context>
+<context>
+    <name>capture.small_packets</name>
+    <message>
+        <source>small packets on %1</source>
+        <translation>petits paquets sur %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.small_packets_advice</name>
+    <message>
+        <source>give the port that the camera is on an MTU of 9000 (sudo ip link set dev NAME mtu 9000), if camera and switch can take it</source>
+        <translation>donnez au port de la caméra une MTU de 9000 (sudo ip link set dev NAME mtu 9000), si la caméra et le commutateur l’acceptent</translation>
+    </message>
+</context>
+<context>
+    <name>capture.step</name>
+    <message>
+        <source>Step</source>
+        <translation>Synchronisation</translation>
+    </message>
+</context>
+<context>
+    <name>capture.take_another_camera</name>
+    <message>
+        <source>take another camera</source>
+        <translation>prenez une autre caméra</translation>
+    </message>
+</context>
+<context>
+    <name>capture.take_camera_with_format</name>
+    <message>
+        <source>take a camera that has one of %1</source>
+        <translation>prenez une caméra qui en a un parmi %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.take_off_and_on</name>
+    <message>
+        <source>take it off and put it on again if it stays so</source>
+        <translation>débranchez-la et rebranchez-la si cela continue</translation>
+    </message>
+</context>
+<context>
+    <name>capture.take_simulated_camera</name>
+    <message>
+        <source>take sim:A or sim:B</source>
+        <translation>prenez sim:A ou sim:B</translation>
+    </message>
+</context>
+<context>
+    <name>capture.taken_up_by_itself</name>
+    <message>
+        <source>it is taken up again by itself</source>
+        <translation>elle est reprise d’elle-même</translation>
+    </message>
+</context>
+<context>
+    <name>capture.the_picture</name>
+    <message>
+        <source>the picture</source>
+        <translation>l’image</translation>
+    </message>
+</context>
+<context>
+    <name>capture.the_recording</name>
+    <message>
+        <source>the recording %1</source>
+        <translation>l’enregistrement %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.there_but_silent</name>
+    <message>
+        <source>it is there but sends no pictures</source>
+        <translation>elle est là mais n’envoie pas d’images</translation>
+    </message>
+</context>
+<context>
+    <name>capture.there_but_silent_advice</name>
+    <message>
+        <source>look at its cable, or plug it in again if that lasts</source>
+        <translation>regardez son câble, ou rebranchez-la si cela dure</translation>
+    </message>
+</context>
+<context>
+    <name>capture.these_and_others</name>
+    <message>
+        <source>%1 and others</source>
+        <translation>%1 et d’autres</translation>
+    </message>
+</context>
+<context>
+    <name>capture.this_computer</name>
+    <message>
+        <source>this computer</source>
+        <translation>cet ordinateur</translation>
+    </message>
+</context>
+<context>
+    <name>capture.turn_automatic_off</name>
+    <message>
+        <source>turn the automatic off</source>
+        <translation>désactivez l’automatisme</translation>
+    </message>
+</context>
+<context>
+    <name>capture.turn_off_at_camera</name>
+    <message>
+        <source>turn it off in the camera&apos;s own program, or keep the light steady while robots run</source>
+        <translation>désactivez-le dans le programme de la caméra, ou gardez la lumière stable pendant que les robots roulent</translation>
+    </message>
+</context>
+<context>
+    <name>capture.turn_off_automatic_first</name>
+    <message>
+        <source>turn off the automatic that moves it first</source>
+        <translation>désactivez d’abord l’automatisme qui le déplace</translation>
+    </message>
+</context>
+<context>
+    <name>capture.unplugged</name>
+    <message>
+        <source>it was unplugged</source>
+        <translation>elle a été débranchée</translation>
+    </message>
+</context>
+<context>
+    <name>capture.usb_bus_full</name>
+    <message>
+        <source>its USB bus has no room left for its pictures (the bus is full, not the disk)</source>
+        <translation>son bus USB n’a plus de place pour ses images (c’est le bus qui est plein, pas le disque)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.usb_bus_full_advice</name>
+    <message>
+        <source>plug it in where it shares no bus with another camera, or choose MJPEG, a smaller picture or a lower rate (?format=MJPG&amp;size=640x480&amp;rate=30)</source>
+        <translation>branchez-la là où elle ne partage pas de bus, ou choisissez MJPEG, une image plus petite ou une cadence plus basse (?format=MJPG&amp;size=640x480&amp;rate=30)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.usb_buses</name>
+    <message>
+        <source>USB buses</source>
+        <translation>Bus USB</translation>
+    </message>
+</context>
+<context>
+    <name>capture.use_daylight</name>
+    <message>
+        <source>or use daylight</source>
+        <translation>ou utilisez la lumière du jour</translation>
+    </message>
+</context>
+<context>
+    <name>capture.use_other_port</name>
+    <message>
+        <source>plug one into a port on the other side of the computer, or a card of its own</source>
+        <translation>branchez-en une sur un port de l’autre côté de l’ordinateur, ou sur sa propre carte</translation>
+    </message>
+</context>
+<context>
+    <name>capture.used_by_another_program</name>
+    <message>
+        <source>another program uses it</source>
+        <translation>un autre programme l’utilise</translation>
+    </message>
+</context>
+<context>
+    <name>capture.used_by_program</name>
+    <message>
+        <source>another program uses it (open in %1)</source>
+        <translation>un autre programme l’utilise (ouverte dans %1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.usual_mains</name>
+    <message>
+        <source>50 Hz in most countries, 60 Hz in the Americas</source>
+        <translation>50 Hz dans la plupart des pays, 60 Hz en Amérique</translation>
+    </message>
+</context>
+<context>
+    <name>capture.v4l2_address_example</name>
+    <message>
+        <source>write for instance v4l2:/dev/video0?size=1280x720&amp;rate=30&amp;format=MJPG</source>
+        <translation>écrivez par exemple v4l2:/dev/video0?size=1280x720&amp;rate=30&amp;format=MJPG</translation>
+    </message>
+</context>
+<context>
+    <name>capture.video_has_ended</name>
+    <message>
+        <source>the video has ended</source>
+        <translation>la vidéo est finie</translation>
+    </message>
+</context>
+<context>
+    <name>capture.wait_for_it</name>
+    <message>
+        <source>wait: it is taken up again</source>
+        <translation>attendez&#xa0;: elle est reprise</translation>
+    </message>
+</context>
+<context>
+    <name>capture.wait_or_check_cable</name>
+    <message>
+        <source>wait, or check its cable</source>
+        <translation>attendez, ou vérifiez son câble</translation>
+    </message>
+</context>
+<context>
+    <name>capture.waiting_for_first_picture</name>
+    <message>
+        <source>waiting for the first picture</source>
+        <translation>attend la première image</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.and_lines_more</name>
+    <message>
+        <source>and %1 lines more</source>
+        <translation>et %1 autres lignes</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.archive_library_refused</name>
+    <message>
+        <source>the archive library refused</source>
+        <translation>la bibliothèque d’archives a refusé</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.at_line</name>
+    <message>
+        <source>%1:%2</source>
+        <translation>%1:%2</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.begin_roster</name>
+    <message>
+        <source>begin the file with the line class,team or class,team,pseudonym</source>
+        <translation>commencez le fichier par la ligne class,team ou class,team,pseudonym</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.begin_with_header_or_tum</name>
+    <message>
+        <source>begin the file with the line %1, or write lines of %2</source>
+        <translation>commencez le fichier par la ligne %1, ou écrivez des lignes de %2</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.begin_with_line</name>
+    <message>
+        <source>begin the file with the line %1</source>
+        <translation>commencez le fichier par la ligne %1</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.cannot_be_read</name>
+    <message>
+        <source>it cannot be read</source>
+        <translation>lecture impossible</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.cannot_write_archive</name>
+    <message>
+        <source>cannot write &apos;%1&apos;</source>
+        <translation>impossible d’écrire &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.cell_not_a_number</name>
+    <message>
+        <source>%1 &apos;%2&apos; is not a finite number</source>
+        <translation>%1 &apos;%2&apos; n’est pas un nombre fini</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.cell_of_columns</name>
+    <message>
+        <source>it has %1 cell where the header has %2</source>
+        <translation>il y a %1 cellule où l’en-tête en a %2</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.cells_of_columns</name>
+    <message>
+        <source>it has %1 cells where the header has %2</source>
+        <translation>il y a %1 cellules où l’en-tête en a %2</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.check_it_is_there</name>
+    <message>
+        <source>check that it is there and may be read</source>
+        <translation>vérifiez qu’il est là et peut être lu</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.check_one_run</name>
+    <message>
+        <source>check that all lines are of one run</source>
+        <translation>vérifiez que toutes les lignes sont d’un même passage</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.check_right_file</name>
+    <message>
+        <source>check that it is the right file</source>
+        <translation>vérifiez que c’est le bon fichier</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.check_room_and_rights</name>
+    <message>
+        <source>check the free space and the rights of its folder</source>
+        <translation>vérifiez la place libre et les droits de son dossier</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.check_unit_of_places</name>
+    <message>
+        <source>check the unit of the places: m, cm or mm</source>
+        <translation>vérifiez l’unité des places&#xa0;: m, cm ou mm</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.check_unit_of_times</name>
+    <message>
+        <source>check the unit of the times, and that all lines are of one run</source>
+        <translation>vérifiez l’unité des temps, et que toutes les lignes sont d’un même passage</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.choose_longer_track</name>
+    <message>
+        <source>choose a file with three positions or more</source>
+        <translation>choisissez un fichier avec trois positions ou plus</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.choose_new_folder</name>
+    <message>
+        <source>choose a folder that is not there yet</source>
+        <translation>choisissez un dossier qui n’existe pas encore</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.choose_packed_file</name>
+    <message>
+        <source>choose a file that Odograph has packed, and copy it anew if it is damaged</source>
+        <translation>choisissez un fichier empaqueté par Odograph, et recopiez-le s’il est endommagé</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.choose_style</name>
+    <message>
+        <source>choose analysis, international or continental</source>
+        <translation>choisissez analysis, international ou continental</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.close_quotes</name>
+    <message>
+        <source>close the quotes</source>
+        <translation>fermez les guillemets</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.closed_neither</name>
+    <message>
+        <source>&apos;closed&apos; is neither true nor false</source>
+        <translation>&apos;closed&apos; n’est ni true ni false</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.coefficients_no_row</name>
+    <message>
+        <source>&apos;distortion_coefficients&apos; is neither a row nor a column</source>
+        <translation>&apos;distortion_coefficients&apos; n’est ni une ligne ni une colonne</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.csv_style</name>
+    <message>
+        <source>style &apos;%1&apos; of CSV</source>
+        <translation>style &apos;%1&apos; de CSV</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.does_not_belong</name>
+    <message>
+        <source>&apos;%1&apos; does not belong into a packed project</source>
+        <translation>&apos;%1&apos; n’a pas sa place dans un projet empaqueté</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.entry_is_missing</name>
+    <message>
+        <source>the entry &apos;%1&apos; is missing</source>
+        <translation>l’entrée &apos;%1&apos; manque</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.file_is_empty</name>
+    <message>
+        <source>the file is empty</source>
+        <translation>le fichier est vide</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.file_too_large</name>
+    <message>
+        <source>it is larger than %1</source>
+        <translation>il mesure plus de %1</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.fill_in_all_cells</name>
+    <message>
+        <source>give each line as many cells as the header</source>
+        <translation>donnez à chaque ligne autant de cellules qu’à l’en-tête</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.fill_in_both</name>
+    <message>
+        <source>fill in both or none</source>
+        <translation>remplissez les deux ou aucun</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.give_known_units</name>
+    <message>
+        <source>give times in s or ms and places in m, cm or mm</source>
+        <translation>donnez les temps en s ou ms et les lieux en m, cm ou mm</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.give_marker_label</name>
+    <message>
+        <source>give each marker a label</source>
+        <translation>donnez un libellé à chaque marqueur</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.give_marker_own_label</name>
+    <message>
+        <source>give each marker a label of its own</source>
+        <translation>donnez à chaque marqueur son propre libellé</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.give_one_path</name>
+    <message>
+        <source>give one of points_mm, circle, figure_eight or slalom</source>
+        <translation>donnez points_mm, circle, figure_eight ou slalom</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.give_one_zone</name>
+    <message>
+        <source>give corners_mm, all the way round, or two opposite corners as rectangle_mm</source>
+        <translation>donnez corners_mm, tout autour, ou deux coins opposés avec rectangle_mm</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.give_point_label</name>
+    <message>
+        <source>give each point a label</source>
+        <translation>donnez un libellé à chaque point</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.give_point_own_label</name>
+    <message>
+        <source>give each point a label of its own</source>
+        <translation>donnez à chaque point son propre libellé</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.give_two_corners</name>
+    <message>
+        <source>give two opposite corners: [[x, y], [x, y]]</source>
+        <translation>donnez deux coins opposés&#xa0;: [[x, y], [x, y]]</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.has_become_shorter</name>
+    <message>
+        <source>it has become shorter meanwhile</source>
+        <translation>la taille a diminué entre-temps</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.is_in_it_twice</name>
+    <message>
+        <source>&apos;%1&apos; is in it twice</source>
+        <translation>&apos;%1&apos; s’y trouve deux fois</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.is_no_utf8</name>
+    <message>
+        <source>it is not a UTF-8 text file</source>
+        <translation>ce n’est pas un fichier texte UTF-8</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.is_utf16</name>
+    <message>
+        <source>it is written in UTF-16</source>
+        <translation>il est écrit en UTF-16</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.key_is_no_text</name>
+    <message>
+        <source>a key is no text, or a bracket is not closed</source>
+        <translation>une clé n&apos;est pas un texte, ou une parenthèse n&apos;est pas fermée</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.key_is_there_twice</name>
+    <message>
+        <source>the key &apos;%1&apos; is there twice</source>
+        <translation>la clé &apos;%1&apos; y est deux fois</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.key_not_known</name>
+    <message>
+        <source>the key &apos;%1&apos; is not known</source>
+        <translation>la clé &apos;%1&apos; n’est pas connue</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.label_is_empty</name>
+    <message>
+        <source>the label is empty</source>
+        <translation>le libellé est vide</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.label_is_there</name>
+    <message>
+        <source>the label &apos;%1&apos; is in line %2 already</source>
+        <translation>le libellé &apos;%1&apos; est déjà à la ligne %2</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.lacks_column</name>
+    <message>
+        <source>it lacks the column %1</source>
+        <translation>il manque la colonne %1</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.lacks_header</name>
+    <message>
+        <source>it lacks the expected header line</source>
+        <translation>il manque la ligne d’en-tête attendue</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.lens_model_not_known</name>
+    <message>
+        <source>the lens model &apos;%1&apos; is not known (plumb_bob, rational_polynomial, equidistant are)</source>
+        <translation>le modèle d’objectif &apos;%1&apos; n’est pas connu (plumb_bob, rational_polynomial, equidistant le sont)</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.line_too_long</name>
+    <message>
+        <source>it is longer than 8 MiB</source>
+        <translation>elle dépasse 8 Mio</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.line_without_class</name>
+    <message>
+        <source>line %1 has no class for team &apos;%2&apos;</source>
+        <translation>la ligne %1 n’a pas de classe pour l’équipe &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.line_without_team</name>
+    <message>
+        <source>line %1 has no team</source>
+        <translation>la ligne %1 n’a pas d’équipe</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.longer_than_a_week</name>
+    <message>
+        <source>it is more than a week after the first line</source>
+        <translation>c’est plus d’une semaine après la première ligne</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.matrix_not_3_by_3</name>
+    <message>
+        <source>&apos;camera_matrix&apos; is not a 3 × 3 matrix</source>
+        <translation>&apos;camera_matrix&apos; n’est pas une matrice 3 × 3</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.matrix_of_other_form</name>
+    <message>
+        <source>&apos;camera_matrix&apos; is not of the form fx 0 cx, 0 fy cy, 0 0 1</source>
+        <translation>&apos;camera_matrix&apos; n’est pas de la forme fx 0 cx, 0 fy cy, 0 0 1</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.mend_lines</name>
+    <message>
+        <source>mend these lines</source>
+        <translation>corrigez ces lignes</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.named_track_has_position</name>
+    <message>
+        <source>track &apos;%1&apos; has %2 position</source>
+        <translation>la trajectoire &apos;%1&apos; a %2 position</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.named_track_has_positions</name>
+    <message>
+        <source>track &apos;%1&apos; has %2 positions</source>
+        <translation>la trajectoire &apos;%1&apos; a %2 positions</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.neither_header_nor_tum</name>
+    <message>
+        <source>it has no header with a time, x and y, and is no TUM either</source>
+        <translation>il n’a pas d’en-tête avec un temps, x et y, et n’est pas non plus du TUM</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.nested_too_deep</name>
+    <message>
+        <source>it is nested more than %1 deep</source>
+        <translation>l’imbrication dépasse %1 niveaux</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_anchors</name>
+    <message>
+        <source>anchors and aliases are not understood</source>
+        <translation>les ancres et les alias ne sont pas compris</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_markers</name>
+    <message>
+        <source>there are no markers below the header</source>
+        <translation>il n’y a pas de marqueurs sous l’en-tête</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_project_inside</name>
+    <message>
+        <source>there is no project in it</source>
+        <translation>il ne contient pas de projet</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_such_style</name>
+    <message>
+        <source>there is no such style</source>
+        <translation>ce style n’existe pas</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_task</name>
+    <message>
+        <source>the file holds no task</source>
+        <translation>le fichier ne contient pas d’épreuve</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_track_has_position</name>
+    <message>
+        <source>none of its tracks has a position</source>
+        <translation>aucune de ses trajectoires n’a de position</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_valid_yaml</name>
+    <message>
+        <source>it is no valid YAML (%1)</source>
+        <translation>ce n&apos;est pas du YAML valide (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.not_a_finite_number</name>
+    <message>
+        <source>&apos;%1&apos; is not a finite number</source>
+        <translation>&apos;%1&apos; n’est pas un nombre fini</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.not_a_list</name>
+    <message>
+        <source>&apos;%1&apos; is not a list in brackets</source>
+        <translation>&apos;%1&apos; n’est pas une liste entre crochets</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.not_a_point</name>
+    <message>
+        <source>&apos;%1&apos; is not a point [x, y] in mm</source>
+        <translation>&apos;%1&apos; n’est pas un point [x, y] en mm</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.not_a_time</name>
+    <message>
+        <source>&apos;%1&apos; is not a time</source>
+        <translation>&apos;%1&apos; n’est pas un temps</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.not_a_time_in_seconds</name>
+    <message>
+        <source>&apos;%1&apos; is not a time in seconds</source>
+        <translation>&apos;%1&apos; n’est pas un temps en secondes</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.not_a_whole_number</name>
+    <message>
+        <source>&apos;%1&apos; is not a whole number from %2 to %3</source>
+        <translation>&apos;%1&apos; n’est pas un nombre entier de %2 à %3</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.not_above_zero</name>
+    <message>
+        <source>&apos;%1&apos; is not above zero</source>
+        <translation>&apos;%1&apos; n’est pas supérieur à zéro</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.not_two_corners</name>
+    <message>
+        <source>&apos;rectangle_mm&apos; is not two corners</source>
+        <translation>&apos;rectangle_mm&apos; n’est pas deux coins</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.nothing_imported</name>
+    <message>
+        <source>nothing was imported</source>
+        <translation>rien n’a été importé</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.object_expected</name>
+    <message>
+        <source>an object in braces is expected here</source>
+        <translation>un objet entre accolades est attendu ici</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.one_error_blank</name>
+    <message>
+        <source>one of its two errors is blank</source>
+        <translation>une de ses deux erreurs est vide</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.one_place_blank</name>
+    <message>
+        <source>one of its two places is blank</source>
+        <translation>une de ses deux places est vide</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.order_lines</name>
+    <message>
+        <source>put the lines in the order of time, each time once</source>
+        <translation>mettez les lignes dans l’ordre du temps, chaque temps une fois</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.pack</name>
+    <message>
+        <source>pack &apos;%1&apos;</source>
+        <translation>empaquetage de &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.packing</name>
+    <message>
+        <source>packing %1</source>
+        <translation>empaquetage de %1</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.path_given_twice</name>
+    <message>
+        <source>the reference path is given twice</source>
+        <translation>le tracé de référence est donné deux fois</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.path_not_given</name>
+    <message>
+        <source>the reference path is given by nothing</source>
+        <translation>le tracé de référence n’est donné par rien</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.place_too_far</name>
+    <message>
+        <source>its place is more than 100 km away</source>
+        <translation>sa place est à plus de 100 km</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.quoted_cell_does_not_end</name>
+    <message>
+        <source>a quoted cell does not end</source>
+        <translation>une cellule entre guillemets ne se ferme pas</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.reading_line</name>
+    <message>
+        <source>reading line %1</source>
+        <translation>lecture de la ligne %1</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.roster</name>
+    <message>
+        <source>roster &apos;%1&apos;</source>
+        <translation>liste de classe &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.roster_is_empty</name>
+    <message>
+        <source>it has no team</source>
+        <translation>il n’a pas d’équipe</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.save_as_csv_utf8</name>
+    <message>
+        <source>save it again as &quot;CSV UTF-8&quot; or as a UTF-8 text</source>
+        <translation>enregistrez-le à nouveau en &quot;CSV UTF-8&quot; ou en texte UTF-8</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.save_as_utf8</name>
+    <message>
+        <source>save it again as UTF-8 text</source>
+        <translation>enregistrez-le à nouveau en texte UTF-8</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.save_with_commas</name>
+    <message>
+        <source>save it with commas</source>
+        <translation>enregistrez-le avec des virgules</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.save_with_commas_and_points</name>
+    <message>
+        <source>save it with commas, and with a point in its numbers</source>
+        <translation>enregistrez-le avec des virgules, et un point dans les nombres</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.separated_by_semicolons</name>
+    <message>
+        <source>its columns are separated by semicolons</source>
+        <translation>ses colonnes sont séparées par des points-virgules</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.several_documents</name>
+    <message>
+        <source>it holds more than one document</source>
+        <translation>il contient plus d’un document</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.slalom_without_length</name>
+    <message>
+        <source>the slalom ends where it starts</source>
+        <translation>le slalom finit où il commence</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.team_named_again</name>
+    <message>
+        <source>line %1 names team &apos;%2&apos; again, as line %3</source>
+        <translation>la ligne %1 nomme encore l’équipe &apos;%2&apos;, comme la ligne %3</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.time_goes_back</name>
+    <message>
+        <source>its time is before that of the line before</source>
+        <translation>son temps précède celui de la ligne précédente</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.time_repeated</name>
+    <message>
+        <source>its time is that of the line before</source>
+        <translation>son temps est celui de la ligne précédente</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.too_many_files</name>
+    <message>
+        <source>it has too many files</source>
+        <translation>il a trop de fichiers</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.too_many_places</name>
+    <message>
+        <source>the file has more than 1.5 million places</source>
+        <translation>le fichier a plus de 1,5 million de positions</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.too_many_values</name>
+    <message>
+        <source>it holds more than %1 values</source>
+        <translation>il contient plus de %1 valeurs</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.track_has_position</name>
+    <message>
+        <source>the track has %1 position</source>
+        <translation>la trajectoire a %1 position</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.track_has_positions</name>
+    <message>
+        <source>the track has %1 positions</source>
+        <translation>la trajectoire a %1 positions</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.tum_entries</name>
+    <message>
+        <source>it has %1 entries instead of the 8 of TUM</source>
+        <translation>il y a %1 entrées au lieu des 8 de TUM</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.tum_entry</name>
+    <message>
+        <source>it has %1 entry instead of the 8 of TUM</source>
+        <translation>il y a %1 entrée au lieu des 8 de TUM</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.unit_not_known</name>
+    <message>
+        <source>its column &apos;%1&apos; is in a unit that is not known</source>
+        <translation>sa colonne &apos;%1&apos; est dans une unité inconnue</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.unpack</name>
+    <message>
+        <source>unpack &apos;%1&apos;</source>
+        <translation>dépaquetage de &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.unpack_into</name>
+    <message>
+        <source>unpack into &apos;%1&apos;</source>
+        <translation>dépaquetage dans &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.unpacking</name>
+    <message>
+        <source>unpacking</source>
+        <translation>dépaquetage</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.unpacks_too_large</name>
+    <message>
+        <source>it unpacks to more than a hundred times its size</source>
+        <translation>une fois décompressé, il dépasse cent fois sa taille</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.use_calibration_file</name>
+    <message>
+        <source>use a calibration file as ROS or OpenCV writes it</source>
+        <translation>utilisez un fichier d’étalonnage tel que ROS ou OpenCV l’écrit</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.use_keys</name>
+    <message>
+        <source>use %1</source>
+        <translation>utilisez %1</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.wait_for_writers</name>
+    <message>
+        <source>wait until nobody writes to it, and try again</source>
+        <translation>attendez que personne n’y écrive, et réessayez</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.write_class_and_team</name>
+    <message>
+        <source>write a line with class and team below the header</source>
+        <translation>écrivez sous l’en-tête une ligne avec classe et équipe</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.write_digits</name>
+    <message>
+        <source>write it with digits, like 12.5</source>
+        <translation>écrivez-le avec des chiffres, comme 12.5</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.write_digits_or_blank</name>
+    <message>
+        <source>write it with digits, like 12.5, or leave the place blank</source>
+        <translation>écrivez-le avec des chiffres, comme 12.5, ou laissez la place vide</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.write_line_for_marker</name>
+    <message>
+        <source>write one line for each marker</source>
+        <translation>écrivez une ligne par marqueur</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.write_object_with</name>
+    <message>
+        <source>write one with %1</source>
+        <translation>écrivez-en un avec %1</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.write_task_as_shown</name>
+    <message>
+        <source>write the task as odograph task list --json shows one</source>
+        <translation>écrivez l’épreuve comme odograph task list --json en montre une</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.write_tum_or_header</name>
+    <message>
+        <source>write %1, or begin the file with the line %2</source>
+        <translation>écrivez %1, ou commencez le fichier par la ligne %2</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.write_value_for_each</name>
+    <message>
+        <source>write one value for each of %1</source>
+        <translation>écrivez une valeur pour chacun de %1</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.wrong_number_of_cells</name>
+    <message>
+        <source>it has %1 cells instead of %2</source>
+        <translation>il a %1 cellules au lieu de %2</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.wrong_number_of_numbers</name>
+    <message>
+        <source>&apos;%1&apos; has %2 numbers instead of %3 × %4</source>
+        <translation>&apos;%1&apos; a %2 nombres au lieu de %3 × %4</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.wrong_poles</name>
+    <message>
+        <source>&apos;poles&apos; is not a whole number from 1 to 100</source>
+        <translation>&apos;poles&apos; n’est pas un nombre entier de 1 à 100</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.zone_given_twice</name>
+    <message>
+        <source>the zone is given twice</source>
+        <translation>la zone est donnée deux fois</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.zone_not_given</name>
+    <message>
+        <source>the zone is given by nothing</source>
+        <translation>la zone n’est donnée par rien</translation>
+    </message>
+</context>
+<context>
+    <name>files.cannot_be_looked_at</name>
+    <message>
+        <source>it cannot be looked at (%1)</source>
+        <translation>accès impossible (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>files.cannot_be_read</name>
+    <message>
+        <source>it cannot be read (%1)</source>
+        <translation>lecture impossible (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>files.cannot_be_written</name>
+    <message>
+        <source>it cannot be written (%1)</source>
+        <translation>écriture impossible (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>files.check_file_is_there</name>
+    <message>
+        <source>check that the file is there and may be read</source>
+        <translation>vérifiez que le fichier est là et peut être lu</translation>
+    </message>
+</context>
+<context>
+    <name>files.check_may_be_read</name>
+    <message>
+        <source>check that you may read the file</source>
+        <translation>vérifiez que vous pouvez lire le fichier</translation>
+    </message>
+</context>
+<context>
+    <name>files.check_name</name>
+    <message>
+        <source>check the name and the folder</source>
+        <translation>vérifiez le nom et le dossier</translation>
+    </message>
+</context>
+<context>
+    <name>files.choose_another_file</name>
+    <message>
+        <source>choose another file</source>
+        <translation>choisissez un autre fichier</translation>
+    </message>
+</context>
+<context>
+    <name>files.choose_another_folder</name>
+    <message>
+        <source>choose another folder</source>
+        <translation>choisissez un autre dossier</translation>
+    </message>
+</context>
+<context>
+    <name>files.choose_another_name</name>
+    <message>
+        <source>choose another name</source>
+        <translation>choisissez un autre nom</translation>
+    </message>
+</context>
+<context>
+    <name>files.choose_folder_with_room</name>
+    <message>
+        <source>choose a folder that you may write to and that has room</source>
+        <translation>choisissez un dossier où vous pouvez écrire et qui a de la place</translation>
+    </message>
+</context>
+<context>
+    <name>files.choose_name_or_folder</name>
+    <message>
+        <source>choose another name or folder</source>
+        <translation>choisissez un autre nom ou un autre dossier</translation>
+    </message>
+</context>
+<context>
+    <name>files.choose_shorter_name</name>
+    <message>
+        <source>choose a shorter name</source>
+        <translation>choisissez un nom plus court</translation>
+    </message>
+</context>
+<context>
+    <name>files.choose_writable_folder</name>
+    <message>
+        <source>choose a folder that you may write to</source>
+        <translation>choisissez un dossier où vous pouvez écrire</translation>
+    </message>
+</context>
+<context>
+    <name>files.disk_is_full</name>
+    <message>
+        <source>the disk is full</source>
+        <translation>le disque est plein</translation>
+    </message>
+</context>
+<context>
+    <name>files.folder_cannot_be_used</name>
+    <message>
+        <source>its folder cannot be used (%1)</source>
+        <translation>son dossier est inutilisable (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>files.folder_not_writable</name>
+    <message>
+        <source>the folder &apos;%1&apos; cannot be written to (%2)</source>
+        <translation>le dossier &apos;%1&apos; ne peut pas être modifié (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>files.has_no_name</name>
+    <message>
+        <source>it has no name</source>
+        <translation>il n’a pas de nom</translation>
+    </message>
+</context>
+<context>
+    <name>files.is_a_database</name>
+    <message>
+        <source>it is a database</source>
+        <translation>c’est une base de données</translation>
+    </message>
+</context>
+<context>
+    <name>files.is_another_project</name>
+    <message>
+        <source>it is another project</source>
+        <translation>c’est un autre projet</translation>
+    </message>
+</context>
+<context>
+    <name>files.is_beside_project</name>
+    <message>
+        <source>it is the log, the lock or a backup of a project</source>
+        <translation>c’est le journal, le verrou ou une copie de sauvegarde d’un projet</translation>
+    </message>
+</context>
+<context>
+    <name>files.is_in_media_folder</name>
+    <message>
+        <source>it is in the media folder of project &apos;%1&apos;</source>
+        <translation>il est dans le dossier des médias du projet &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>files.is_in_some_media_folder</name>
+    <message>
+        <source>it is in a media folder beside a project</source>
+        <translation>il se trouve dans un dossier de médias à côté d’un projet</translation>
+    </message>
+</context>
+<context>
+    <name>files.is_input</name>
+    <message>
+        <source>it is an input of the same call</source>
+        <translation>c’est une entrée du même appel</translation>
+    </message>
+</context>
+<context>
+    <name>files.is_of_another_kind</name>
+    <message>
+        <source>a file of another kind has that name</source>
+        <translation>un fichier d’un autre type porte ce nom</translation>
+    </message>
+</context>
+<context>
+    <name>files.is_open_project</name>
+    <message>
+        <source>it is a project that is open here</source>
+        <translation>c&apos;est un projet qui est ouvert ici</translation>
+    </message>
+</context>
+<context>
+    <name>files.is_temporary_name</name>
+    <message>
+        <source>Odograph uses such names for temporary files</source>
+        <translation>Odograph utilise de tels noms pour ses fichiers temporaires</translation>
+    </message>
+</context>
+<context>
+    <name>files.is_the_project</name>
+    <message>
+        <source>it is the project itself</source>
+        <translation>c’est le projet lui-même</translation>
+    </message>
+</context>
+<context>
+    <name>files.is_there_already</name>
+    <message>
+        <source>it is there already</source>
+        <translation>existe déjà</translation>
+    </message>
+</context>
+<context>
+    <name>files.log_left_beside</name>
+    <message>
+        <source>its folder has &apos;%1&apos;, the log or journal of another file of this name</source>
+        <translation>son dossier contient « %1 », le journal d’un autre fichier de ce nom</translation>
+    </message>
+</context>
+<context>
+    <name>files.make_folder_first</name>
+    <message>
+        <source>make the folder first, or choose another one</source>
+        <translation>créez d’abord le dossier, ou choisissez-en un autre</translation>
+    </message>
+</context>
+<context>
+    <name>files.make_room</name>
+    <message>
+        <source>make room on the disk and try again</source>
+        <translation>libérez de la place sur le disque et réessayez</translation>
+    </message>
+</context>
+<context>
+    <name>files.move_log_away</name>
+    <message>
+        <source>choose another name, or move &apos;%1&apos; to another folder first</source>
+        <translation>choisissez un autre nom, ou déplacez d’abord « %1 » dans un autre dossier</translation>
+    </message>
+</context>
+<context>
+    <name>files.name_a_file</name>
+    <message>
+        <source>name a file</source>
+        <translation>nommez un fichier</translation>
+    </message>
+</context>
+<context>
+    <name>files.name_too_long</name>
+    <message>
+        <source>its name is too long</source>
+        <translation>son nom est trop long</translation>
+    </message>
+</context>
+<context>
+    <name>files.names_a_project</name>
+    <message>
+        <source>a name ending in .odo is for a project</source>
+        <translation>un nom qui se termine par .odo est réservé à un projet</translation>
+    </message>
+</context>
+<context>
+    <name>files.no_such_file</name>
+    <message>
+        <source>there is no such file</source>
+        <translation>ce fichier n’existe pas</translation>
+    </message>
+</context>
+<context>
+    <name>files.no_such_folder</name>
+    <message>
+        <source>there is no folder &apos;%1&apos;</source>
+        <translation>il n’y a pas de dossier &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>files.replace_by_force</name>
+    <message>
+        <source>choose another name, or replace it with --force</source>
+        <translation>choisissez un autre nom, ou remplacez-le avec --force</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.add_points</name>
+    <message>
+        <source>add points</source>
+        <translation>ajoutez des points</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.at_one_place</name>
+    <message>
+        <source>%1 lie at one place</source>
+        <translation>%1 sont au même endroit</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.at_one_place_in_picture</name>
+    <message>
+        <source>%1 lie at one place in the picture</source>
+        <translation>%1 sont au même endroit de l’image</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.beyond_horizon</name>
+    <message>
+        <source>%1 would lie beyond the horizon</source>
+        <translation>%1 serait au-delà de l’horizon</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.bow_tie</name>
+    <message>
+        <source>the order of the points crosses over like a bow tie</source>
+        <translation>l’ordre des points se croise comme un nœud papillon</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.calibrate_again</name>
+    <message>
+        <source>calibrate the camera again, or import another file</source>
+        <translation>étalonnez à nouveau la caméra, ou importez un autre fichier</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.check_points</name>
+    <message>
+        <source>check which point is which</source>
+        <translation>vérifiez quel point est lequel</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.coordinate_not_finite</name>
+    <message>
+        <source>a coordinate of %1 is not a finite number</source>
+        <translation>une coordonnée de %1 n’est pas un nombre fini</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.correct_it</name>
+    <message>
+        <source>correct it</source>
+        <translation>corrigez-le</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.correct_one</name>
+    <message>
+        <source>correct one of them</source>
+        <translation>corrigez l’un d’eux</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.empty_chain</name>
+    <message>
+        <source>the chain has no links</source>
+        <translation>la chaîne n’a pas de maillons</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.focal_not_positive</name>
+    <message>
+        <source>the focal length %1 is not positive</source>
+        <translation>la distance focale %1 n’est pas positive</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.four_points_needed</name>
+    <message>
+        <source>four points are needed, %1 given</source>
+        <translation>il faut quatre points, %1 donnés</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.give_one_link</name>
+    <message>
+        <source>give at least one</source>
+        <translation>donnez-en au moins un</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.intrinsics_unusable</name>
+    <message>
+        <source>these intrinsics cannot be used</source>
+        <translation>ces paramètres intrinsèques sont inutilisables</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.no_homography</name>
+    <message>
+        <source>no homography</source>
+        <translation>pas d’homographie</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.on_one_line</name>
+    <message>
+        <source>%1 lie on one line</source>
+        <translation>%1 sont alignés</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.on_one_line_in_picture</name>
+    <message>
+        <source>%1 lie on one line in the picture</source>
+        <translation>%1 sont alignés dans l’image</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.point</name>
+    <message>
+        <source>point %1</source>
+        <translation>point %1</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.points_do_not_tell</name>
+    <message>
+        <source>the points do not determine it</source>
+        <translation>les points ne la déterminent pas</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.singular_link</name>
+    <message>
+        <source>link %1 of %2 of the chain is singular</source>
+        <translation>le maillon %1 sur %2 de la chaîne est singulier</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.size_not_positive</name>
+    <message>
+        <source>the picture size %1 is not positive</source>
+        <translation>la taille d’image %1 n’est pas positive</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.spread_points</name>
+    <message>
+        <source>spread the points</source>
+        <translation>écartez les points</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.use_four_points</name>
+    <message>
+        <source>use four points of which no three are in line</source>
+        <translation>utilisez quatre points dont trois ne sont jamais alignés</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.use_four_points_in_it</name>
+    <message>
+        <source>use four points in it of which no three are in line</source>
+        <translation>utilisez-y quatre points dont trois ne sont jamais alignés</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.value_not_finite</name>
+    <message>
+        <source>one of the values is not a finite number</source>
+        <translation>une des valeurs n’est pas un nombre fini</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.wrong_coefficients</name>
+    <message>
+        <source>%1 distortion coefficients do not belong to this lens model</source>
+        <translation>%1 coefficients de distorsion ne vont pas avec ce modèle d’objectif</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.wrong_covariance_size</name>
+    <message>
+        <source>the covariance has the wrong size</source>
+        <translation>la covariance n’a pas la bonne taille</translation>
     </message>
 </context>
 <context>
@@ -9122,60 +8815,12 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Nouvelle classe</translation>
     </message>
     <message>
-        <source>add class %1</source>
-        <translation>ajout de la classe %1</translation>
-    </message>
-    <message>
         <source>Rename class</source>
         <translation>Renommer la classe</translation>
     </message>
     <message>
-        <source>rename class %1 to %2</source>
-        <translation>classe %1 renommée en %2</translation>
-    </message>
-    <message>
-        <source>take class %1 out of the archive</source>
-        <translation>désarchivage de la classe %1</translation>
-    </message>
-    <message>
-        <source>archive class %1</source>
-        <translation>archivage de la classe %1</translation>
-    </message>
-    <message>
-        <source>delete class %1</source>
-        <translation>suppression de la classe %1</translation>
-    </message>
-    <message>
         <source>New team</source>
         <translation>Nouvelle équipe</translation>
-    </message>
-    <message>
-        <source>add team %1</source>
-        <translation>ajout de l’équipe %1</translation>
-    </message>
-    <message>
-        <source>take team %1 out of its class</source>
-        <translation>retrait de l’équipe %1 de sa classe</translation>
-    </message>
-    <message>
-        <source>move team %1 to class %2</source>
-        <translation>déplacement de l’équipe %1 vers la classe %2</translation>
-    </message>
-    <message>
-        <source>delete team %1</source>
-        <translation>suppression de l’équipe %1</translation>
-    </message>
-    <message>
-        <source>change members and robots of team %1</source>
-        <translation>modification des membres et des robots de l’équipe %1</translation>
-    </message>
-    <message>
-        <source>rename team %1 to %2</source>
-        <translation>équipe %1 renommée en %2</translation>
-    </message>
-    <message>
-        <source>change the pseudonym of team %1</source>
-        <translation>modification du pseudonyme de l’équipe %1</translation>
     </message>
 </context>
 <context>
@@ -9718,20 +9363,12 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Démo Odograph</translation>
     </message>
     <message>
-        <source>Making the demo lesson</source>
-        <translation>Création de la leçon de démonstration</translation>
-    </message>
-    <message>
         <source>Copy of %1</source>
         <translation>Copie de %1</translation>
     </message>
     <message>
         <source>Save a copy</source>
         <translation>Enregistrer une copie</translation>
-    </message>
-    <message>
-        <source>Saving a copy</source>
-        <translation>Enregistrement d’une copie</translation>
     </message>
     <message>
         <source>A copy was saved as %1. Its videos stay where they are.</source>
@@ -9744,10 +9381,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>With its cameras, marker layouts, robots and tasks, without people and trials</source>
         <translation>Avec ses caméras, plans de marqueurs, robots et épreuves, sans personnes ni essais</translation>
-    </message>
-    <message>
-        <source>Taking over the set-up</source>
-        <translation>Reprise de l’installation</translation>
     </message>
 </context>
 <context>
@@ -10098,40 +9731,12 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
             <numerusform>Exporter %n essais&#xa0;: choisissez un dossier</numerusform>
         </translation>
     </message>
-    <message>
-        <source>Exported trials: %1 of %2.</source>
-        <translation>Essais exportés&#xa0;: %1 sur %2.</translation>
-    </message>
-    <message>
-        <source>Exporting %1 (%2 of %3)</source>
-        <translation>Exportation de %1 (%2 sur %3)</translation>
-    </message>
     <message numerus="yes">
         <source>Videos of %n trial(s)</source>
         <translation>
             <numerusform>Vidéos de %n essai</numerusform>
             <numerusform>Vidéos de %n essais</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Videos made: %1 of %2.</source>
-        <translation>Vidéos créées&#xa0;: %1 sur %2.</translation>
-    </message>
-    <message>
-        <source>Making the video of %1 (%2 of %3)</source>
-        <translation>Création de la vidéo de %1 (%2 sur %3)</translation>
-    </message>
-    <message>
-        <source>Trials measured again: %1 of %2.</source>
-        <translation>Essais remesurés&#xa0;: %1 sur %2.</translation>
-    </message>
-    <message>
-        <source>Measuring %1 again (%2 of %3)</source>
-        <translation>Nouvelle mesure de %1 (%2 sur %3)</translation>
-    </message>
-    <message>
-        <source>Emptying the bin</source>
-        <translation>Vidage de la corbeille</translation>
     </message>
     <message numerus="yes">
         <source>%n trial(s) removed for good.</source>
@@ -10150,14 +9755,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>%1 could not be deleted; delete it by hand.</source>
         <translation>%1 n’a pas pu être supprimé&#xa0;; supprimez-le à la main.</translation>
-    </message>
-    <message>
-        <source>and %1 more</source>
-        <translation>et %1 de plus</translation>
-    </message>
-    <message>
-        <source>mend what stands there, and choose these trials again</source>
-        <translation>corrigez ce qui est indiqué, puis choisissez de nouveau ces essais</translation>
     </message>
 </context>
 <context>
@@ -11295,14 +10892,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>odo::MainWindow</name>
     <message>
-        <source>no project is open</source>
-        <translation>aucun projet n’est ouvert</translation>
-    </message>
-    <message>
-        <source>open the project that it belongs to</source>
-        <translation>ouvrez le projet auquel cela appartient</translation>
-    </message>
-    <message>
         <source>&amp;File</source>
         <translation>&amp;Fichier</translation>
     </message>
@@ -11373,54 +10962,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>&amp;Vider la corbeille…</translation>
     </message>
     <message>
-        <source>star %1</source>
-        <translation>étoile mise à %1</translation>
-    </message>
-    <message>
-        <source>take the star off %1</source>
-        <translation>étoile retirée à %1</translation>
-    </message>
-    <message>
-        <source>star %1 trials</source>
-        <translation>étoile mise à %1 essais</translation>
-    </message>
-    <message>
-        <source>take the star off %1 trials</source>
-        <translation>étoile retirée à %1 essais</translation>
-    </message>
-    <message>
-        <source>archive %1</source>
-        <translation>archivage de %1</translation>
-    </message>
-    <message>
-        <source>take %1 out of the archive</source>
-        <translation>désarchivage de %1</translation>
-    </message>
-    <message>
-        <source>archive %1 trials</source>
-        <translation>archivage de %1 essais</translation>
-    </message>
-    <message>
-        <source>take %1 trials out of the archive</source>
-        <translation>désarchivage de %1 essais</translation>
-    </message>
-    <message>
-        <source>delete %1</source>
-        <translation>suppression de %1</translation>
-    </message>
-    <message>
-        <source>take %1 out of the bin</source>
-        <translation>restauration de %1 depuis la corbeille</translation>
-    </message>
-    <message>
-        <source>delete %1 trials</source>
-        <translation>suppression de %1 essais</translation>
-    </message>
-    <message>
-        <source>take %1 trials out of the bin</source>
-        <translation>restauration de %1 essais depuis la corbeille</translation>
-    </message>
-    <message>
         <source>Take the &amp;star off</source>
         <translation>Retirer l’é&amp;toile</translation>
     </message>
@@ -11439,10 +10980,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Puts the selected trials into the bin (Del); they can be put back</source>
         <translation>Met les essais sélectionnés à la corbeille (Suppr)&#xa0;; ils peuvent être restaurés</translation>
-    </message>
-    <message>
-        <source>change the tags of %1</source>
-        <translation>modification des étiquettes de %1</translation>
     </message>
     <message>
         <source>Empty the bin</source>
@@ -12112,18 +11649,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Essais</translation>
     </message>
     <message>
-        <source>report</source>
-        <translation>rapport</translation>
-    </message>
-    <message>
-        <source>there is no trial yet</source>
-        <translation>il n’y a pas encore d’essai</translation>
-    </message>
-    <message>
-        <source>import or record one first</source>
-        <translation>importez ou filmez d’abord un essai</translation>
-    </message>
-    <message>
         <source>Save the report</source>
         <translation>Enregistrer le rapport</translation>
     </message>
@@ -12138,10 +11663,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>The report is with the printer %1.</source>
         <translation>Le rapport est à l’imprimante %1.</translation>
-    </message>
-    <message>
-        <source>Making the report</source>
-        <translation>Création du rapport</translation>
     </message>
 </context>
 <context>
@@ -12739,18 +12260,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>%1 × %2</translation>
     </message>
     <message>
-        <source>add robot %1</source>
-        <translation>ajout du robot %1</translation>
-    </message>
-    <message>
-        <source>change robot %1</source>
-        <translation>modification du robot %1</translation>
-    </message>
-    <message>
-        <source>delete robot %1</source>
-        <translation>suppression du robot %1</translation>
-    </message>
-    <message>
         <source>its silhouette</source>
         <translation>sa silhouette</translation>
     </message>
@@ -13087,10 +12596,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>P%1</source>
         <comment>a point</comment>
         <translation>P%1</translation>
-    </message>
-    <message>
-        <source>camera %1</source>
-        <translation>caméra %1</translation>
     </message>
     <message>
         <source>Click a point of the floor in the left picture, then the same one in the right picture. What lies near a click is taken to the tenth of a pixel; the arrow keys move the chosen point, Space snaps it.</source>
@@ -13782,36 +13287,12 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         </translation>
     </message>
     <message>
-        <source>add task %1</source>
-        <translation>ajout de l’épreuve %1</translation>
-    </message>
-    <message>
-        <source>change task %1</source>
-        <translation>modification de l’épreuve %1</translation>
-    </message>
-    <message>
         <source>Rename task</source>
         <translation>Renommer l’épreuve</translation>
     </message>
     <message>
         <source>Name:</source>
         <translation>Nom&#xa0;:</translation>
-    </message>
-    <message>
-        <source>rename task %1 to %2</source>
-        <translation>épreuve %1 renommée en %2</translation>
-    </message>
-    <message>
-        <source>archive task %1</source>
-        <translation>archivage de l’épreuve %1</translation>
-    </message>
-    <message>
-        <source>take task %1 out of the archive</source>
-        <translation>désarchivage de l’épreuve %1</translation>
-    </message>
-    <message>
-        <source>delete task %1</source>
-        <translation>suppression de l’épreuve %1</translation>
     </message>
 </context>
 <context>
@@ -14142,10 +13623,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>La caméra %1 est étalonnée. %2</translation>
     </message>
     <message>
-        <source>register camera %1</source>
-        <translation>localisation de la caméra %1</translation>
-    </message>
-    <message>
         <source>Camera %1 is registered. %2</source>
         <translation>La caméra %1 est localisée. %2</translation>
     </message>
@@ -14184,10 +13661,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Tables (*.csv *.txt);;All files (*)</source>
         <translation>Tableaux (*.csv *.txt);;Tous les fichiers (*)</translation>
-    </message>
-    <message>
-        <source>add layout %1</source>
-        <translation>ajout du plan %1</translation>
     </message>
     <message>
         <source>Layout %1 has %2 markers.</source>
@@ -14431,10 +13904,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Projets empaquetés (*%1)</translation>
     </message>
     <message>
-        <source>Packing the project</source>
-        <translation>Empaquetage du projet</translation>
-    </message>
-    <message>
         <source>The project is packed into %1. Elsewhere it is unpacked by &quot;Unpack a packed project&quot;.</source>
         <translation>Le projet est empaqueté dans %1. Ailleurs, on le dépaquète par «&#xa0;Dépaqueter un projet&#xa0;».</translation>
     </message>
@@ -14455,16 +13924,8 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Où dépaqueter le projet&#xa0;?</translation>
     </message>
     <message>
-        <source>Unpacking the project</source>
-        <translation>Dépaquetage du projet</translation>
-    </message>
-    <message>
         <source>In which folder, or below, may the lost videos lie?</source>
         <translation>Dans quel dossier, ou sous lequel, peuvent être les vidéos perdues&#xa0;?</translation>
-    </message>
-    <message>
-        <source>Looking for lost videos</source>
-        <translation>Recherche des vidéos perdues</translation>
     </message>
     <message>
         <source>%1 of %2 lost videos were found, by their content.</source>
@@ -14473,10 +13934,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Find &amp;stray files…</source>
         <translation>Retrouver les &amp;fichiers orphelins…</translation>
-    </message>
-    <message>
-        <source>Looking for stray files</source>
-        <translation>Recherche des fichiers orphelins</translation>
     </message>
     <message>
         <source>Every file in the media folder belongs to a trial, a lens calibration or a floor registration.</source>
@@ -14505,20 +13962,12 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>&amp;Remove files</source>
         <translation>&amp;Supprimer les fichiers</translation>
     </message>
-    <message>
-        <source>Adding stray videos as trials</source>
-        <translation>Ajout des vidéos orphelines comme essais</translation>
-    </message>
     <message numerus="yes">
         <source>%n trial(s) added. Their names begin with &quot;recovered&quot;.</source>
         <translation>
             <numerusform>%n essai ajouté. Son nom commence par « recovered ».</numerusform>
             <numerusform>%n essais ajoutés. Leurs noms commencent par « recovered ».</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Removing stray files</source>
-        <translation>Suppression des fichiers orphelins</translation>
     </message>
     <message numerus="yes">
         <source>%n stray file(s) removed.</source>
@@ -14597,30 +14046,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Ajouter un &amp;robot…</translation>
     </message>
     <message>
-        <source>Importing %1</source>
-        <translation>Importation de %1</translation>
-    </message>
-    <message>
-        <source>Tracking %1</source>
-        <translation>Suivi de %1</translation>
-    </message>
-    <message>
-        <source>the sample</source>
-        <translation>l’échantillon</translation>
-    </message>
-    <message>
-        <source>this project can only be read</source>
-        <translation>ce projet ne peut qu’être lu</translation>
-    </message>
-    <message>
-        <source>save a copy and work on that</source>
-        <translation>enregistrez une copie et travaillez sur celle-ci</translation>
-    </message>
-    <message>
-        <source>Measuring %1 again</source>
-        <translation>Nouvelle mesure de %1</translation>
-    </message>
-    <message>
         <source>The sample at %1 of %2 is not used. Undo takes it back.</source>
         <translation>L’échantillon à %1 de %2 n’est pas utilisé. Annuler revient en arrière.</translation>
     </message>
@@ -14637,39 +14062,12 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Vidéos MP4 (*.mp4)</translation>
     </message>
     <message>
-        <source>Making the video of %1</source>
-        <translation>Création de la vidéo de %1</translation>
-    </message>
-    <message>
         <source>The video of %1 is there: %2</source>
         <translation>La vidéo de %1 est prête&#xa0;: %2</translation>
     </message>
     <message>
-        <source>add robot %1</source>
-        <translation>ajout du robot %1</translation>
-    </message>
-    <message>
         <source>Robot %1 is known now.</source>
         <translation>Le robot %1 est maintenant connu.</translation>
-    </message>
-    <message>
-        <source>the trial</source>
-        <translation>l’essai</translation>
-    </message>
-</context>
-<context>
-    <name>odo::TrialBatch</name>
-    <message>
-        <source>many trials</source>
-        <translation>plusieurs essais</translation>
-    </message>
-    <message>
-        <source>another job is running</source>
-        <translation>une autre tâche est en cours</translation>
-    </message>
-    <message>
-        <source>wait until it is done, or cancel it</source>
-        <translation>attendez qu’elle soit finie, ou annulez-la</translation>
     </message>
 </context>
 <context>
@@ -14764,10 +14162,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>No trial selected</source>
         <translation>Aucun essai sélectionné</translation>
-    </message>
-    <message>
-        <source>write notes of %1</source>
-        <translation>rédaction des notes de %1</translation>
     </message>
 </context>
 <context>
@@ -14984,18 +14378,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <source>&amp;Redo: %1</source>
         <translation>&amp;Rétablir&#xa0;: %1</translation>
     </message>
-    <message>
-        <source>undo</source>
-        <translation>annuler</translation>
-    </message>
-    <message>
-        <source>a job is running on the project</source>
-        <translation>une tâche est en cours sur le projet</translation>
-    </message>
-    <message>
-        <source>wait until it is done, or cancel it</source>
-        <translation>attendez qu’elle soit finie, ou annulez-la</translation>
-    </message>
 </context>
 <context>
     <name>odo::VideoDialog</name>
@@ -15128,52 +14510,8 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>odo::Workspace</name>
     <message>
-        <source>another job is running</source>
-        <translation>une autre tâche est en cours</translation>
-    </message>
-    <message>
-        <source>wait until it is done, or cancel it</source>
-        <translation>attendez qu’elle soit finie, ou annulez-la</translation>
-    </message>
-    <message>
-        <source>cannot open another project</source>
-        <translation>impossible d’ouvrir un autre projet</translation>
-    </message>
-    <message>
-        <source>Opening %1</source>
-        <translation>Ouverture de %1</translation>
-    </message>
-    <message>
         <source>%1: %2. Here it can only be looked at; to change it, close it there and open it here again.</source>
         <translation>%1&#xa0;: %2. Ici, il ne peut qu’être consulté&#xa0;; pour le modifier, fermez-le là-bas et rouvrez-le ici.</translation>
-    </message>
-    <message>
-        <source>Completing a recording that was cut off</source>
-        <translation>Achèvement d’un enregistrement interrompu</translation>
-    </message>
-    <message>
-        <source>Making the hashes of new recordings</source>
-        <translation>Calcul des empreintes des nouveaux enregistrements</translation>
-    </message>
-    <message>
-        <source>cannot make another project</source>
-        <translation>impossible de créer un autre projet</translation>
-    </message>
-    <message>
-        <source>no project is open</source>
-        <translation>aucun projet n’est ouvert</translation>
-    </message>
-    <message>
-        <source>open or make a project first</source>
-        <translation>ouvrez ou créez d’abord un projet</translation>
-    </message>
-    <message>
-        <source>its backup of %1 is sound; what was done since is not in it</source>
-        <translation>sa copie de sauvegarde du %1 est intacte ; ce qui a été fait depuis n’y est pas</translation>
-    </message>
-    <message>
-        <source>Restoring the backup</source>
-        <translation>Restauration de la copie de sauvegarde</translation>
     </message>
     <message>
         <source>The backup was restored. The damaged file is kept as “%1”.</source>
@@ -15233,6 +14571,6733 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Zone %1</source>
         <translation>Zone %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.add_another_layout</name>
+    <message>
+        <source>add another layout for other markers</source>
+        <translation>ajoutez un autre plan pour d’autres marqueurs</translation>
+    </message>
+</context>
+<context>
+    <name>project.add_one_first</name>
+    <message>
+        <source>add one first</source>
+        <translation>ajoutez-en d’abord</translation>
+    </message>
+</context>
+<context>
+    <name>project.add_what_it_refers_to</name>
+    <message>
+        <source>add what it refers to first</source>
+        <translation>ajoutez d’abord ce à quoi il renvoie</translation>
+    </message>
+</context>
+<context>
+    <name>project.adopt_or_remove</name>
+    <message>
+        <source>make a trial of it with odograph check P.odo --adopt, or remove it with --remove-strays; the window offers both under &apos;Find stray files…&apos;</source>
+        <translation>faites-en un essai avec odograph check P.odo --adopt, ou supprimez-le avec --remove-strays&#xa0;; la fenêtre offre les deux sous «&#xa0;Retrouver les fichiers orphelins…&#xa0;»</translation>
+    </message>
+</context>
+<context>
+    <name>project.an_analysis</name>
+    <message>
+        <source>analysis of a trial</source>
+        <translation>analyse d’un essai</translation>
+    </message>
+</context>
+<context>
+    <name>project.analyse_again</name>
+    <message>
+        <source>analyse the trial again</source>
+        <translation>réanalysez l’essai</translation>
+    </message>
+</context>
+<context>
+    <name>project.analysis_number</name>
+    <message>
+        <source>analysis %1</source>
+        <translation>analyse %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.analysis_of_project</name>
+    <message>
+        <source>analysis %1 of the project</source>
+        <translation>analyse %1 du projet</translation>
+    </message>
+</context>
+<context>
+    <name>project.another_program_writes</name>
+    <message>
+        <source>another program is writing to it</source>
+        <translation>un autre programme y écrit</translation>
+    </message>
+</context>
+<context>
+    <name>project.being_recorded</name>
+    <message>
+        <source>it is being recorded</source>
+        <translation>il est en cours d’enregistrement</translation>
+    </message>
+</context>
+<context>
+    <name>project.calibration_of_project</name>
+    <message>
+        <source>calibration %1 of the project</source>
+        <translation>étalonnage %1 du projet</translation>
+    </message>
+</context>
+<context>
+    <name>project.calibration_origin</name>
+    <message>
+        <source>origin of a calibration</source>
+        <translation>origine d’un étalonnage</translation>
+    </message>
+</context>
+<context>
+    <name>project.calibration_picture_of</name>
+    <message>
+        <source>the calibration picture &apos;%1&apos; of camera &apos;%2&apos;</source>
+        <translation>la photo d’étalonnage &apos;%1&apos; de la caméra &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.camera_address</name>
+    <message>
+        <source>address of a camera</source>
+        <translation>adresse d’une caméra</translation>
+    </message>
+</context>
+<context>
+    <name>project.cannot_be_looked_at</name>
+    <message>
+        <source>it cannot be looked at (%1)</source>
+        <translation>accès impossible (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>project.cannot_be_read</name>
+    <message>
+        <source>it cannot be read</source>
+        <translation>lecture impossible</translation>
+    </message>
+</context>
+<context>
+    <name>project.cannot_be_written_to</name>
+    <message>
+        <source>it cannot be written to</source>
+        <translation>il ne peut pas être modifié</translation>
+    </message>
+</context>
+<context>
+    <name>project.cannot_hold</name>
+    <message>
+        <source>cannot hold %1</source>
+        <translation>impossible de verrouiller %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.cannot_record_into</name>
+    <message>
+        <source>cannot record into %1</source>
+        <translation>impossible d’enregistrer dans %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.cannot_remove</name>
+    <message>
+        <source>cannot remove &apos;%1&apos;</source>
+        <translation>impossible de supprimer &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.change_list</name>
+    <message>
+        <source>the list of changes</source>
+        <translation>la liste des modifications</translation>
+    </message>
+</context>
+<context>
+    <name>project.change_not_noted</name>
+    <message>
+        <source>the change could not be noted (%1)</source>
+        <translation>la modification n’a pas pu être notée (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>project.change_something_first</name>
+    <message>
+        <source>change something first</source>
+        <translation>changez d’abord quelque chose</translation>
+    </message>
+</context>
+<context>
+    <name>project.change_words</name>
+    <message>
+        <source>words of a change</source>
+        <translation>libellé d’une modification</translation>
+    </message>
+</context>
+<context>
+    <name>project.changed_since</name>
+    <message>
+        <source>what it concerns has been changed or used since</source>
+        <translation>ce que cela concerne a été changé ou utilisé depuis</translation>
+    </message>
+</context>
+<context>
+    <name>project.check</name>
+    <message>
+        <source>check of the project</source>
+        <translation>vérification du projet</translation>
+    </message>
+</context>
+<context>
+    <name>project.check_disk</name>
+    <message>
+        <source>check the disk</source>
+        <translation>vérifiez le disque</translation>
+    </message>
+</context>
+<context>
+    <name>project.check_disk_and_retry</name>
+    <message>
+        <source>check the disk and try again</source>
+        <translation>vérifiez le disque et réessayez</translation>
+    </message>
+</context>
+<context>
+    <name>project.check_folder_is_there</name>
+    <message>
+        <source>check that the folder is there and may be read</source>
+        <translation>vérifiez que le dossier est là et peut être lu</translation>
+    </message>
+</context>
+<context>
+    <name>project.check_its_folder</name>
+    <message>
+        <source>check the free space and the rights of its folder</source>
+        <translation>vérifiez la place libre et les droits de son dossier</translation>
+    </message>
+</context>
+<context>
+    <name>project.check_its_input</name>
+    <message>
+        <source>check the input that it was computed from</source>
+        <translation>vérifiez les données dont elle a été calculée</translation>
+    </message>
+</context>
+<context>
+    <name>project.check_name_or_make</name>
+    <message>
+        <source>check the name, or make a new project</source>
+        <translation>vérifiez le nom, ou créez un nouveau projet</translation>
+    </message>
+</context>
+<context>
+    <name>project.check_numbers</name>
+    <message>
+        <source>check the numbers</source>
+        <translation>vérifiez les nombres</translation>
+    </message>
+</context>
+<context>
+    <name>project.check_project_folder</name>
+    <message>
+        <source>check the free space and the rights of the project&apos;s folder</source>
+        <translation>vérifiez la place libre et les droits du dossier du projet</translation>
+    </message>
+</context>
+<context>
+    <name>project.check_rights</name>
+    <message>
+        <source>check the rights of the project&apos;s folder</source>
+        <translation>vérifiez les droits du dossier du projet</translation>
+    </message>
+</context>
+<context>
+    <name>project.checking</name>
+    <message>
+        <source>checking %1</source>
+        <translation>vérification de %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.checking_database</name>
+    <message>
+        <source>checking the database</source>
+        <translation>vérification de la base de données</translation>
+    </message>
+</context>
+<context>
+    <name>project.choose_its_own</name>
+    <message>
+        <source>choose one of its own (odograph revisions P.odo CAMERA --use), or restore the project from a backup copy</source>
+        <translation>choisissez une de ses propres révisions (odograph revisions P.odo CAMERA --use), ou restaurez le projet d’une copie de sauvegarde</translation>
+    </message>
+</context>
+<context>
+    <name>project.choose_our_file</name>
+    <message>
+        <source>choose a file that Odograph has written</source>
+        <translation>choisissez un fichier écrit par Odograph</translation>
+    </message>
+</context>
+<context>
+    <name>project.choose_shorter_name</name>
+    <message>
+        <source>choose a shorter name</source>
+        <translation>choisissez un nom plus court</translation>
+    </message>
+</context>
+<context>
+    <name>project.choose_writable_folder</name>
+    <message>
+        <source>choose a folder that can be written to and has room</source>
+        <translation>choisissez un dossier modifiable et qui a de la place</translation>
+    </message>
+</context>
+<context>
+    <name>project.class_has_team</name>
+    <message>
+        <source>a team belongs to it</source>
+        <translation>une équipe en fait partie</translation>
+    </message>
+</context>
+<context>
+    <name>project.class_has_teams</name>
+    <message>
+        <source>%1 teams belong to it</source>
+        <translation>%1 équipes en font partie</translation>
+    </message>
+</context>
+<context>
+    <name>project.close_it_there</name>
+    <message>
+        <source>close it there first</source>
+        <translation>fermez-le d’abord là-bas</translation>
+    </message>
+</context>
+<context>
+    <name>project.close_other_program</name>
+    <message>
+        <source>close the other program and try again</source>
+        <translation>fermez l’autre programme et réessayez</translation>
+    </message>
+</context>
+<context>
+    <name>project.complete_recording</name>
+    <message>
+        <source>open the project to write, which completes it: odograph record P.odo --recover</source>
+        <translation>ouvrez le projet en écriture, ce qui complète l’enregistrement&#xa0;: odograph record P.odo --recover</translation>
+    </message>
+</context>
+<context>
+    <name>project.copy</name>
+    <message>
+        <source>copy &apos;%1&apos;</source>
+        <translation>copie &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.copy_again</name>
+    <message>
+        <source>copy it again from where it came, or restore a backup copy</source>
+        <translation>recopiez-le depuis sa source, ou restaurez une copie de sauvegarde</translation>
+    </message>
+</context>
+<context>
+    <name>project.copy_differs</name>
+    <message>
+        <source>the copy differs from what was written</source>
+        <translation>la copie diffère de ce qui a été écrit</translation>
+    </message>
+</context>
+<context>
+    <name>project.copy_file_beside</name>
+    <message>
+        <source>copy the file beside the project</source>
+        <translation>copiez le fichier à côté du projet</translation>
+    </message>
+</context>
+<context>
+    <name>project.copy_of_project</name>
+    <message>
+        <source>copy of project &apos;%1&apos;</source>
+        <translation>copie du projet &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.copy_sound_backup</name>
+    <message>
+        <source>copy &apos;%1&apos;, which is sound, to a new name and open that, and keep the damaged file</source>
+        <translation>copiez « %1 », qui est intact, sous un nouveau nom et ouvrez cette copie, et gardez le fichier endommagé</translation>
+    </message>
+</context>
+<context>
+    <name>project.copy_to_another_disk</name>
+    <message>
+        <source>check the disk, and copy the project to another one</source>
+        <translation>vérifiez le disque, et copiez le projet sur un autre</translation>
+    </message>
+</context>
+<context>
+    <name>project.copy_to_writable_folder</name>
+    <message>
+        <source>copy it to a folder that you may write to, and open the copy</source>
+        <translation>copiez-le dans un dossier où vous pouvez écrire, et ouvrez la copie</translation>
+    </message>
+</context>
+<context>
+    <name>project.copy_with_side_files</name>
+    <message>
+        <source>copy it with the files beside it to a folder that you may write to, and open the copy</source>
+        <translation>copiez-le avec les fichiers voisins dans un dossier où vous pouvez écrire, et ouvrez la copie</translation>
+    </message>
+</context>
+<context>
+    <name>project.copy_with_videos</name>
+    <message>
+        <source>copy it with its videos to a folder that you may write to, and open the copy</source>
+        <translation>copiez-le avec ses vidéos dans un dossier où vous pouvez écrire, et ouvrez la copie</translation>
+    </message>
+</context>
+<context>
+    <name>project.corners_of</name>
+    <message>
+        <source>corners of &apos;%1&apos;</source>
+        <translation>coins de &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.covariance_not_6_by_6</name>
+    <message>
+        <source>its stored covariance is not a 6 by 6 matrix</source>
+        <translation>sa covariance enregistrée n’est pas une matrice 6 × 6</translation>
+    </message>
+</context>
+<context>
+    <name>project.database_refused</name>
+    <message>
+        <source>the database refused</source>
+        <translation>la base de données a refusé</translation>
+    </message>
+</context>
+<context>
+    <name>project.database_refused_because</name>
+    <message>
+        <source>the database refused (%1)</source>
+        <translation>la base de données a refusé (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>project.delete_its_trials</name>
+    <message>
+        <source>delete them for good first, or archive its class</source>
+        <translation>supprimez-les d’abord définitivement, ou archivez sa classe</translation>
+    </message>
+</context>
+<context>
+    <name>project.disk_error</name>
+    <message>
+        <source>the disk reported an error, the change was not saved</source>
+        <translation>le disque a signalé une erreur, la modification n’a pas été enregistrée</translation>
+    </message>
+</context>
+<context>
+    <name>project.disk_full</name>
+    <message>
+        <source>the disk is full, the change was not saved</source>
+        <translation>le disque est plein, la modification n’a pas été enregistrée</translation>
+    </message>
+</context>
+<context>
+    <name>project.disk_read_only</name>
+    <message>
+        <source>the disk has become read-only, the change was not saved</source>
+        <translation>le disque est passé en lecture seule, la modification n’a pas été enregistrée</translation>
+    </message>
+</context>
+<context>
+    <name>project.disk_unreadable</name>
+    <message>
+        <source>the disk could not be read, and nothing was changed</source>
+        <translation>le disque n’a pas pu être lu, et rien n’a été modifié</translation>
+    </message>
+</context>
+<context>
+    <name>project.duration_of_recordings_differs</name>
+    <message>
+        <source>its duration is stored as %1, its recordings last %2</source>
+        <translation>la durée enregistrée est %1, ses enregistrements durent %2</translation>
+    </message>
+</context>
+<context>
+    <name>project.duration_of_tracks_differs</name>
+    <message>
+        <source>its duration is stored as %1, its imported tracks last %2</source>
+        <translation>la durée enregistrée est %1, ses trajectoires importées durent %2</translation>
+    </message>
+</context>
+<context>
+    <name>project.earlier_step_failed</name>
+    <message>
+        <source>an earlier step of this change failed</source>
+        <translation>une étape précédente de cette modification a échoué</translation>
+    </message>
+</context>
+<context>
+    <name>project.end_recording_first</name>
+    <message>
+        <source>end its recording first</source>
+        <translation>terminez d’abord son enregistrement</translation>
+    </message>
+</context>
+<context>
+    <name>project.figures_without_task</name>
+    <message>
+        <source>their figures would not say any more what they were measured by</source>
+        <translation>leurs valeurs ne diraient plus avec quoi elles ont été mesurées</translation>
+    </message>
+</context>
+<context>
+    <name>project.file_changed</name>
+    <message>
+        <source>%1 was changed since it was made</source>
+        <translation>%1 a changé depuis sa création</translation>
+    </message>
+</context>
+<context>
+    <name>project.file_cut_off</name>
+    <message>
+        <source>the file is cut off</source>
+        <translation>le fichier est tronqué</translation>
+    </message>
+</context>
+<context>
+    <name>project.file_damaged</name>
+    <message>
+        <source>the file is damaged</source>
+        <translation>le fichier est endommagé</translation>
+    </message>
+</context>
+<context>
+    <name>project.file_empty</name>
+    <message>
+        <source>the file is empty</source>
+        <translation>le fichier est vide</translation>
+    </message>
+</context>
+<context>
+    <name>project.file_lost</name>
+    <message>
+        <source>its file was deleted, renamed or replaced while it was open; nothing was stored</source>
+        <translation>son fichier a été supprimé, renommé ou remplacé pendant qu’il était ouvert ; rien n’a été enregistré</translation>
+    </message>
+</context>
+<context>
+    <name>project.file_there_already</name>
+    <message>
+        <source>a file of that name is there already</source>
+        <translation>un fichier de ce nom existe déjà</translation>
+    </message>
+</context>
+<context>
+    <name>project.file_unused</name>
+    <message>
+        <source>no trial, lens calibration or floor registration uses this file</source>
+        <translation>aucun essai, étalonnage d’objectif ni localisation de caméra n’utilise ce fichier</translation>
+    </message>
+</context>
+<context>
+    <name>project.find_or_put_back</name>
+    <message>
+        <source>take it from there with odograph check P.odo --find FOLDER or Find lost videos… in the window, or put it back in its place</source>
+        <translation>reprenez-le de là avec odograph check P.odo --find FOLDER ou «&#xa0;Retrouver les vidéos perdues…&#xa0;» dans la fenêtre, ou remettez-le à sa place</translation>
+    </message>
+</context>
+<context>
+    <name>project.folder_read_only</name>
+    <message>
+        <source>its folder cannot be written to</source>
+        <translation>son dossier ne peut pas être modifié</translation>
+    </message>
+</context>
+<context>
+    <name>project.foreign_log</name>
+    <message>
+        <source>the log beside it (&apos;%1&apos;) belongs to another file or to another state of this one</source>
+        <translation>le journal à côté (« %1 ») appartient à un autre fichier ou à un autre état de celui-ci</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_1</name>
+    <message>
+        <source>the first schema</source>
+        <translation>le premier schéma</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_10</name>
+    <message>
+        <source>what a school year needs: stars, tags, archive, bin, pseudonyms, scoring and the list of changes</source>
+        <translation>ce qu’il faut à une année scolaire&#xa0;: étoiles, étiquettes, archive, corbeille, pseudonymes, barème et liste des modifications</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_11</name>
+    <message>
+        <source>members and robots of teams, zones and the archive of tasks, and imported tracks</source>
+        <translation>membres et robots des équipes, zones et archive des épreuves, et trajectoires importées</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_12</name>
+    <message>
+        <source>digests of analyses, and long series in chunks</source>
+        <translation>empreintes des analyses, et longues séries en morceaux</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_13</name>
+    <message>
+        <source>the point of a robot that is measured</source>
+        <translation>le point d’un robot qui est mesuré</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_14</name>
+    <message>
+        <source>when robots of one look could not be told apart</source>
+        <translation>les moments où des robots de même apparence ne se distinguaient pas</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_15</name>
+    <message>
+        <source>robots that a person pointed out in a picture</source>
+        <translation>robots montrés par une personne dans une image</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_16</name>
+    <message>
+        <source>sentences as codes with their arguments</source>
+        <translation>phrases sous forme de codes avec leurs arguments</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_2</name>
+    <message>
+        <source>samples overruled by hand</source>
+        <translation>échantillons jugés à la main</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_3</name>
+    <message>
+        <source>rates of the cameras&apos; clocks</source>
+        <translation>dérives des horloges des caméras</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_4</name>
+    <message>
+        <source>tasks with gates, a reference path and limits</source>
+        <translation>épreuves avec portes, tracé de référence et limites</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_5</name>
+    <message>
+        <source>how each view was put in step</source>
+        <translation>comment chaque vue a été synchronisée</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_6</name>
+    <message>
+        <source>calibrations with their boards, corners and pictures</source>
+        <translation>étalonnages avec leurs mires, coins et photos</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_7</name>
+    <message>
+        <source>revisions that are chosen, and checks of registrations</source>
+        <translation>révisions choisies, et contrôles des localisations</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_8</name>
+    <message>
+        <source>trials while they are being recorded, and the raw times of their pictures</source>
+        <translation>essais en cours d’enregistrement, et temps bruts de leurs images</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_9</name>
+    <message>
+        <source>pictures of registrations</source>
+        <translation>photos des localisations</translation>
+    </message>
+</context>
+<context>
+    <name>project.frame_times_of</name>
+    <message>
+        <source>frame times of &apos;%1&apos;</source>
+        <translation>temps des images de &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.gate</name>
+    <message>
+        <source>gate &apos;%1&apos;</source>
+        <translation>porte &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.give_a_height</name>
+    <message>
+        <source>give a height, or let it be estimated</source>
+        <translation>donnez une hauteur, ou laissez-la estimer</translation>
+    </message>
+</context>
+<context>
+    <name>project.give_a_name</name>
+    <message>
+        <source>give the %1 a name</source>
+        <translation>donnez un nom (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>project.give_a_title</name>
+    <message>
+        <source>give the project a title</source>
+        <translation>donnez un titre au projet</translation>
+    </message>
+</context>
+<context>
+    <name>project.give_another_task</name>
+    <message>
+        <source>give them another task first</source>
+        <translation>donnez-leur d’abord une autre épreuve</translation>
+    </message>
+</context>
+<context>
+    <name>project.give_file_a_name</name>
+    <message>
+        <source>give the file a name</source>
+        <translation>donnez un nom au fichier</translation>
+    </message>
+</context>
+<context>
+    <name>project.give_members</name>
+    <message>
+        <source>give the names of the people in the team</source>
+        <translation>donnez les noms des personnes de l’équipe</translation>
+    </message>
+</context>
+<context>
+    <name>project.give_robot_size</name>
+    <message>
+        <source>give length and width in millimetres, like 260x190</source>
+        <translation>donnez longueur et largeur en millimètres, comme 260x190</translation>
+    </message>
+</context>
+<context>
+    <name>project.give_whole_truth</name>
+    <message>
+        <source>give position, velocity and acceleration for each time</source>
+        <translation>donnez position, vitesse et accélération pour chaque temps</translation>
+    </message>
+</context>
+<context>
+    <name>project.has_bytes_of</name>
+    <message>
+        <source>it has %1 of %2 bytes</source>
+        <translation>il a %1 octets sur %2</translation>
+    </message>
+</context>
+<context>
+    <name>project.has_characters</name>
+    <message>
+        <source>it has %1 characters</source>
+        <translation>il a %1 caractères</translation>
+    </message>
+</context>
+<context>
+    <name>project.has_names</name>
+    <message>
+        <source>it has %1</source>
+        <translation>présents&#xa0;: %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.has_none_yet</name>
+    <message>
+        <source>it has no %1 yet</source>
+        <translation>il n’a pas encore de %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.has_other_size</name>
+    <message>
+        <source>%1 has %2 bytes instead of %3</source>
+        <translation>%1 a %2 octets au lieu de %3</translation>
+    </message>
+</context>
+<context>
+    <name>project.has_robots</name>
+    <message>
+        <source>it has %1 robots</source>
+        <translation>il a %1 robots</translation>
+    </message>
+</context>
+<context>
+    <name>project.has_views</name>
+    <message>
+        <source>it has %1 views</source>
+        <translation>il a %1 vues</translation>
+    </message>
+</context>
+<context>
+    <name>project.height_below_floor</name>
+    <message>
+        <source>its height is below the floor</source>
+        <translation>sa hauteur est sous le sol</translation>
+    </message>
+</context>
+<context>
+    <name>project.height_from_0</name>
+    <message>
+        <source>give a height of 0 or more</source>
+        <translation>donnez une hauteur de 0 ou plus</translation>
+    </message>
+</context>
+<context>
+    <name>project.height_not_given</name>
+    <message>
+        <source>its height is to be told, but none is given</source>
+        <translation>sa hauteur doit être indiquée, mais aucune ne l’est</translation>
+    </message>
+</context>
+<context>
+    <name>project.holds_invisible</name>
+    <message>
+        <source>it holds an invisible character, %1</source>
+        <translation>il contient un caractère invisible, %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.holds_line_break</name>
+    <message>
+        <source>it holds a line break or another control character</source>
+        <translation>il contient un saut de ligne ou un autre caractère de contrôle</translation>
+    </message>
+</context>
+<context>
+    <name>project.import_another_file</name>
+    <message>
+        <source>import another file</source>
+        <translation>importez un autre fichier</translation>
+    </message>
+</context>
+<context>
+    <name>project.impossible_format</name>
+    <message>
+        <source>it says of itself to have the format %1</source>
+        <translation>il déclare avoir le format %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.in_synced_folder</name>
+    <message>
+        <source>it lies in a folder that %1 copies while it changes, so that a copy may have half a change</source>
+        <translation>il se trouve dans un dossier que %1 copie pendant qu’il change, si bien qu’une copie peut avoir une demi-modification</translation>
+    </message>
+</context>
+<context>
+    <name>project.is_missing</name>
+    <message>
+        <source>%1 is missing</source>
+        <translation>%1 manque</translation>
+    </message>
+</context>
+<context>
+    <name>project.is_missing_recording</name>
+    <message>
+        <source>this is a missing recording</source>
+        <translation>c’est un enregistrement qui manque</translation>
+    </message>
+</context>
+<context>
+    <name>project.journal_of_another</name>
+    <message>
+        <source>the journal beside it names another file</source>
+        <translation>le journal à côté nomme un autre fichier</translation>
+    </message>
+</context>
+<context>
+    <name>project.keep_it</name>
+    <message>
+        <source>keep it</source>
+        <translation>gardez-le</translation>
+    </message>
+</context>
+<context>
+    <name>project.keep_on_own_disk</name>
+    <message>
+        <source>keep it on a disk of this computer, and pack it to share it</source>
+        <translation>gardez-le sur un disque de cet ordinateur, et empaquetez-le pour le partager</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_calibration</name>
+    <message>
+        <source>calibration</source>
+        <translation>étalonnage</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_camera</name>
+    <message>
+        <source>camera</source>
+        <translation>caméra</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_class</name>
+    <message>
+        <source>class</source>
+        <translation>classe</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_figure</name>
+    <message>
+        <source>figure</source>
+        <translation>grandeur</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_gate</name>
+    <message>
+        <source>gate</source>
+        <translation>porte</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_layout</name>
+    <message>
+        <source>layout</source>
+        <translation>plan</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_lens</name>
+    <message>
+        <source>lens</source>
+        <translation>objectif</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_marker</name>
+    <message>
+        <source>marker</source>
+        <translation>marqueur</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_member</name>
+    <message>
+        <source>member</source>
+        <translation>membre</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_pseudonym</name>
+    <message>
+        <source>pseudonym</source>
+        <translation>pseudonyme</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_registration</name>
+    <message>
+        <source>registration</source>
+        <translation>localisation</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_robot</name>
+    <message>
+        <source>robot</source>
+        <translation>robot</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_tag</name>
+    <message>
+        <source>tag</source>
+        <translation>étiquette</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_task</name>
+    <message>
+        <source>task</source>
+        <translation>épreuve</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_team</name>
+    <message>
+        <source>team</source>
+        <translation>équipe</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_track</name>
+    <message>
+        <source>track</source>
+        <translation>trajectoire</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_trial</name>
+    <message>
+        <source>trial</source>
+        <translation>essai</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_zone</name>
+    <message>
+        <source>zone</source>
+        <translation>zone</translation>
+    </message>
+</context>
+<context>
+    <name>project.label_twice</name>
+    <message>
+        <source>the label &apos;%1&apos; is there twice</source>
+        <translation>le libellé &apos;%1&apos; y est deux fois</translation>
+    </message>
+</context>
+<context>
+    <name>project.leave_it</name>
+    <message>
+        <source>leave it</source>
+        <translation>laissez-le</translation>
+    </message>
+</context>
+<context>
+    <name>project.leave_one_out</name>
+    <message>
+        <source>leave out one of the two</source>
+        <translation>omettez l’un des deux</translation>
+    </message>
+</context>
+<context>
+    <name>project.leave_out_unseen_markers</name>
+    <message>
+        <source>leave out those that no camera sees</source>
+        <translation>omettez ceux qu’aucune caméra ne voit</translation>
+    </message>
+</context>
+<context>
+    <name>project.lengths_differ</name>
+    <message>
+        <source>samples and profile differ in length</source>
+        <translation>échantillons et profil n’ont pas la même longueur</translation>
+    </message>
+</context>
+<context>
+    <name>project.lens_kept</name>
+    <message>
+        <source>the lens is kept without it</source>
+        <translation>l’étalonnage de l’objectif est gardé sans lui</translation>
+    </message>
+</context>
+<context>
+    <name>project.lens_of_project</name>
+    <message>
+        <source>lens %1 of the project</source>
+        <translation>objectif %1 du projet</translation>
+    </message>
+</context>
+<context>
+    <name>project.lies_in_media</name>
+    <message>
+        <source>a project lies in the media folder of another one</source>
+        <translation>un projet se trouve dans le dossier des médias d’un autre</translation>
+    </message>
+</context>
+<context>
+    <name>project.lists_too_long</name>
+    <message>
+        <source>%1: more than %2 of one %3: %4</source>
+        <translation>%1 : plus de %2 pour un même %3 : %4</translation>
+    </message>
+</context>
+<context>
+    <name>project.look_for_strays</name>
+    <message>
+        <source>look for stray files</source>
+        <translation>chercher les fichiers orphelins</translation>
+    </message>
+</context>
+<context>
+    <name>project.look_in</name>
+    <message>
+        <source>look in &apos;%1&apos;</source>
+        <translation>recherche dans &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.make_room</name>
+    <message>
+        <source>make room on the disk and try again</source>
+        <translation>libérez de la place sur le disque et réessayez</translation>
+    </message>
+</context>
+<context>
+    <name>project.marker_errors_differ</name>
+    <message>
+        <source>the marker errors of registration %1 are not those that its markers give</source>
+        <translation>les erreurs des marqueurs de la localisation %1 ne sont pas celles que donnent ses marqueurs</translation>
+    </message>
+</context>
+<context>
+    <name>project.marker_off_floor</name>
+    <message>
+        <source>marker &apos;%1&apos; is not on a floor of 1 km</source>
+        <translation>le repère &apos;%1&apos; n’est pas sur un sol de 1 km</translation>
+    </message>
+</context>
+<context>
+    <name>project.matrix_not_square</name>
+    <message>
+        <source>its stored matrix of %1 numbers is not square</source>
+        <translation>sa matrice enregistrée de %1 nombres n’est pas carrée</translation>
+    </message>
+</context>
+<context>
+    <name>project.may_be_used_beside</name>
+    <message>
+        <source>project &apos;%1&apos; beside it may use them, and cannot be read (%2)</source>
+        <translation>le projet « %1 » à côté les utilise peut-être et ne peut pas être lu (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>project.measured_by_task</name>
+    <message>
+        <source>trials were measured by it</source>
+        <translation>des essais ont été mesurés avec elle</translation>
+    </message>
+</context>
+<context>
+    <name>project.measurements_changed</name>
+    <message>
+        <source>the measurements have changed since robot &apos;%1&apos; was analysed</source>
+        <translation>les mesures ont changé depuis l’analyse du robot &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.metric</name>
+    <message>
+        <source>metric &apos;%1&apos;</source>
+        <translation>grandeur &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.metric_differs</name>
+    <message>
+        <source>metric &apos;%1&apos; of robot &apos;%2&apos; is stored as %3, its positions give %4</source>
+        <translation>la grandeur &apos;%1&apos; du robot &apos;%2&apos; est enregistrée comme %3, ses positions donnent %4</translation>
+    </message>
+</context>
+<context>
+    <name>project.metric_missing</name>
+    <message>
+        <source>metric &apos;%1&apos; of robot &apos;%2&apos; is missing, its positions give %3</source>
+        <translation>la grandeur &apos;%1&apos; du robot &apos;%2&apos; manque, ses positions donnent %3</translation>
+    </message>
+</context>
+<context>
+    <name>project.metric_sigma_differs</name>
+    <message>
+        <source>the standard deviation of metric &apos;%1&apos; of robot &apos;%2&apos; is stored as %3, its positions give %4</source>
+        <translation>l’écart-type de la grandeur &apos;%1&apos; du robot &apos;%2&apos; est enregistré comme %3, ses positions donnent %4</translation>
+    </message>
+</context>
+<context>
+    <name>project.metric_without_source</name>
+    <message>
+        <source>metric &apos;%1&apos; of robot &apos;%2&apos; is stored, but its positions give none</source>
+        <translation>la grandeur &apos;%1&apos; du robot &apos;%2&apos; est enregistrée, mais ses positions n’en donnent aucune</translation>
+    </message>
+</context>
+<context>
+    <name>project.more_names</name>
+    <message>
+        <source>%1 more</source>
+        <translation>%1 de plus</translation>
+    </message>
+</context>
+<context>
+    <name>project.move_file_away</name>
+    <message>
+        <source>move it to another folder</source>
+        <translation>déplacez-le dans un autre dossier</translation>
+    </message>
+</context>
+<context>
+    <name>project.move_log_away</name>
+    <message>
+        <source>move the log to another folder to open the file without it, or put the file back that the log belongs to</source>
+        <translation>déplacez le journal dans un autre dossier pour ouvrir le fichier sans lui, ou remettez en place le fichier auquel il appartient</translation>
+    </message>
+</context>
+<context>
+    <name>project.move_project_away</name>
+    <message>
+        <source>move it with its videos to a folder of its own</source>
+        <translation>déplacez-le avec ses vidéos dans un dossier à lui</translation>
+    </message>
+</context>
+<context>
+    <name>project.move_teams_first</name>
+    <message>
+        <source>move its teams to another class first, or archive it</source>
+        <translation>déplacez d’abord ses équipes dans une autre classe, ou archivez-la</translation>
+    </message>
+</context>
+<context>
+    <name>project.name_empty</name>
+    <message>
+        <source>it is empty</source>
+        <translation>il est vide</translation>
+    </message>
+</context>
+<context>
+    <name>project.name_of</name>
+    <message>
+        <source>name of a %1</source>
+        <translation>nom (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>project.name_robots_once</name>
+    <message>
+        <source>name each of its robots once</source>
+        <translation>nommez chaque robot une fois</translation>
+    </message>
+</context>
+<context>
+    <name>project.name_taken</name>
+    <message>
+        <source>the project has a %1 of that name already</source>
+        <translation>le projet a déjà un élément « %1&#xa0;» de ce nom</translation>
+    </message>
+</context>
+<context>
+    <name>project.name_too_long</name>
+    <message>
+        <source>its name is too long</source>
+        <translation>son nom est trop long</translation>
+    </message>
+</context>
+<context>
+    <name>project.name_video_file</name>
+    <message>
+        <source>name the video&apos;s file</source>
+        <translation>nommez le fichier de la vidéo</translation>
+    </message>
+</context>
+<context>
+    <name>project.newer_format</name>
+    <message>
+        <source>it was written by a newer Odograph (format %1, this one knows formats up to %2)</source>
+        <translation>il a été écrit par un Odograph plus récent (format %1, celui-ci connaît les formats jusqu’à %2)</translation>
+    </message>
+</context>
+<context>
+    <name>project.no_file_but_other</name>
+    <message>
+        <source>it is a folder or a device, not a file</source>
+        <translation>c’est un dossier ou un périphérique, pas un fichier</translation>
+    </message>
+</context>
+<context>
+    <name>project.no_file_name</name>
+    <message>
+        <source>it has no file name</source>
+        <translation>il n’a pas de nom de fichier</translation>
+    </message>
+</context>
+<context>
+    <name>project.no_ordinary_number</name>
+    <message>
+        <source>a value to be stored is not a number of ordinary size</source>
+        <translation>une valeur à enregistrer n’est pas un nombre de taille ordinaire</translation>
+    </message>
+</context>
+<context>
+    <name>project.no_place_to_rescue_to</name>
+    <message>
+        <source>its folder is gone, and there is no home folder to rescue it to</source>
+        <translation>son dossier a disparu, et il n&apos;y a pas de dossier personnel où le récupérer</translation>
+    </message>
+</context>
+<context>
+    <name>project.no_samples</name>
+    <message>
+        <source>it has no samples</source>
+        <translation>elle n’a pas d’échantillons</translation>
+    </message>
+</context>
+<context>
+    <name>project.no_sound_backup</name>
+    <message>
+        <source>no sound backup lies beside it</source>
+        <translation>aucune copie de sauvegarde intacte ne se trouve à côté</translation>
+    </message>
+</context>
+<context>
+    <name>project.no_such_name</name>
+    <message>
+        <source>there is no such %1 in the project</source>
+        <translation>absent du projet&#xa0;: %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.no_such_number</name>
+    <message>
+        <source>it has no %1 with the number %2</source>
+        <translation>absent sous le numéro %2&#xa0;: %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.not_a_project</name>
+    <message>
+        <source>it is not a project file</source>
+        <translation>ce n’est pas un fichier de projet</translation>
+    </message>
+</context>
+<context>
+    <name>project.not_brought_to_format</name>
+    <message>
+        <source>it could not be brought to format %1 (%2)</source>
+        <translation>il n’a pas pu être porté au format %1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>project.not_complete_yet</name>
+    <message>
+        <source>it is not complete yet</source>
+        <translation>il n’est pas encore complet</translation>
+    </message>
+</context>
+<context>
+    <name>project.not_copied</name>
+    <message>
+        <source>it could not be copied to be read (%1)</source>
+        <translation>il n&apos;a pas pu être copié pour être lu (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>project.not_finite</name>
+    <message>
+        <source>it is not a finite number</source>
+        <translation>ce n’est pas un nombre fini</translation>
+    </message>
+</context>
+<context>
+    <name>project.not_in_bin</name>
+    <message>
+        <source>it is not in the bin</source>
+        <translation>il n’est pas dans la corbeille</translation>
+    </message>
+</context>
+<context>
+    <name>project.not_utf8</name>
+    <message>
+        <source>it is not valid UTF-8 text</source>
+        <translation>ce n’est pas un texte UTF-8 valide</translation>
+    </message>
+</context>
+<context>
+    <name>project.nothing_to_redo</name>
+    <message>
+        <source>nothing has been undone</source>
+        <translation>rien n’a été annulé</translation>
+    </message>
+</context>
+<context>
+    <name>project.nothing_to_undo</name>
+    <message>
+        <source>nothing has been changed since the project was opened</source>
+        <translation>rien n’a été changé depuis l’ouverture du projet</translation>
+    </message>
+</context>
+<context>
+    <name>project.numbers_too_large</name>
+    <message>
+        <source>%1: numbers beyond %2: %3</source>
+        <translation>%1 : nombres au-delà de %2 : %3</translation>
+    </message>
+</context>
+<context>
+    <name>project.observations_do_not_fit</name>
+    <message>
+        <source>view &apos;%1&apos; has %2 frames, but the observations of &apos;%3&apos; (%4) do not fit them</source>
+        <translation>la vue &apos;%1&apos; a %2 images, mais les observations de &apos;%3&apos; (%4) n’y correspondent pas</translation>
+    </message>
+</context>
+<context>
+    <name>project.observations_of_project</name>
+    <message>
+        <source>observations %1 of the project</source>
+        <translation>observations %1 du projet</translation>
+    </message>
+</context>
+<context>
+    <name>project.older_format</name>
+    <message>
+        <source>it has the older format %1 and must be brought up to date before it can be read, but %2</source>
+        <translation>il a l’ancien format %1 et doit être mis à jour avant d’être lu, mais %2</translation>
+    </message>
+</context>
+<context>
+    <name>project.on_network_disk</name>
+    <message>
+        <source>it lies on a network disk (%1), where a recording can stall and two computers can damage it</source>
+        <translation>il se trouve sur un disque réseau (%1), où un enregistrement peut se bloquer et deux ordinateurs peuvent l’endommager</translation>
+    </message>
+</context>
+<context>
+    <name>project.open_again</name>
+    <message>
+        <source>open it again; if you were recording, look for stray files (odograph check --adopt)</source>
+        <translation>ouvrez-le à nouveau ; si vous étiez en train d’enregistrer, cherchez les fichiers orphelins (odograph check --adopt)</translation>
+    </message>
+</context>
+<context>
+    <name>project.open_elsewhere</name>
+    <message>
+        <source>it is open in another window</source>
+        <translation>il est ouvert dans une autre fenêtre</translation>
+    </message>
+</context>
+<context>
+    <name>project.open_elsewhere_by</name>
+    <message>
+        <source>it is open in another window (%1)</source>
+        <translation>il est ouvert dans une autre fenêtre (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>project.open_or_move_that</name>
+    <message>
+        <source>open that project, or move it to a folder of its own with its videos</source>
+        <translation>ouvrez ce projet, ou déplacez-le avec ses vidéos dans un dossier à part</translation>
+    </message>
+</context>
+<context>
+    <name>project.open_with_newer_odograph</name>
+    <message>
+        <source>open the project with a newer Odograph</source>
+        <translation>ouvrez le projet avec un Odograph plus récent</translation>
+    </message>
+</context>
+<context>
+    <name>project.open_with_that_odograph</name>
+    <message>
+        <source>open it with that Odograph, or update this one</source>
+        <translation>ouvrez-le avec cet Odograph-là, ou mettez celui-ci à jour</translation>
+    </message>
+</context>
+<context>
+    <name>project.other_database</name>
+    <message>
+        <source>it is a database of another program</source>
+        <translation>c’est la base de données d’un autre programme</translation>
+    </message>
+</context>
+<context>
+    <name>project.other_labels</name>
+    <message>
+        <source>the labels are not those that it has</source>
+        <translation>les libellés ne sont pas les siens</translation>
+    </message>
+</context>
+<context>
+    <name>project.other_tables</name>
+    <message>
+        <source>its tables are not those of a project</source>
+        <translation>ses tables ne sont pas celles d’un projet</translation>
+    </message>
+</context>
+<context>
+    <name>project.others_calibration_chosen</name>
+    <message>
+        <source>calibration %1 was chosen for it, which is camera &apos;%2&apos;s; its newest own one is used</source>
+        <translation>l’étalonnage %1 a été choisi pour elle, mais il est à la caméra &apos;%2&apos;&#xa0;; le plus récent des siens est utilisé</translation>
+    </message>
+</context>
+<context>
+    <name>project.others_registration_chosen</name>
+    <message>
+        <source>registration %1 was chosen for it, which is camera &apos;%2&apos;s; its newest own one is used</source>
+        <translation>la localisation %1 a été choisie pour elle, mais elle est à la caméra &apos;%2&apos;&#xa0;; la plus récente des siennes est utilisée</translation>
+    </message>
+</context>
+<context>
+    <name>project.overrides_changed</name>
+    <message>
+        <source>the manual overrides have changed since robot &apos;%1&apos; was analysed</source>
+        <translation>les décisions prises à la main ont changé depuis l’analyse du robot &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.own_labels</name>
+    <message>
+        <source>give each marker a label of its own</source>
+        <translation>donnez à chaque marqueur son propre libellé</translation>
+    </message>
+</context>
+<context>
+    <name>project.path_cut_off</name>
+    <message>
+        <source>its reference path ends within a point</source>
+        <translation>son tracé de référence s’arrête au milieu d’un point</translation>
+    </message>
+</context>
+<context>
+    <name>project.path_leaves_folder</name>
+    <message>
+        <source>its relative path leaves the project&apos;s folder</source>
+        <translation>son chemin relatif sort du dossier du projet</translation>
+    </message>
+</context>
+<context>
+    <name>project.picture_name</name>
+    <message>
+        <source>name of a calibration picture</source>
+        <translation>nom d’une photo d’étalonnage</translation>
+    </message>
+</context>
+<context>
+    <name>project.picture_path</name>
+    <message>
+        <source>path of a calibration picture</source>
+        <translation>chemin d’une photo d’étalonnage</translation>
+    </message>
+</context>
+<context>
+    <name>project.position_no_number</name>
+    <message>
+        <source>a position or its covariance is no number</source>
+        <translation>une position ou sa covariance n’est pas un nombre</translation>
+    </message>
+</context>
+<context>
+    <name>project.positions_changed</name>
+    <message>
+        <source>the positions of robot &apos;%1&apos; are not those that its analysis gave</source>
+        <translation>les positions du robot &apos;%1&apos; ne sont pas celles que son analyse a données</translation>
+    </message>
+</context>
+<context>
+    <name>project.project</name>
+    <message>
+        <source>project &apos;%1&apos;</source>
+        <translation>projet &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.project_file_damaged</name>
+    <message>
+        <source>the project file is damaged</source>
+        <translation>le fichier du projet est endommagé</translation>
+    </message>
+</context>
+<context>
+    <name>project.put_back_and_open</name>
+    <message>
+        <source>put the file back in its place, and open the project again</source>
+        <translation>remettez le fichier à sa place, et rouvrez le projet</translation>
+    </message>
+</context>
+<context>
+    <name>project.put_back_and_retry</name>
+    <message>
+        <source>put it back in its place and try again</source>
+        <translation>remettez-le à sa place et réessayez</translation>
+    </message>
+</context>
+<context>
+    <name>project.put_back_or_find</name>
+    <message>
+        <source>put the file back in its place, or find it by its content with odograph check P.odo --find FOLDER or Find lost videos… in the window</source>
+        <translation>remettez le fichier à sa place, ou retrouvez-le d’après son contenu avec odograph check P.odo --find FOLDER ou «&#xa0;Retrouver les vidéos perdues…&#xa0;» dans la fenêtre</translation>
+    </message>
+</context>
+<context>
+    <name>project.put_file_back</name>
+    <message>
+        <source>put the file back in its place</source>
+        <translation>remettez le fichier à sa place</translation>
+    </message>
+</context>
+<context>
+    <name>project.put_into_bin_first</name>
+    <message>
+        <source>put it into the bin first</source>
+        <translation>mettez-le d’abord dans la corbeille</translation>
+    </message>
+</context>
+<context>
+    <name>project.put_original_back</name>
+    <message>
+        <source>put the original file back in its place</source>
+        <translation>remettez le fichier d’origine à sa place</translation>
+    </message>
+</context>
+<context>
+    <name>project.raw_times_of</name>
+    <message>
+        <source>raw times of recording %1</source>
+        <translation>temps bruts de l’enregistrement %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.reading</name>
+    <message>
+        <source>reading %1</source>
+        <translation>lecture de %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.reading_failed</name>
+    <message>
+        <source>reading it failed (%1)</source>
+        <translation>la lecture a échoué (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>project.record_another</name>
+    <message>
+        <source>record another trial</source>
+        <translation>filmez un autre essai</translation>
+    </message>
+</context>
+<context>
+    <name>project.recorded_into_now</name>
+    <message>
+        <source>a trial is being recorded into it just now</source>
+        <translation>un essai y est en cours d’enregistrement</translation>
+    </message>
+</context>
+<context>
+    <name>project.recording</name>
+    <message>
+        <source>recording</source>
+        <translation>enregistrement</translation>
+    </message>
+</context>
+<context>
+    <name>project.recording_at</name>
+    <message>
+        <source>recording &apos;%1&apos;</source>
+        <translation>enregistrement &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.recording_cut_off</name>
+    <message>
+        <source>its recording was cut off</source>
+        <translation>son enregistrement a été interrompu</translation>
+    </message>
+</context>
+<context>
+    <name>project.recording_ended</name>
+    <message>
+        <source>its recording has ended already</source>
+        <translation>son enregistrement est déjà terminé</translation>
+    </message>
+</context>
+<context>
+    <name>project.recording_kept</name>
+    <message>
+        <source>its recording has ended, and is kept</source>
+        <translation>son enregistrement est terminé, et gardé</translation>
+    </message>
+</context>
+<context>
+    <name>project.recording_of_view</name>
+    <message>
+        <source>the recording of view &apos;%1&apos;</source>
+        <translation>l’enregistrement de la vue &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.recording_path</name>
+    <message>
+        <source>path of a recording</source>
+        <translation>chemin d’un enregistrement</translation>
+    </message>
+</context>
+<context>
+    <name>project.recording_without_file</name>
+    <message>
+        <source>it has no file</source>
+        <translation>il n’a pas de fichier</translation>
+    </message>
+</context>
+<context>
+    <name>project.recordings_changed</name>
+    <message>
+        <source>the recordings or their synchronisation have changed since robot &apos;%1&apos; was analysed</source>
+        <translation>les enregistrements ou leur synchronisation ont changé depuis l’analyse du robot &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.redo</name>
+    <message>
+        <source>redo</source>
+        <translation>rétablir</translation>
+    </message>
+</context>
+<context>
+    <name>project.redo_of</name>
+    <message>
+        <source>redo &apos;%1&apos;</source>
+        <translation>rétablir &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.reference_too_far</name>
+    <message>
+        <source>its reference point is farther from its centre than %1</source>
+        <translation>son point de référence est à plus de %1 de son centre</translation>
+    </message>
+</context>
+<context>
+    <name>project.reference_without_heading</name>
+    <message>
+        <source>a reference point beside its centre takes a heading, which is not known where the height changes</source>
+        <translation>un point de référence hors du centre demande un cap, qui n’est pas connu là où la hauteur change</translation>
+    </message>
+</context>
+<context>
+    <name>project.refers_to_nothing</name>
+    <message>
+        <source>it refers to something that is not in the project, or a value is missing</source>
+        <translation>il renvoie à quelque chose d’absent du projet, ou une valeur manque</translation>
+    </message>
+</context>
+<context>
+    <name>project.registration_kept</name>
+    <message>
+        <source>the registration is kept without it</source>
+        <translation>la localisation est gardée sans lui</translation>
+    </message>
+</context>
+<context>
+    <name>project.registration_of_project</name>
+    <message>
+        <source>registration %1 of the project</source>
+        <translation>localisation %1 du projet</translation>
+    </message>
+</context>
+<context>
+    <name>project.registration_picture_of</name>
+    <message>
+        <source>the picture of registration %1 of camera &apos;%2&apos;</source>
+        <translation>la photo de la localisation %1 de la caméra &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.registration_picture_path</name>
+    <message>
+        <source>path of a registration&apos;s picture</source>
+        <translation>chemin de la photo d’une localisation</translation>
+    </message>
+</context>
+<context>
+    <name>project.registrations_changed</name>
+    <message>
+        <source>the registrations have changed since robot &apos;%1&apos; was analysed</source>
+        <translation>les localisations ont changé depuis l’analyse du robot &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.remove_file_first</name>
+    <message>
+        <source>choose another name, or remove that file first</source>
+        <translation>choisissez un autre nom, ou supprimez d’abord ce fichier</translation>
+    </message>
+</context>
+<context>
+    <name>project.rest_not_read</name>
+    <message>
+        <source>the rest is not read; change it here, or where the file comes from</source>
+        <translation>le reste n’est pas lu ; changez-le ici ou là d’où vient le fichier</translation>
+    </message>
+</context>
+<context>
+    <name>project.restore_file</name>
+    <message>
+        <source>restore it from a backup copy</source>
+        <translation>restaurez-le d’une copie de sauvegarde</translation>
+    </message>
+</context>
+<context>
+    <name>project.restore_or_register_again</name>
+    <message>
+        <source>restore the project from a backup copy, or register the camera again</source>
+        <translation>restaurez le projet d’une copie de sauvegarde, ou localisez la caméra à nouveau</translation>
+    </message>
+</context>
+<context>
+    <name>project.restore_or_track_again</name>
+    <message>
+        <source>restore the project from a backup copy, or track the trial again</source>
+        <translation>restaurez le projet d’une copie de sauvegarde, ou suivez l’essai à nouveau</translation>
+    </message>
+</context>
+<context>
+    <name>project.restore_project</name>
+    <message>
+        <source>restore the project from a backup copy</source>
+        <translation>restaurez le projet d’une copie de sauvegarde</translation>
+    </message>
+</context>
+<context>
+    <name>project.results_changed</name>
+    <message>
+        <source>the metrics, spikes or settings of robot &apos;%1&apos; are not those that its analysis gave</source>
+        <translation>les grandeurs, pics aberrants ou réglages du robot &apos;%1&apos; ne sont pas ceux que son analyse a donnés</translation>
+    </message>
+</context>
+<context>
+    <name>project.robot_can_be_renamed</name>
+    <message>
+        <source>it can be given another name</source>
+        <translation>on peut lui donner un autre nom</translation>
+    </message>
+</context>
+<context>
+    <name>project.robot_drove</name>
+    <message>
+        <source>it drove in a trial</source>
+        <translation>il a roulé dans un essai</translation>
+    </message>
+</context>
+<context>
+    <name>project.robot_too_large</name>
+    <message>
+        <source>it is larger than %1</source>
+        <translation>il mesure plus de %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.robot_twice</name>
+    <message>
+        <source>a robot belongs to it twice</source>
+        <translation>un robot lui appartient deux fois</translation>
+    </message>
+</context>
+<context>
+    <name>project.row_refers_to_nothing</name>
+    <message>
+        <source>row %1 of &apos;%2&apos; refers to a row of &apos;%3&apos; that is not there</source>
+        <translation>la ligne %1 de &apos;%2&apos; renvoie à une ligne de &apos;%3&apos; qui n’existe pas</translation>
+    </message>
+</context>
+<context>
+    <name>project.run_check</name>
+    <message>
+        <source>run a check of the project</source>
+        <translation>lancez une vérification du projet</translation>
+    </message>
+</context>
+<context>
+    <name>project.series_differ</name>
+    <message>
+        <source>its series differ in length</source>
+        <translation>ses séries n’ont pas la même longueur</translation>
+    </message>
+</context>
+<context>
+    <name>project.series_missing</name>
+    <message>
+        <source>its series are missing</source>
+        <translation>ses séries manquent</translation>
+    </message>
+</context>
+<context>
+    <name>project.series_of_other_kind</name>
+    <message>
+        <source>its stored series is not of the expected kind</source>
+        <translation>sa série enregistrée n’est pas du genre attendu</translation>
+    </message>
+</context>
+<context>
+    <name>project.series_of_other_length</name>
+    <message>
+        <source>its stored series announces %1 rows but holds %2 bytes</source>
+        <translation>sa série enregistrée annonce %1 lignes mais contient %2 octets</translation>
+    </message>
+</context>
+<context>
+    <name>project.size_not_above_0</name>
+    <message>
+        <source>its size is not above 0</source>
+        <translation>sa taille n’est pas supérieure à 0</translation>
+    </message>
+</context>
+<context>
+    <name>project.spike_without_sample</name>
+    <message>
+        <source>a spike refers to a sample that is not there</source>
+        <translation>un pic aberrant renvoie à un échantillon absent</translation>
+    </message>
+</context>
+<context>
+    <name>project.split_recording</name>
+    <message>
+        <source>split the recording into shorter ones</source>
+        <translation>divisez l’enregistrement en plus courts</translation>
+    </message>
+</context>
+<context>
+    <name>project.strays_unknown</name>
+    <message>
+        <source>it cannot be told which files belong to no trial</source>
+        <translation>impossible de savoir quels fichiers n’appartiennent à aucun essai</translation>
+    </message>
+</context>
+<context>
+    <name>project.synchronisation_differs</name>
+    <message>
+        <source>its stored synchronisation is not that of its second view</source>
+        <translation>sa synchronisation enregistrée n’est pas celle de sa deuxième vue</translation>
+    </message>
+</context>
+<context>
+    <name>project.synchronisation_of_one_view</name>
+    <message>
+        <source>a synchronisation is stored, but it has no second view</source>
+        <translation>une synchronisation est enregistrée, mais il n’a pas de deuxième vue</translation>
+    </message>
+</context>
+<context>
+    <name>project.take_later_back</name>
+    <message>
+        <source>take the later change back first, or leave it</source>
+        <translation>annulez d’abord la modification plus récente, ou laissez</translation>
+    </message>
+</context>
+<context>
+    <name>project.task_changed</name>
+    <message>
+        <source>the task has changed since robot &apos;%1&apos; was analysed</source>
+        <translation>l’épreuve a changé depuis l’analyse du robot &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.task_has_trial</name>
+    <message>
+        <source>a trial has it</source>
+        <translation>un essai l’utilise</translation>
+    </message>
+</context>
+<context>
+    <name>project.task_has_trials</name>
+    <message>
+        <source>%1 trials have it</source>
+        <translation>%1 essais l’utilisent</translation>
+    </message>
+</context>
+<context>
+    <name>project.team_has_trial</name>
+    <message>
+        <source>a trial is its</source>
+        <translation>un essai est le sien</translation>
+    </message>
+</context>
+<context>
+    <name>project.team_has_trials</name>
+    <message>
+        <source>%1 trials are its</source>
+        <translation>%1 essais sont les siens</translation>
+    </message>
+</context>
+<context>
+    <name>project.texts_too_long</name>
+    <message>
+        <source>%1: texts of more than %2 characters: %3</source>
+        <translation>%1 : textes de plus de %2 caractères : %3</translation>
+    </message>
+</context>
+<context>
+    <name>project.times_do_not_rise</name>
+    <message>
+        <source>its times do not rise</source>
+        <translation>ses temps ne croissent pas</translation>
+    </message>
+</context>
+<context>
+    <name>project.title</name>
+    <message>
+        <source>title of the project</source>
+        <translation>titre du projet</translation>
+    </message>
+</context>
+<context>
+    <name>project.too_many_markers</name>
+    <message>
+        <source>it has more than %1 markers</source>
+        <translation>il a plus de %1 repères</translation>
+    </message>
+</context>
+<context>
+    <name>project.too_many_members</name>
+    <message>
+        <source>it has more than %1 members</source>
+        <translation>elle a plus de %1 membres</translation>
+    </message>
+</context>
+<context>
+    <name>project.too_many_samples</name>
+    <message>
+        <source>it has more than %1 samples</source>
+        <translation>il y a plus de %1 échantillons</translation>
+    </message>
+</context>
+<context>
+    <name>project.track</name>
+    <message>
+        <source>track &apos;%1&apos;</source>
+        <translation>trajectoire &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.track_again</name>
+    <message>
+        <source>track the trial again</source>
+        <translation>suivez l’essai à nouveau</translation>
+    </message>
+</context>
+<context>
+    <name>project.track_kept</name>
+    <message>
+        <source>the measured track is kept without it</source>
+        <translation>la trajectoire mesurée est gardée sans lui</translation>
+    </message>
+</context>
+<context>
+    <name>project.track_reading</name>
+    <message>
+        <source>reading of a track</source>
+        <translation>lecture d’une trajectoire</translation>
+    </message>
+</context>
+<context>
+    <name>project.trial_notes</name>
+    <message>
+        <source>notes of a trial</source>
+        <translation>notes d’un essai</translation>
+    </message>
+</context>
+<context>
+    <name>project.trial_of_project</name>
+    <message>
+        <source>trial %1 of the project</source>
+        <translation>essai %1 du projet</translation>
+    </message>
+</context>
+<context>
+    <name>project.truth</name>
+    <message>
+        <source>truth of a trial</source>
+        <translation>vérité d’un essai</translation>
+    </message>
+</context>
+<context>
+    <name>project.truth_of_trial</name>
+    <message>
+        <source>truth of trial %1</source>
+        <translation>vérité de l’essai %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.try_again</name>
+    <message>
+        <source>try it again</source>
+        <translation>réessayez</translation>
+    </message>
+</context>
+<context>
+    <name>project.try_change_again</name>
+    <message>
+        <source>try the whole change again</source>
+        <translation>réessayez toute la modification</translation>
+    </message>
+</context>
+<context>
+    <name>project.type_name_anew</name>
+    <message>
+        <source>type the name anew</source>
+        <translation>retapez le nom</translation>
+    </message>
+</context>
+<context>
+    <name>project.type_text_anew</name>
+    <message>
+        <source>type the text anew</source>
+        <translation>retapez le texte</translation>
+    </message>
+</context>
+<context>
+    <name>project.undo</name>
+    <message>
+        <source>undo</source>
+        <translation>annuler</translation>
+    </message>
+</context>
+<context>
+    <name>project.undo_of</name>
+    <message>
+        <source>undo &apos;%1&apos;</source>
+        <translation>annuler &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.undo_something_first</name>
+    <message>
+        <source>undo something first</source>
+        <translation>annulez d’abord quelque chose</translation>
+    </message>
+</context>
+<context>
+    <name>project.unknown_series_layout</name>
+    <message>
+        <source>its stored series has the unknown layout %1</source>
+        <translation>sa série enregistrée a la disposition inconnue %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.unknown_setting</name>
+    <message>
+        <source>its stored setting &apos;%1&apos; is unknown</source>
+        <translation>son réglage enregistré &apos;%1&apos; est inconnu</translation>
+    </message>
+</context>
+<context>
+    <name>project.use_at_most</name>
+    <message>
+        <source>use at most %1</source>
+        <translation>utilisez-en %1 au plus</translation>
+    </message>
+</context>
+<context>
+    <name>project.use_one_line</name>
+    <message>
+        <source>use a name of one line</source>
+        <translation>utilisez un nom d’une seule ligne</translation>
+    </message>
+</context>
+<context>
+    <name>project.value_too_large</name>
+    <message>
+        <source>a value is too large to be stored</source>
+        <translation>une valeur est trop grande pour être enregistrée</translation>
+    </message>
+</context>
+<context>
+    <name>project.views_differ</name>
+    <message>
+        <source>views and registrations differ in number</source>
+        <translation>vues et localisations ne sont pas en même nombre</translation>
+    </message>
+</context>
+<context>
+    <name>project.wait_until_ended</name>
+    <message>
+        <source>wait until that has ended</source>
+        <translation>attendez que ce soit terminé</translation>
+    </message>
+</context>
+<context>
+    <name>project.writing_failed</name>
+    <message>
+        <source>writing it failed (%1)</source>
+        <translation>l’écriture a échoué (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>project.written_over</name>
+    <message>
+        <source>another program wrote over its file while it was open; nothing more was stored</source>
+        <translation>un autre programme a écrasé son fichier pendant qu’il était ouvert ; plus rien n’a été enregistré</translation>
+    </message>
+</context>
+<context>
+    <name>project.zone</name>
+    <message>
+        <source>zone &apos;%1&apos;</source>
+        <translation>zone &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.zone_cut_off</name>
+    <message>
+        <source>its zone &apos;%1&apos; ends within a point</source>
+        <translation>sa zone &apos;%1&apos; s’arrête au milieu d’un point</translation>
+    </message>
+</context>
+<context>
+    <name>simulation.cannot_render</name>
+    <message>
+        <source>cannot render %1</source>
+        <translation>impossible de calculer %1</translation>
+    </message>
+</context>
+<context>
+    <name>simulation.lengthen_scene</name>
+    <message>
+        <source>give the scene a longer duration or start the camera earlier</source>
+        <translation>donnez à la scène une durée plus longue ou démarrez la caméra plus tôt</translation>
+    </message>
+</context>
+<context>
+    <name>simulation.no_frame</name>
+    <message>
+        <source>camera %1 takes no frame while the scene lasts</source>
+        <translation>la caméra %1 ne prend aucune image tant que dure la scène</translation>
+    </message>
+</context>
+<context>
+    <name>simulation.rendering</name>
+    <message>
+        <source>rendering %1</source>
+        <translation>calcul de %1</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.every_offset_fits</name>
+    <message>
+        <source>the robot stood still or ran straight at constant speed, so every offset fits</source>
+        <translation>le robot était immobile ou allait droit à vitesse constante, si bien que tout décalage convient</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.flash_disagrees</name>
+    <message>
+        <source>the motion tells an offset of %1, which was taken, and the flash of light %2</source>
+        <translation>le mouvement donne un décalage de %1, retenu, et l’éclair de lumière %2</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.flash_lights</name>
+    <message>
+        <source>flash the room lights once while both cameras record, or give --sync SECONDS</source>
+        <translation>faites clignoter une fois la lumière de la salle pendant que les deux caméras filment, ou donnez le décalage</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.flashes_fit_alike</name>
+    <message>
+        <source>the flashes of light fit alike at offsets of %1 and %2</source>
+        <translation>les éclairs de lumière conviennent autant à des décalages de %1 et %2</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.from_flash</name>
+    <message>
+        <source>from a flash of light, to %1 only, for %2</source>
+        <translation>d’après un éclair de lumière, à %1 seulement, car %2</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.light_flickers</name>
+    <message>
+        <source>the light flickers</source>
+        <translation>la lumière scintille</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.motion_repeats</name>
+    <message>
+        <source>the motion repeats itself</source>
+        <translation>le mouvement se répète</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.neither_tells</name>
+    <message>
+        <source>%1, and %2</source>
+        <translation>%1, et %2</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.no_flash</name>
+    <message>
+        <source>neither view shows a flash of light</source>
+        <translation>aucune des vues ne montre d’éclair de lumière</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.no_offset_fits</name>
+    <message>
+        <source>the views&apos; tracks do not coincide at any offset looked at</source>
+        <translation>les trajectoires des vues ne coïncident à aucun décalage examiné</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.of_clips</name>
+    <message>
+        <source>synchronisation of the clips</source>
+        <translation>synchronisation des vidéos</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.offset</name>
+    <message>
+        <source>%1 ±%2</source>
+        <translation>%1 ±%2</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.offsets_fit_alike</name>
+    <message>
+        <source>offsets of %1 and %2 fit alike</source>
+        <translation>des décalages de %1 et %2 conviennent autant</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.one_flash</name>
+    <message>
+        <source>only one of the views shows a flash of light</source>
+        <translation>une seule des vues montre un éclair de lumière</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.other_flashes</name>
+    <message>
+        <source>the flashes of light in the views do not belong together</source>
+        <translation>les éclairs de lumière des vues ne se correspondent pas</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.robots_disagree</name>
+    <message>
+        <source>robot %1 tells an offset of %2, robot %3 %4, which was taken</source>
+        <translation>le robot %1 donne un décalage de %2, le robot %3 %4, qui a été retenu</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.seldom_seen</name>
+    <message>
+        <source>one view saw the robot in fewer than %1 pictures</source>
+        <translation>une vue a vu le robot dans moins de %1 images</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.seldom_together</name>
+    <message>
+        <source>the views hardly ever saw the robot at the same time</source>
+        <translation>les vues n’ont presque jamais vu le robot en même temps</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.tracks_differ</name>
+    <message>
+        <source>the views&apos; tracks do not resemble one another</source>
+        <translation>les trajectoires des vues ne se ressemblent pas</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.add_robot</name>
+    <message>
+        <source>add a robot with its colour first</source>
+        <translation>ajoutez d’abord un robot avec sa couleur</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.add_without_colour</name>
+    <message>
+        <source>add the robot without a colour, so that it is found by how it differs from the floor</source>
+        <translation>ajoutez le robot sans couleur, pour qu’il soit trouvé par ce qui le distingue du sol</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.box_is_grey</name>
+    <message>
+        <source>what differs from the floor around it is grey, black or white</source>
+        <translation>ce qui diffère du sol autour est gris, noir ou blanc</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.box_leaves_nothing</name>
+    <message>
+        <source>the box leaves nothing of the floor to compare with</source>
+        <translation>le cadre ne laisse rien du sol pour comparer</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.box_too_small</name>
+    <message>
+        <source>the box is too small, or outside the picture</source>
+        <translation>le cadre est trop petit, ou hors de l’image</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.box_without_colour</name>
+    <message>
+        <source>it holds no colour that differs from the floor around it</source>
+        <translation>il ne contient aucune couleur différente du sol autour</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.cannot_track</name>
+    <message>
+        <source>Cannot track</source>
+        <translation>Suivi impossible</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.cannot_track_robot</name>
+    <message>
+        <source>Cannot track robot %1</source>
+        <translation>Impossible de suivre le robot %1</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.colour_in_box</name>
+    <message>
+        <source>colour in the box</source>
+        <translation>couleur dans le cadre</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.colour_is_grey</name>
+    <message>
+        <source>its colour %1 is grey, and only hue tells a robot from the floor</source>
+        <translation>sa couleur %1 est grise, et seule la teinte distingue un robot du sol</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.draw_box_closely</name>
+    <message>
+        <source>draw it closely round the robot</source>
+        <translation>tracez-le au plus près du robot</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.draw_box_larger</name>
+    <message>
+        <source>draw it round the robot, at least 8 pixels wide and high</source>
+        <translation>tracez-le autour du robot, d’au moins 8 pixels de large et de haut</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.no_robot_given</name>
+    <message>
+        <source>no robot is given</source>
+        <translation>aucun robot n’est donné</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.put_plate_on_it</name>
+    <message>
+        <source>draw it closely round the robot, or put a plate of another colour on it</source>
+        <translation>tracez-le au plus près du robot, ou posez dessus une plaque d’une autre couleur</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.tell_no_colour</name>
+    <message>
+        <source>tell no colour, so that it is found by how it differs from the floor</source>
+        <translation>n’indiquez aucune couleur, pour qu’il soit trouvé par ce qui le distingue du sol</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.add_view</name>
+    <message>
+        <source>add a second view, or give the robot one height</source>
+        <translation>ajoutez une deuxième vue, ou donnez une hauteur au robot</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.analysing_position</name>
+    <message>
+        <source>analysing position %1</source>
+        <translation>analyse de la position %1</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.camera_not_registered</name>
+    <message>
+        <source>camera %1 is not registered to the floor</source>
+        <translation>la caméra %1 n’est pas localisée au sol</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.cameras_not_registered</name>
+    <message>
+        <source>cameras %1 are not registered to the floor</source>
+        <translation>les caméras %1 ne sont pas localisées au sol</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.centre_reference</name>
+    <message>
+        <source>give it the reference point 0,0 and track again</source>
+        <translation>donnez-lui le point de référence 0,0 et suivez-le à nouveau</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.check_robot_and_light</name>
+    <message>
+        <source>check that the robot moves in the pictures, that a colour that was told is the one it has there, and that the light is sufficient</source>
+        <translation>vérifiez que le robot se déplace dans les images, qu’une couleur indiquée est bien celle qu’il y a, et que la lumière suffit</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.choose_longer_track</name>
+    <message>
+        <source>choose a track with more positions</source>
+        <translation>choisissez une trajectoire avec plus de positions</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.choose_longer_video</name>
+    <message>
+        <source>choose a longer video, or check the robot&apos;s colour and the light</source>
+        <translation>choisissez une vidéo plus longue, ou vérifiez la couleur du robot et la lumière</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.cut_by_edge</name>
+    <message>
+        <source>cut by the picture&apos;s edge</source>
+        <translation>coupé par le bord de l’image</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.cut_by_frames_edge</name>
+    <message>
+        <source>cut by the frame&apos;s edge in view %1</source>
+        <translation>coupé par le bord de l’image dans la vue %1</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.faster_than_limit</name>
+    <message>
+        <source>faster than the limit</source>
+        <translation>plus rapide que la limite</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.figures_of_seen</name>
+    <message>
+        <source>the figures are of the part that was seen</source>
+        <translation>les valeurs portent sur la partie vue</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.frames_that_tell</name>
+    <message>
+        <source>of %1 frames %2 give a position that can be used</source>
+        <translation>sur %1 images, %2 donnent une position utilisable</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.harder_than_limit</name>
+    <message>
+        <source>harder than the limit of acceleration</source>
+        <translation>accélération supérieure à la limite</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.heading_unknown</name>
+    <message>
+        <source>its reference point lies beside its centre, but its outlines do not tell its heading</source>
+        <translation>son point de référence est hors de son centre, mais ses contours n’indiquent pas son cap</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.hidden_behind</name>
+    <message>
+        <source>hidden behind %1 in view %2</source>
+        <translation>caché derrière %1 dans la vue %2</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.import_video</name>
+    <message>
+        <source>import at least one video for it</source>
+        <translation>importez au moins une vidéo pour lui</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.jump</name>
+    <message>
+        <source>jump</source>
+        <translation>saut</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.jump_of</name>
+    <message>
+        <source>jump of %1</source>
+        <translation>saut de %1</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.look_and_register</name>
+    <message>
+        <source>look at the outlines, and register the cameras again</source>
+        <translation>regardez les contours et localisez de nouveau les caméras</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.move_camera</name>
+    <message>
+        <source>move or add a camera so that the whole task is seen</source>
+        <translation>déplacez ou ajoutez une caméra pour que toute l’épreuve soit vue</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.no_such_smoother</name>
+    <message>
+        <source>there is none of that name</source>
+        <translation>il n’y en a pas de ce nom</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.no_view</name>
+    <message>
+        <source>the trial has no view</source>
+        <translation>l’essai n’a pas de vue</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.no_view_trusted</name>
+    <message>
+        <source>none could be trusted</source>
+        <translation>aucune n’était fiable</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.not_enough_data</name>
+    <message>
+        <source>not enough data</source>
+        <translation>pas assez de données</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.not_visible</name>
+    <message>
+        <source>not visible in view %1</source>
+        <translation>non visible dans la vue %1</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.occlusion_span</name>
+    <message>
+        <source>%1 (%2 to %3)</source>
+        <translation>%1 (de %2 à %3)</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.one_outline</name>
+    <message>
+        <source>one outline with %1 in view %2</source>
+        <translation>un seul contour avec %1 dans la vue %2</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.only_unregistered</name>
+    <message>
+        <source>only cameras that are not registered to the floor saw the robot</source>
+        <translation>seules des caméras non localisées ont vu le robot</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.outline_larger</name>
+    <message>
+        <source>outline larger than usual in view %1</source>
+        <translation>contour plus grand que d’habitude dans la vue %1</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.outline_smaller</name>
+    <message>
+        <source>outline smaller than usual in view %1</source>
+        <translation>contour plus petit que d’habitude dans la vue %1</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.partly_hidden_behind</name>
+    <message>
+        <source>partly hidden behind %1 in view %2</source>
+        <translation>partiellement caché derrière %1 dans la vue %2</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.path_not_measured</name>
+    <message>
+        <source>the robot&apos;s path cannot be measured</source>
+        <translation>la trajectoire du robot ne peut pas être mesurée</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.register_one</name>
+    <message>
+        <source>run odograph register for at least one of them</source>
+        <translation>localisez-en au moins une</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.register_them</name>
+    <message>
+        <source>run odograph register for them</source>
+        <translation>localisez-les</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.robot_not_found</name>
+    <message>
+        <source>the robot was not found in any picture of %1</source>
+        <translation>le robot n’a été trouvé dans aucune image de %1</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.seldom_together</name>
+    <message>
+        <source>its height is to be triangulated, but two registered views hardly ever saw it together</source>
+        <translation>sa hauteur doit être triangulée, mais deux vues localisées ne l’ont presque jamais vu ensemble</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.smoother</name>
+    <message>
+        <source>smoother %1</source>
+        <translation>lissage %1</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.spike_by_hand</name>
+    <message>
+        <source>called a spike by hand</source>
+        <translation>signalé comme pic à la main</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.stands_out_in_both</name>
+    <message>
+        <source>stands out in position and speed</source>
+        <translation>s’écarte en position et en vitesse</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.stands_out_in_position</name>
+    <message>
+        <source>stands out in position</source>
+        <translation>s’écarte en position</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.stands_out_in_speed</name>
+    <message>
+        <source>stands out in speed</source>
+        <translation>s’écarte en vitesse</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.track_first</name>
+    <message>
+        <source>track the trial&apos;s videos first</source>
+        <translation>suivez d’abord les vidéos de l’essai</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.tracker_unsure</name>
+    <message>
+        <source>the tracker was not sure (score %1)</source>
+        <translation>le suivi n’était pas sûr (score %1)</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.unseen_after</name>
+    <message>
+        <source>no view sees it after %1 (it was at X %2, Y %3)</source>
+        <translation>aucune vue ne le voit après %1 (il était en X %2, Y %3)</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.unseen_between</name>
+    <message>
+        <source>no view sees it from %1 to %2 (it was at X %3, Y %4)</source>
+        <translation>aucune vue ne le voit de %1 à %2 (il était en X %3, Y %4)</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.use_smoother</name>
+    <message>
+        <source>use rts, savgol, tracker or none</source>
+        <translation>utilisez rts, savgol, tracker ou none</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.view_left_out</name>
+    <message>
+        <source>one left out</source>
+        <translation>une a été écartée</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.view_without_frame</name>
+    <message>
+        <source>view %1 has no frame</source>
+        <translation>la vue %1 n’a pas d’image</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.views_apart</name>
+    <message>
+        <source>the views put it %1 apart</source>
+        <translation>les vues le placent à %1 d’écart</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.views_disagree</name>
+    <message>
+        <source>views disagree by %1</source>
+        <translation>les vues sont en désaccord de %1</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.why_views_apart</name>
+    <message>
+        <source>a camera was moved after it was registered, the videos belong to other cameras, or one view follows something else</source>
+        <translation>une caméra a été déplacée après sa localisation, les vidéos proviennent d’autres caméras ou une vue suit autre chose</translation>
+    </message>
+</context>
+<context>
+    <name>ui.add_camera</name>
+    <message>
+        <source>add camera %1</source>
+        <translation>ajouter la caméra %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.add_class</name>
+    <message>
+        <source>add class %1</source>
+        <translation>ajout de la classe %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.add_layout</name>
+    <message>
+        <source>add layout %1</source>
+        <translation>ajout du plan %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.add_robot</name>
+    <message>
+        <source>add robot %1</source>
+        <translation>ajout du robot %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.add_task</name>
+    <message>
+        <source>add task %1</source>
+        <translation>ajout de l’épreuve %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.add_team</name>
+    <message>
+        <source>add team %1</source>
+        <translation>ajout de l’équipe %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.adding_strays</name>
+    <message>
+        <source>Adding stray videos as trials</source>
+        <translation>Ajout des vidéos orphelines comme essais</translation>
+    </message>
+</context>
+<context>
+    <name>ui.and_more</name>
+    <message>
+        <source>and %1 more</source>
+        <translation>et %1 de plus</translation>
+    </message>
+</context>
+<context>
+    <name>ui.annotated_video</name>
+    <message>
+        <source>annotated video of &apos;%1&apos;</source>
+        <translation>vidéo annotée de &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>ui.another_job_runs</name>
+    <message>
+        <source>another job is running</source>
+        <translation>une autre tâche est en cours</translation>
+    </message>
+</context>
+<context>
+    <name>ui.archive_class</name>
+    <message>
+        <source>archive class %1</source>
+        <translation>archivage de la classe %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.archive_task</name>
+    <message>
+        <source>archive task %1</source>
+        <translation>archivage de l’épreuve %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.archive_trial</name>
+    <message>
+        <source>archive %1</source>
+        <translation>archivage de %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.archive_trials</name>
+    <message>
+        <source>archive %1 trials</source>
+        <translation>archivage de %1 essais</translation>
+    </message>
+</context>
+<context>
+    <name>ui.backup_is_sound</name>
+    <message>
+        <source>its backup of %1 is sound; what was done since is not in it</source>
+        <translation>sa copie de sauvegarde du %1 est intacte ; ce qui a été fait depuis n’y est pas</translation>
+    </message>
+</context>
+<context>
+    <name>ui.board_has_corners</name>
+    <message>
+        <source>a board has 3 to 30 inner corners each way</source>
+        <translation>une mire a de 3 à 30 coins intérieurs dans chaque sens</translation>
+    </message>
+</context>
+<context>
+    <name>ui.bring_file_back</name>
+    <message>
+        <source>bring the file back to its place</source>
+        <translation>remettez le fichier à sa place</translation>
+    </message>
+</context>
+<context>
+    <name>ui.calibrate_other_first</name>
+    <message>
+        <source>calibrate the other one, or import a trial with it, first</source>
+        <translation>étalonnez d’abord l’autre, ou importez un essai avec elle</translation>
+    </message>
+</context>
+<context>
+    <name>ui.camera_named</name>
+    <message>
+        <source>camera %1</source>
+        <translation>caméra %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.cameras</name>
+    <message>
+        <source>the cameras</source>
+        <translation>les caméras</translation>
+    </message>
+</context>
+<context>
+    <name>ui.cannot_make_another</name>
+    <message>
+        <source>cannot make another project</source>
+        <translation>impossible de créer un autre projet</translation>
+    </message>
+</context>
+<context>
+    <name>ui.cannot_open_another</name>
+    <message>
+        <source>cannot open another project</source>
+        <translation>impossible d’ouvrir un autre projet</translation>
+    </message>
+</context>
+<context>
+    <name>ui.change_pseudonym</name>
+    <message>
+        <source>change the pseudonym of team %1</source>
+        <translation>modification du pseudonyme de l’équipe %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.change_robot</name>
+    <message>
+        <source>change robot %1</source>
+        <translation>modification du robot %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.change_tags</name>
+    <message>
+        <source>change the tags of %1</source>
+        <translation>modification des étiquettes de %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.change_task</name>
+    <message>
+        <source>change task %1</source>
+        <translation>modification de l’épreuve %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.change_team</name>
+    <message>
+        <source>change members and robots of team %1</source>
+        <translation>modification des membres et des robots de l’équipe %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.charuco_numbered_in_two_ways</name>
+    <message>
+        <source>a ChArUco board of %1 rows of squares is numbered in two ways by different programs</source>
+        <translation>une mire ChArUco de %1 rangées de carrés est numérotée de deux façons selon les programmes</translation>
+    </message>
+</context>
+<context>
+    <name>ui.choose_logo</name>
+    <message>
+        <source>choose a PNG, JPEG or SVG picture</source>
+        <translation>choisissez une image PNG, JPEG ou SVG</translation>
+    </message>
+</context>
+<context>
+    <name>ui.choose_or_make_class</name>
+    <message>
+        <source>choose one of them, or make it in the workbench</source>
+        <translation>choisissez-en une, ou créez-la dans la fenêtre d’Odograph</translation>
+    </message>
+</context>
+<context>
+    <name>ui.choose_recorded</name>
+    <message>
+        <source>choose one that was recorded</source>
+        <translation>choisissez-en un qui a été filmé</translation>
+    </message>
+</context>
+<context>
+    <name>ui.choose_trial_or_class</name>
+    <message>
+        <source>choose a trial or a class</source>
+        <translation>choisissez un essai ou une classe</translation>
+    </message>
+</context>
+<context>
+    <name>ui.choose_video_size</name>
+    <message>
+        <source>choose another, such as 1920x1080</source>
+        <translation>choisissez-en une autre, comme 1920x1080</translation>
+    </message>
+</context>
+<context>
+    <name>ui.choose_video_speed</name>
+    <message>
+        <source>choose another, such as 0.25</source>
+        <translation>choisissez-en une autre, comme 0.25</translation>
+    </message>
+</context>
+<context>
+    <name>ui.comparison</name>
+    <message>
+        <source>comparison</source>
+        <translation>comparaison</translation>
+    </message>
+</context>
+<context>
+    <name>ui.completing_recording</name>
+    <message>
+        <source>Completing a recording that was cut off</source>
+        <translation>Achèvement d’un enregistrement interrompu</translation>
+    </message>
+</context>
+<context>
+    <name>ui.connect_camera</name>
+    <message>
+        <source>connect camera %1</source>
+        <translation>connexion de la caméra %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.delete_class</name>
+    <message>
+        <source>delete class %1</source>
+        <translation>suppression de la classe %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.delete_robot</name>
+    <message>
+        <source>delete robot %1</source>
+        <translation>suppression du robot %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.delete_task</name>
+    <message>
+        <source>delete task %1</source>
+        <translation>suppression de l’épreuve %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.delete_team</name>
+    <message>
+        <source>delete team %1</source>
+        <translation>suppression de l’équipe %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.delete_trial</name>
+    <message>
+        <source>delete %1</source>
+        <translation>suppression de %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.delete_trials</name>
+    <message>
+        <source>delete %1 trials</source>
+        <translation>suppression de %1 essais</translation>
+    </message>
+</context>
+<context>
+    <name>ui.does_not_fit_on</name>
+    <message>
+        <source>%1 by %2 do not fit on %3</source>
+        <translation>%1 × %2 ne tiennent pas sur %3</translation>
+    </message>
+</context>
+<context>
+    <name>ui.emptying_bin</name>
+    <message>
+        <source>Emptying the bin</source>
+        <translation>Vidage de la corbeille</translation>
+    </message>
+</context>
+<context>
+    <name>ui.export_of</name>
+    <message>
+        <source>export of %1</source>
+        <translation>exportation de %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.exported_trials</name>
+    <message>
+        <source>Exported trials: %1 of %2</source>
+        <translation>Essais exportés&#xa0;: %1 sur %2</translation>
+    </message>
+</context>
+<context>
+    <name>ui.exporting</name>
+    <message>
+        <source>Exporting %1 (%2 of %3)</source>
+        <translation>Exportation de %1 (%2 sur %3)</translation>
+    </message>
+</context>
+<context>
+    <name>ui.give_board_size</name>
+    <message>
+        <source>give a size as 9x6</source>
+        <translation>donnez une taille comme 9x6</translation>
+    </message>
+</context>
+<context>
+    <name>ui.give_marker_size</name>
+    <message>
+        <source>give its size, as 150mm</source>
+        <translation>donnez sa taille, comme 150mm</translation>
+    </message>
+</context>
+<context>
+    <name>ui.give_square_side</name>
+    <message>
+        <source>give the side of a square, as 25mm</source>
+        <translation>donnez le côté d’un carré, comme 25mm</translation>
+    </message>
+</context>
+<context>
+    <name>ui.import_or_record_first</name>
+    <message>
+        <source>import or record one first</source>
+        <translation>importez ou filmez d’abord un essai</translation>
+    </message>
+</context>
+<context>
+    <name>ui.importing</name>
+    <message>
+        <source>Importing %1</source>
+        <translation>Importation de %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.is_printer_ready</name>
+    <message>
+        <source>look whether the printer is ready</source>
+        <translation>regardez si l’imprimante est prête</translation>
+    </message>
+</context>
+<context>
+    <name>ui.job_runs_on_project</name>
+    <message>
+        <source>a job is running on the project</source>
+        <translation>une tâche est en cours sur le projet</translation>
+    </message>
+</context>
+<context>
+    <name>ui.lens_of_other_size</name>
+    <message>
+        <source>it is %1×%2, but the lens was measured at %3×%4</source>
+        <translation>elle fait %1×%2, mais l’objectif a été mesuré en %3×%4</translation>
+    </message>
+</context>
+<context>
+    <name>ui.logo</name>
+    <message>
+        <source>logo &apos;%1&apos;</source>
+        <translation>logo &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>ui.logo_too_large</name>
+    <message>
+        <source>it is larger than a hundred megapixels</source>
+        <translation>il dépasse cent mégapixels</translation>
+    </message>
+</context>
+<context>
+    <name>ui.look_at_printer</name>
+    <message>
+        <source>look at the printer and its queue, or save the report as PDF</source>
+        <translation>regardez l’imprimante et sa file d’attente, ou enregistrez le rapport en PDF</translation>
+    </message>
+</context>
+<context>
+    <name>ui.looking_for_lost</name>
+    <message>
+        <source>Looking for lost videos</source>
+        <translation>Recherche des vidéos perdues</translation>
+    </message>
+</context>
+<context>
+    <name>ui.looking_for_markers</name>
+    <message>
+        <source>looking for the markers in %1</source>
+        <translation>recherche des marqueurs dans %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.looking_for_strays</name>
+    <message>
+        <source>Looking for stray files</source>
+        <translation>Recherche des fichiers orphelins</translation>
+    </message>
+</context>
+<context>
+    <name>ui.make_marker_smaller</name>
+    <message>
+        <source>make it %1 at most, or take a larger paper</source>
+        <translation>faites-le de %1 au plus, ou prenez un papier plus grand</translation>
+    </message>
+</context>
+<context>
+    <name>ui.make_smaller</name>
+    <message>
+        <source>make it smaller</source>
+        <translation>réduisez-la</translation>
+    </message>
+</context>
+<context>
+    <name>ui.make_squares_smaller</name>
+    <message>
+        <source>make the squares %1 at most, or take a larger paper</source>
+        <translation>faites les carrés de %1 au plus, ou prenez un papier plus grand</translation>
+    </message>
+</context>
+<context>
+    <name>ui.making_demo</name>
+    <message>
+        <source>Making the demo lesson</source>
+        <translation>Création de la leçon de démonstration</translation>
+    </message>
+</context>
+<context>
+    <name>ui.making_hashes</name>
+    <message>
+        <source>Making the hashes of new recordings</source>
+        <translation>Calcul des empreintes des nouveaux enregistrements</translation>
+    </message>
+</context>
+<context>
+    <name>ui.making_report</name>
+    <message>
+        <source>Making the report</source>
+        <translation>Création du rapport</translation>
+    </message>
+</context>
+<context>
+    <name>ui.making_video</name>
+    <message>
+        <source>Making the video of %1</source>
+        <translation>Création de la vidéo de %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.making_videos</name>
+    <message>
+        <source>Making the video of %1 (%2 of %3)</source>
+        <translation>Création de la vidéo de %1 (%2 sur %3)</translation>
+    </message>
+</context>
+<context>
+    <name>ui.many_trials</name>
+    <message>
+        <source>many trials</source>
+        <translation>plusieurs essais</translation>
+    </message>
+</context>
+<context>
+    <name>ui.measuring_again</name>
+    <message>
+        <source>Measuring %1 again</source>
+        <translation>Nouvelle mesure de %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.measuring_trials_again</name>
+    <message>
+        <source>Measuring %1 again (%2 of %3)</source>
+        <translation>Nouvelle mesure de %1 (%2 sur %3)</translation>
+    </message>
+</context>
+<context>
+    <name>ui.mend_and_choose_again</name>
+    <message>
+        <source>mend what stands there, and choose these trials again</source>
+        <translation>corrigez ce qui est indiqué, puis choisissez de nouveau ces essais</translation>
+    </message>
+</context>
+<context>
+    <name>ui.move_team</name>
+    <message>
+        <source>move team %1 to class %2</source>
+        <translation>déplacement de l’équipe %1 vers la classe %2</translation>
+    </message>
+</context>
+<context>
+    <name>ui.name_one_marker</name>
+    <message>
+        <source>name at least one, as O</source>
+        <translation>nommez-en au moins un, comme O</translation>
+    </message>
+</context>
+<context>
+    <name>ui.no_camera_registered</name>
+    <message>
+        <source>no camera is registered yet</source>
+        <translation>aucune caméra n’est encore localisée</translation>
+    </message>
+</context>
+<context>
+    <name>ui.no_further_page</name>
+    <message>
+        <source>it takes no further page</source>
+        <translation>elle n’accepte plus de page</translation>
+    </message>
+</context>
+<context>
+    <name>ui.no_marker_to_print</name>
+    <message>
+        <source>there is no marker to print</source>
+        <translation>il n’y a aucun marqueur à imprimer</translation>
+    </message>
+</context>
+<context>
+    <name>ui.no_page</name>
+    <message>
+        <source>it has no page</source>
+        <translation>il n’a aucune page</translation>
+    </message>
+</context>
+<context>
+    <name>ui.no_project_open</name>
+    <message>
+        <source>no project is open</source>
+        <translation>aucun projet n’est ouvert</translation>
+    </message>
+</context>
+<context>
+    <name>ui.no_run_with_figure</name>
+    <message>
+        <source>none of its teams has a run with the figure &apos;%1&apos;</source>
+        <translation>aucune de ses équipes n’a de passage avec la grandeur &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>ui.no_run_with_figure_in_task</name>
+    <message>
+        <source>none of its teams has a run with the figure &apos;%1&apos; in the task &apos;%2&apos;</source>
+        <translation>aucune de ses équipes n’a de passage avec la grandeur &apos;%1&apos; dans l’épreuve &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>ui.no_trial_yet</name>
+    <message>
+        <source>there is no trial yet</source>
+        <translation>il n’y a pas encore d’essai</translation>
+    </message>
+</context>
+<context>
+    <name>ui.not_printed</name>
+    <message>
+        <source>it could not be printed</source>
+        <translation>l’impression a échoué</translation>
+    </message>
+</context>
+<context>
+    <name>ui.nothing_changed_here</name>
+    <message>
+        <source>nothing was changed here</source>
+        <translation>rien n’a été modifié ici</translation>
+    </message>
+</context>
+<context>
+    <name>ui.only_be_read</name>
+    <message>
+        <source>this project can only be read</source>
+        <translation>ce projet ne peut qu’être lu</translation>
+    </message>
+</context>
+<context>
+    <name>ui.only_one_camera</name>
+    <message>
+        <source>there is only one camera</source>
+        <translation>il n’y a qu’une caméra</translation>
+    </message>
+</context>
+<context>
+    <name>ui.only_so_many_charuco_markers</name>
+    <message>
+        <source>there are only 250 markers for a ChArUco board</source>
+        <translation>il n’y a que 250 marqueurs pour une mire ChArUco</translation>
+    </message>
+</context>
+<context>
+    <name>ui.only_so_many_tags</name>
+    <message>
+        <source>there are only %1 tags</source>
+        <translation>il n’y a que %1 tags</translation>
+    </message>
+</context>
+<context>
+    <name>ui.open_its_project</name>
+    <message>
+        <source>open the project that it belongs to</source>
+        <translation>ouvrez le projet auquel cela appartient</translation>
+    </message>
+</context>
+<context>
+    <name>ui.open_project_first</name>
+    <message>
+        <source>open or make a project first</source>
+        <translation>ouvrez ou créez d’abord un projet</translation>
+    </message>
+</context>
+<context>
+    <name>ui.opening</name>
+    <message>
+        <source>Opening %1</source>
+        <translation>Ouverture de %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.packing</name>
+    <message>
+        <source>Packing the project</source>
+        <translation>Empaquetage du projet</translation>
+    </message>
+</context>
+<context>
+    <name>ui.pages_not_taken</name>
+    <message>
+        <source>it did not take the pages</source>
+        <translation>elle n’a pas accepté les pages</translation>
+    </message>
+</context>
+<context>
+    <name>ui.painting_floor</name>
+    <message>
+        <source>painting the floor</source>
+        <translation>dessin du sol</translation>
+    </message>
+</context>
+<context>
+    <name>ui.picture</name>
+    <message>
+        <source>the picture</source>
+        <translation>l’image</translation>
+    </message>
+</context>
+<context>
+    <name>ui.picture_of</name>
+    <message>
+        <source>picture %1 of %2</source>
+        <translation>image %1 sur %2</translation>
+    </message>
+</context>
+<context>
+    <name>ui.preview</name>
+    <message>
+        <source>preview</source>
+        <translation>aperçu</translation>
+    </message>
+</context>
+<context>
+    <name>ui.print_fewer_markers</name>
+    <message>
+        <source>print fewer markers</source>
+        <translation>imprimez moins de marqueurs</translation>
+    </message>
+</context>
+<context>
+    <name>ui.printer_not_reached</name>
+    <message>
+        <source>it cannot be reached</source>
+        <translation>elle est injoignable</translation>
+    </message>
+</context>
+<context>
+    <name>ui.printing_on</name>
+    <message>
+        <source>printing on &apos;%1&apos;</source>
+        <translation>impression sur « %1 »</translation>
+    </message>
+</context>
+<context>
+    <name>ui.project_has_classes</name>
+    <message>
+        <source>the project has %1</source>
+        <translation>le projet a %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.project_has_no_class</name>
+    <message>
+        <source>the project has none</source>
+        <translation>le projet n’en a aucune</translation>
+    </message>
+</context>
+<context>
+    <name>ui.recording_not_there</name>
+    <message>
+        <source>the recording of camera %1 is not at &apos;%2&apos;</source>
+        <translation>l’enregistrement de la caméra %1 ne se trouve pas à &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>ui.redo</name>
+    <message>
+        <source>redo</source>
+        <translation>rétablir</translation>
+    </message>
+</context>
+<context>
+    <name>ui.register_camera</name>
+    <message>
+        <source>register camera %1</source>
+        <translation>localisation de la caméra %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.register_one_first</name>
+    <message>
+        <source>register one that sees the markers first</source>
+        <translation>localisez-en d’abord une qui voit les marqueurs</translation>
+    </message>
+</context>
+<context>
+    <name>ui.registration_through_another</name>
+    <message>
+        <source>registration through another camera</source>
+        <translation>localisation par une autre caméra</translation>
+    </message>
+</context>
+<context>
+    <name>ui.removing_strays</name>
+    <message>
+        <source>Removing stray files</source>
+        <translation>Suppression des fichiers orphelins</translation>
+    </message>
+</context>
+<context>
+    <name>ui.rename_class</name>
+    <message>
+        <source>rename class %1 to %2</source>
+        <translation>classe %1 renommée en %2</translation>
+    </message>
+</context>
+<context>
+    <name>ui.rename_task</name>
+    <message>
+        <source>rename task %1 to %2</source>
+        <translation>épreuve %1 renommée en %2</translation>
+    </message>
+</context>
+<context>
+    <name>ui.rename_team</name>
+    <message>
+        <source>rename team %1 to %2</source>
+        <translation>équipe %1 renommée en %2</translation>
+    </message>
+</context>
+<context>
+    <name>ui.report</name>
+    <message>
+        <source>report</source>
+        <translation>rapport</translation>
+    </message>
+</context>
+<context>
+    <name>ui.report_file</name>
+    <message>
+        <source>report &apos;%1&apos;</source>
+        <translation>rapport « %1 »</translation>
+    </message>
+</context>
+<context>
+    <name>ui.report_of_class</name>
+    <message>
+        <source>report of class &apos;%1&apos;</source>
+        <translation>rapport de la classe &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>ui.restoring_backup</name>
+    <message>
+        <source>Restoring the backup</source>
+        <translation>Restauration de la copie de sauvegarde</translation>
+    </message>
+</context>
+<context>
+    <name>ui.save_copy</name>
+    <message>
+        <source>save a copy and work on that</source>
+        <translation>enregistrez une copie et travaillez sur celle-ci</translation>
+    </message>
+</context>
+<context>
+    <name>ui.saving_copy</name>
+    <message>
+        <source>Saving a copy</source>
+        <translation>Enregistrement d’une copie</translation>
+    </message>
+</context>
+<context>
+    <name>ui.size_is_no_length</name>
+    <message>
+        <source>its size is not a length</source>
+        <translation>sa taille n’est pas une longueur</translation>
+    </message>
+</context>
+<context>
+    <name>ui.star_trial</name>
+    <message>
+        <source>star %1</source>
+        <translation>étoile mise à %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.star_trials</name>
+    <message>
+        <source>star %1 trials</source>
+        <translation>étoile mise à %1 essais</translation>
+    </message>
+</context>
+<context>
+    <name>ui.take_at_that_resolution</name>
+    <message>
+        <source>take it at that resolution, or measure the lens again</source>
+        <translation>prenez-la à cette résolution, ou mesurez l’objectif à nouveau</translation>
+    </message>
+</context>
+<context>
+    <name>ui.take_even_rows</name>
+    <message>
+        <source>take an even number of rows of inner corners, as 9x6</source>
+        <translation>prenez un nombre pair de rangées de coins intérieurs, comme 9x6</translation>
+    </message>
+</context>
+<context>
+    <name>ui.take_fewer_squares</name>
+    <message>
+        <source>take fewer squares</source>
+        <translation>prenez moins de carrés</translation>
+    </message>
+</context>
+<context>
+    <name>ui.take_team_out</name>
+    <message>
+        <source>take team %1 out of its class</source>
+        <translation>retrait de l’équipe %1 de sa classe</translation>
+    </message>
+</context>
+<context>
+    <name>ui.taking_over_setup</name>
+    <message>
+        <source>Taking over the set-up</source>
+        <translation>Reprise de l’installation</translation>
+    </message>
+</context>
+<context>
+    <name>ui.target</name>
+    <message>
+        <source>target</source>
+        <translation>cible</translation>
+    </message>
+</context>
+<context>
+    <name>ui.the_sample</name>
+    <message>
+        <source>the sample</source>
+        <translation>l’échantillon</translation>
+    </message>
+</context>
+<context>
+    <name>ui.the_trial</name>
+    <message>
+        <source>the trial</source>
+        <translation>l’essai</translation>
+    </message>
+</context>
+<context>
+    <name>ui.track_or_choose_figure</name>
+    <message>
+        <source>track its trials, or choose another task or figure</source>
+        <translation>suivez ses essais, ou choisissez une autre épreuve ou grandeur</translation>
+    </message>
+</context>
+<context>
+    <name>ui.tracking</name>
+    <message>
+        <source>Tracking %1</source>
+        <translation>Suivi de %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.trial_without_recording</name>
+    <message>
+        <source>the trial has no recording</source>
+        <translation>l’essai n’a pas d’enregistrement</translation>
+    </message>
+</context>
+<context>
+    <name>ui.trials_measured_again</name>
+    <message>
+        <source>Trials measured again: %1 of %2</source>
+        <translation>Essais remesurés&#xa0;: %1 sur %2</translation>
+    </message>
+</context>
+<context>
+    <name>ui.unarchive_class</name>
+    <message>
+        <source>take class %1 out of the archive</source>
+        <translation>désarchivage de la classe %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.unarchive_task</name>
+    <message>
+        <source>take task %1 out of the archive</source>
+        <translation>désarchivage de l’épreuve %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.unarchive_trial</name>
+    <message>
+        <source>take %1 out of the archive</source>
+        <translation>désarchivage de %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.unarchive_trials</name>
+    <message>
+        <source>take %1 trials out of the archive</source>
+        <translation>désarchivage de %1 essais</translation>
+    </message>
+</context>
+<context>
+    <name>ui.undelete_trial</name>
+    <message>
+        <source>take %1 out of the bin</source>
+        <translation>restauration de %1 depuis la corbeille</translation>
+    </message>
+</context>
+<context>
+    <name>ui.undelete_trials</name>
+    <message>
+        <source>take %1 trials out of the bin</source>
+        <translation>restauration de %1 essais depuis la corbeille</translation>
+    </message>
+</context>
+<context>
+    <name>ui.undo</name>
+    <message>
+        <source>undo</source>
+        <translation>annuler</translation>
+    </message>
+</context>
+<context>
+    <name>ui.undo_in_menu</name>
+    <message>
+        <source>what was changed before is taken back in the window&apos;s menu Edit</source>
+        <translation>ce qui a été modifié avant s’annule dans le menu «&#xa0;Édition&#xa0;» de la fenêtre</translation>
+    </message>
+</context>
+<context>
+    <name>ui.unpacking</name>
+    <message>
+        <source>Unpacking the project</source>
+        <translation>Dépaquetage du projet</translation>
+    </message>
+</context>
+<context>
+    <name>ui.unstar_trial</name>
+    <message>
+        <source>take the star off %1</source>
+        <translation>étoile retirée à %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.unstar_trials</name>
+    <message>
+        <source>take the star off %1 trials</source>
+        <translation>étoile retirée à %1 essais</translation>
+    </message>
+</context>
+<context>
+    <name>ui.video_size_wrong</name>
+    <message>
+        <source>its size of %1x%2 is odd, or not from 320x180 to 3840x2160</source>
+        <translation>sa taille de %1x%2 est impaire, ou n’est pas comprise entre 320x180 et 3840x2160</translation>
+    </message>
+</context>
+<context>
+    <name>ui.video_speed_wrong</name>
+    <message>
+        <source>its speed is not from 0.1 to 1</source>
+        <translation>sa vitesse n’est pas comprise entre 0,1 et 1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.videos_made</name>
+    <message>
+        <source>Videos made: %1 of %2</source>
+        <translation>Vidéos créées&#xa0;: %1 sur %2</translation>
+    </message>
+</context>
+<context>
+    <name>ui.wait_or_cancel</name>
+    <message>
+        <source>wait until it is done, or cancel it</source>
+        <translation>attendez qu’elle soit finie, ou annulez-la</translation>
+    </message>
+</context>
+<context>
+    <name>ui.write_notes</name>
+    <message>
+        <source>write notes of %1</source>
+        <translation>rédaction des notes de %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.writing_back</name>
+    <message>
+        <source>writing back</source>
+        <translation>réécriture dans le projet</translation>
+    </message>
+</context>
+<context>
+    <name>video.cannot_decode</name>
+    <message>
+        <source>cannot decode the video</source>
+        <translation>la vidéo ne peut pas être décodée</translation>
+    </message>
+</context>
+<context>
+    <name>video.cannot_decode_all</name>
+    <message>
+        <source>cannot decode all of a frame</source>
+        <translation>impossible de décoder toute une image</translation>
+    </message>
+</context>
+<context>
+    <name>video.cannot_decode_frame</name>
+    <message>
+        <source>cannot decode frame %1 of %2</source>
+        <translation>impossible de décoder l’image %1 de %2</translation>
+    </message>
+</context>
+<context>
+    <name>video.cannot_encode</name>
+    <message>
+        <source>cannot encode the video</source>
+        <translation>impossible d’encoder la vidéo</translation>
+    </message>
+</context>
+<context>
+    <name>video.cannot_finish</name>
+    <message>
+        <source>cannot finish the video %1</source>
+        <translation>impossible de terminer la vidéo %1</translation>
+    </message>
+</context>
+<context>
+    <name>video.cannot_open</name>
+    <message>
+        <source>cannot open the video %1</source>
+        <translation>impossible d’ouvrir la vidéo %1</translation>
+    </message>
+</context>
+<context>
+    <name>video.cannot_read_picture</name>
+    <message>
+        <source>cannot read the picture %1</source>
+        <translation>l&apos;image %1 ne peut pas être lue</translation>
+    </message>
+</context>
+<context>
+    <name>video.cannot_show_frame</name>
+    <message>
+        <source>cannot show frame %1 of %2</source>
+        <translation>impossible de montrer l’image %1 de %2</translation>
+    </message>
+</context>
+<context>
+    <name>video.cannot_write</name>
+    <message>
+        <source>cannot write the video %1</source>
+        <translation>impossible d’écrire la vidéo %1</translation>
+    </message>
+</context>
+<context>
+    <name>video.cannot_write_frame</name>
+    <message>
+        <source>cannot write a frame to the video %1</source>
+        <translation>impossible d’écrire une image dans la vidéo %1</translation>
+    </message>
+</context>
+<context>
+    <name>video.cannot_write_recording</name>
+    <message>
+        <source>cannot write the recording %1</source>
+        <translation>impossible d’écrire l’enregistrement %1</translation>
+    </message>
+</context>
+<context>
+    <name>video.check_its_folder</name>
+    <message>
+        <source>check that its folder may be written to and has room</source>
+        <translation>vérifiez que son dossier peut être modifié et a de la place</translation>
+    </message>
+</context>
+<context>
+    <name>video.check_picture_place</name>
+    <message>
+        <source>check the folder, the free space, and that the name ends in .png or .jpg</source>
+        <translation>vérifiez le dossier, la place libre, et que le nom finit par .png ou .jpg</translation>
+    </message>
+</context>
+<context>
+    <name>video.check_room</name>
+    <message>
+        <source>check that there is room on the disk</source>
+        <translation>vérifiez qu’il y a de la place sur le disque</translation>
+    </message>
+</context>
+<context>
+    <name>video.check_the_folder</name>
+    <message>
+        <source>check that the folder exists, may be written to and has room</source>
+        <translation>vérifiez que le dossier existe, peut être modifié et a de la place</translation>
+    </message>
+</context>
+<context>
+    <name>video.check_what_was_asked</name>
+    <message>
+        <source>check the size, the frame rate and the quality that were asked for</source>
+        <translation>vérifiez la taille, la cadence et la qualité demandées</translation>
+    </message>
+</context>
+<context>
+    <name>video.choose_one_of_these</name>
+    <message>
+        <source>choose one of these</source>
+        <translation>choisissez-en une</translation>
+    </message>
+</context>
+<context>
+    <name>video.convert_to_h264</name>
+    <message>
+        <source>convert it to H.264</source>
+        <translation>convertissez-le en H.264</translation>
+    </message>
+</context>
+<context>
+    <name>video.convert_to_png</name>
+    <message>
+        <source>convert it to PNG or JPEG</source>
+        <translation>convertissez-la en PNG ou JPEG</translation>
+    </message>
+</context>
+<context>
+    <name>video.convert_to_smaller</name>
+    <message>
+        <source>convert it to a smaller size</source>
+        <translation>convertissez-la à une taille plus petite</translation>
+    </message>
+</context>
+<context>
+    <name>video.convert_to_yuv</name>
+    <message>
+        <source>convert it to 8-bit YUV, e.g. ffmpeg -i FILE -pix_fmt yuv420p NEW.mp4</source>
+        <translation>convertissez-la en YUV 8 bits, p. ex. ffmpeg -i FILE -pix_fmt yuv420p NEW.mp4</translation>
+    </message>
+</context>
+<context>
+    <name>video.copy_again</name>
+    <message>
+        <source>copy it again</source>
+        <translation>recopiez-la</translation>
+    </message>
+</context>
+<context>
+    <name>video.copy_from_camera</name>
+    <message>
+        <source>copy it from the camera again</source>
+        <translation>recopiez-le depuis la caméra</translation>
+    </message>
+</context>
+<context>
+    <name>video.copy_if_cut_short</name>
+    <message>
+        <source>copy it from the camera again if it was cut short</source>
+        <translation>recopiez-le depuis la caméra s’il a été tronqué</translation>
+    </message>
+</context>
+<context>
+    <name>video.data_damaged</name>
+    <message>
+        <source>its data are damaged</source>
+        <translation>ses données sont abîmées</translation>
+    </message>
+</context>
+<context>
+    <name>video.decoder_not_started</name>
+    <message>
+        <source>its decoder would not start (%1)</source>
+        <translation>son décodeur n’a pas démarré (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>video.each_at_its_time</name>
+    <message>
+        <source>each counts at its own time</source>
+        <translation>chacune compte à son propre instant</translation>
+    </message>
+</context>
+<context>
+    <name>video.encoder_not_started</name>
+    <message>
+        <source>the encoder would not start (%1)</source>
+        <translation>l’encodeur n’a pas démarré (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>video.ends_early</name>
+    <message>
+        <source>ends early at %1</source>
+        <translation>finit trop tôt, à %1</translation>
+    </message>
+</context>
+<context>
+    <name>video.even_rate_assumed</name>
+    <message>
+        <source>an even %1 is assumed</source>
+        <translation>une cadence régulière de %1 est supposée</translation>
+    </message>
+</context>
+<context>
+    <name>video.failed_before</name>
+    <message>
+        <source>writing has failed before</source>
+        <translation>l’écriture avait déjà échoué</translation>
+    </message>
+</context>
+<context>
+    <name>video.file_is_empty</name>
+    <message>
+        <source>the file is empty</source>
+        <translation>le fichier est vide</translation>
+    </message>
+</context>
+<context>
+    <name>video.file_not_read</name>
+    <message>
+        <source>the file could not be read</source>
+        <translation>le fichier n’a pas pu être lu</translation>
+    </message>
+</context>
+<context>
+    <name>video.format_differs</name>
+    <message>
+        <source>its format differs from the video&apos;s</source>
+        <translation>son format diffère de celui de la vidéo</translation>
+    </message>
+</context>
+<context>
+    <name>video.frame_left_out</name>
+    <message>
+        <source>it is left out</source>
+        <translation>on l’écarte</translation>
+    </message>
+</context>
+<context>
+    <name>video.frames_it_has</name>
+    <message>
+        <source>it has frames 0 to %1</source>
+        <translation>elle a les images 0 à %1</translation>
+    </message>
+</context>
+<context>
+    <name>video.frames_left_out</name>
+    <message>
+        <source>%1 frames left out</source>
+        <translation>%1 images omises</translation>
+    </message>
+</context>
+<context>
+    <name>video.frames_not_encodable</name>
+    <message>
+        <source>frames of this size or chroma format cannot be encoded</source>
+        <translation>les images de cette taille ou de ce format de chrominance ne peuvent pas être codées</translation>
+    </message>
+</context>
+<context>
+    <name>video.give_another_format</name>
+    <message>
+        <source>let the camera give another format</source>
+        <translation>faites donner un autre format à la caméra</translation>
+    </message>
+</context>
+<context>
+    <name>video.give_camera_file</name>
+    <message>
+        <source>give the file that the camera recorded</source>
+        <translation>donnez le fichier enregistré par la caméra</translation>
+    </message>
+</context>
+<context>
+    <name>video.give_container</name>
+    <message>
+        <source>give an MP4, MOV, MKV or AVI file</source>
+        <translation>donnez un fichier MP4, MOV, MKV ou AVI</translation>
+    </message>
+</context>
+<context>
+    <name>video.give_known_ending</name>
+    <message>
+        <source>give it one of these endings</source>
+        <translation>donnez-lui une de ces terminaisons</translation>
+    </message>
+</context>
+<context>
+    <name>video.give_rate</name>
+    <message>
+        <source>give the frames per second, e.g. 30</source>
+        <translation>donnez les images par seconde, p. ex. 30</translation>
+    </message>
+</context>
+<context>
+    <name>video.h264_needs_even</name>
+    <message>
+        <source>H.264 needs an even width and height, not %1</source>
+        <translation>H.264 exige une largeur et une hauteur paires, pas %1</translation>
+    </message>
+</context>
+<context>
+    <name>video.header_not_rewritten</name>
+    <message>
+        <source>its header could not be rewritten</source>
+        <translation>son en-tête n’a pas pu être réécrit</translation>
+    </message>
+</context>
+<context>
+    <name>video.header_promises</name>
+    <message>
+        <source>its header promises %1</source>
+        <translation>son en-tête promet %1</translation>
+    </message>
+</context>
+<context>
+    <name>video.install_libavcodec</name>
+    <message>
+        <source>install Debian&apos;s libavcodec</source>
+        <translation>installez le libavcodec de Debian</translation>
+    </message>
+</context>
+<context>
+    <name>video.install_libx264</name>
+    <message>
+        <source>install Debian&apos;s libavcodec with libx264</source>
+        <translation>installez le libavcodec de Debian avec libx264</translation>
+    </message>
+</context>
+<context>
+    <name>video.is_finished</name>
+    <message>
+        <source>it is finished</source>
+        <translation>elle est terminée</translation>
+    </message>
+</context>
+<context>
+    <name>video.largest_picture</name>
+    <message>
+        <source>more than 50 megapixels or 32000 pixels a side are not read</source>
+        <translation>plus de 50 mégapixels ou 32000 pixels de côté ne sont pas lus</translation>
+    </message>
+</context>
+<context>
+    <name>video.make_smaller</name>
+    <message>
+        <source>make it smaller</source>
+        <translation>réduisez-la</translation>
+    </message>
+</context>
+<context>
+    <name>video.name_a_picture</name>
+    <message>
+        <source>name a picture</source>
+        <translation>nommez une image</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_decoder</name>
+    <message>
+        <source>there is no decoder for %1</source>
+        <translation>il n’y a pas de décodeur pour %1</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_encoder</name>
+    <message>
+        <source>the installed libavcodec has no encoder for it</source>
+        <translation>le libavcodec installé n’a pas d’encodeur pour cela</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_ffv1_in_mp4</name>
+    <message>
+        <source>FFV1 does not go into MP4</source>
+        <translation>FFV1 ne va pas dans du MP4</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_frame_written</name>
+    <message>
+        <source>no frame was written to it</source>
+        <translation>aucune image n’y a été écrite</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_jpeg_layout</name>
+    <message>
+        <source>JPEG does not have its layout of colours</source>
+        <translation>JPEG n’a pas sa disposition de couleurs</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_known_ending</name>
+    <message>
+        <source>its name ends with neither .mkv nor .mp4</source>
+        <translation>son nom ne finit ni par .mkv ni par .mp4</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_picture_format</name>
+    <message>
+        <source>it is no PNG, JPEG, BMP, TIFF or PNM picture</source>
+        <translation>ce n’est pas une image PNG, JPEG, BMP, TIFF ou PNM</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_stream</name>
+    <message>
+        <source>it holds no video stream that can be read</source>
+        <translation>aucun flux vidéo lisible</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_time_scale</name>
+    <message>
+        <source>its time scale was not found where the muxer should have put it</source>
+        <translation>son échelle de temps n’est pas là où le multiplexeur devait la mettre</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_time_stamps</name>
+    <message>
+        <source>the file has no time stamps</source>
+        <translation>le fichier n’a pas d’horodatages</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_video_kind</name>
+    <message>
+        <source>it is not a video of a kind that is read, or its header is damaged or missing (%1)</source>
+        <translation>ce n’est pas une vidéo d’un type lisible, ou son en-tête est abîmé ou manquant (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_whole_frame</name>
+    <message>
+        <source>not one whole frame is in it</source>
+        <translation>aucune image entière n’y est</translation>
+    </message>
+</context>
+<context>
+    <name>video.packet_damaged</name>
+    <message>
+        <source>a packet there is damaged</source>
+        <translation>un paquet y est endommagé</translation>
+    </message>
+</context>
+<context>
+    <name>video.picture</name>
+    <message>
+        <source>picture</source>
+        <translation>image</translation>
+    </message>
+</context>
+<context>
+    <name>video.picture_claims_size</name>
+    <message>
+        <source>it says that it has %1 pixels</source>
+        <translation>elle dit avoir %1 pixels</translation>
+    </message>
+</context>
+<context>
+    <name>video.picture_damaged</name>
+    <message>
+        <source>its content is damaged or cut short</source>
+        <translation>son contenu est abîmé ou tronqué</translation>
+    </message>
+</context>
+<context>
+    <name>video.picture_file_too_large</name>
+    <message>
+        <source>the file is larger than 200 MB</source>
+        <translation>le fichier dépasse 200 Mo</translation>
+    </message>
+</context>
+<context>
+    <name>video.picture_format_unknown</name>
+    <message>
+        <source>its format is not known</source>
+        <translation>son format n’est pas connu</translation>
+    </message>
+</context>
+<context>
+    <name>video.picture_named</name>
+    <message>
+        <source>picture &apos;%1&apos;</source>
+        <translation>image &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>video.picture_not_coded</name>
+    <message>
+        <source>a picture cannot be coded</source>
+        <translation>une image ne peut pas être codée</translation>
+    </message>
+</context>
+<context>
+    <name>video.picture_not_packed</name>
+    <message>
+        <source>it could not be packed</source>
+        <translation>elle n’a pas pu être compressée</translation>
+    </message>
+</context>
+<context>
+    <name>video.pictures_too_large</name>
+    <message>
+        <source>its pictures have more than 100 megapixels or 32000 pixels a side</source>
+        <translation>ses images ont plus de 100 mégapixels ou 32000 pixels de côté</translation>
+    </message>
+</context>
+<context>
+    <name>video.pixel_format_not_read</name>
+    <message>
+        <source>its pixel format %1 is not read</source>
+        <translation>son format de pixel %1 n’est pas lu</translation>
+    </message>
+</context>
+<context>
+    <name>video.rate_not_positive</name>
+    <message>
+        <source>its frame rate is not positive</source>
+        <translation>sa cadence d’images n’est pas positive</translation>
+    </message>
+</context>
+<context>
+    <name>video.rate_varies</name>
+    <message>
+        <source>its frame rate varies, pictures are %1 to %2 apart</source>
+        <translation>sa cadence varie, les images sont espacées de %1 à %2</translation>
+    </message>
+</context>
+<context>
+    <name>video.report_bug</name>
+    <message>
+        <source>report this as a bug</source>
+        <translation>signalez-le comme un bogue</translation>
+    </message>
+</context>
+<context>
+    <name>video.siting_not_set</name>
+    <message>
+        <source>the chroma siting could not be set (%1)</source>
+        <translation>la position de la chrominance n’a pas pu être fixée (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>video.size_not_found</name>
+    <message>
+        <source>the size of its pictures could not be found out</source>
+        <translation>la taille de ses images n’a pas pu être trouvée</translation>
+    </message>
+</context>
+<context>
+    <name>video.sound_part_used</name>
+    <message>
+        <source>its sound part is used</source>
+        <translation>la partie intacte est utilisée</translation>
+    </message>
+</context>
+<context>
+    <name>video.stamps_repeat</name>
+    <message>
+        <source>their time stamps repeat the frame before</source>
+        <translation>leurs horodatages répètent celui de l’image précédente</translation>
+    </message>
+</context>
+<context>
+    <name>video.stamps_span</name>
+    <message>
+        <source>its time stamps span %1</source>
+        <translation>ses horodatages couvrent %1</translation>
+    </message>
+</context>
+<context>
+    <name>video.start_it_again</name>
+    <message>
+        <source>start it again</source>
+        <translation>recommencez-la</translation>
+    </message>
+</context>
+<context>
+    <name>video.start_video_again</name>
+    <message>
+        <source>start the video again</source>
+        <translation>recommencez la vidéo</translation>
+    </message>
+</context>
+<context>
+    <name>video.time_not_after</name>
+    <message>
+        <source>its time is not after the frame&apos;s before it</source>
+        <translation>son temps ne suit pas celui de l’image précédente</translation>
+    </message>
+</context>
+<context>
+    <name>video.unknown_format_not_read</name>
+    <message>
+        <source>its pixel format (unknown) is not read</source>
+        <translation>son format de pixel (inconnu) n’est pas lu</translation>
+    </message>
+</context>
+<context>
+    <name>video.use_another_picture</name>
+    <message>
+        <source>use another picture</source>
+        <translation>utilisez une autre image</translation>
+    </message>
+</context>
+<context>
+    <name>video.use_mjpeg</name>
+    <message>
+        <source>use MJPEG or FFV1, or another size</source>
+        <translation>utilisez MJPEG ou FFV1, ou une autre taille</translation>
+    </message>
+</context>
+<context>
+    <name>video.use_mkv</name>
+    <message>
+        <source>use the ending .mkv</source>
+        <translation>utilisez l’extension .mkv</translation>
+    </message>
+</context>
+<context>
+    <name>video.use_other_chroma</name>
+    <message>
+        <source>use 4:2:0, 4:2:2 or 4:4:4</source>
+        <translation>utilisez 4:2:0, 4:2:2 ou 4:4:4</translation>
+    </message>
+</context>
+<context>
+    <name>video.write_at_least_one</name>
+    <message>
+        <source>write at least one</source>
+        <translation>écrivez-en au moins une</translation>
+    </message>
+</context>
+<context>
+    <name>video.write_in_order</name>
+    <message>
+        <source>write the frames in order, at least a microsecond apart</source>
+        <translation>écrivez les images dans l’ordre, à une microseconde au moins l’une de l’autre</translation>
+    </message>
+</context>
+<context>
+    <name>video.write_one_format</name>
+    <message>
+        <source>write one format to a file</source>
+        <translation>écrivez un seul format par fichier</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.add_one_with</name>
+    <message>
+        <source>add one with</source>
+        <translation>ajoutez-en un avec</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.added_with_colour</name>
+    <message>
+        <source>it was added with the colour %1</source>
+        <translation>il a été ajouté avec la couleur %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.address_of_live_positions</name>
+    <message>
+        <source>address &apos;%1&apos; of live positions</source>
+        <translation>adresse &apos;%1&apos; des positions en direct</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.analyse_anew_with</name>
+    <message>
+        <source>analyse them anew with</source>
+        <translation>analysez-les à nouveau avec</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.analysing</name>
+    <message>
+        <source>analysing</source>
+        <translation>analyse</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.analysing_robot</name>
+    <message>
+        <source>analysing %1</source>
+        <translation>analyse de %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.another_picture_size</name>
+    <message>
+        <source>its pictures are %1 but the camera was calibrated at %2</source>
+        <translation>ses images sont en %1 mais la caméra a été étalonnée en %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.beyond_limits</name>
+    <message>
+        <source>%1 of what was measured is beyond the limits of task &apos;%2&apos;, so that they were left out</source>
+        <translation>%1 des mesures dépassent les limites de l’épreuve &apos;%2&apos;, qui ont donc été ignorées</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.board_in_no_picture</name>
+    <message>
+        <source>the board was found in none of %1 pictures (%2)</source>
+        <translation>la mire n’a été trouvée dans aucune des %1 photos (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.by_layout_and_lens</name>
+    <message>
+        <source>layout &apos;%1&apos;, lens of calibration %2</source>
+        <translation>plan &apos;%1&apos;, objectif de l’étalonnage %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.by_layout_without_lens</name>
+    <message>
+        <source>layout &apos;%1&apos;, lens not calibrated</source>
+        <translation>plan &apos;%1&apos;, objectif non étalonné</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibrate_at_its_size</name>
+    <message>
+        <source>calibrate it at the size it records.</source>
+        <translation>étalonnez-la à la taille à laquelle elle filme.</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibrate_at_recorded_size</name>
+    <message>
+        <source>calibrate and register the camera at the size it records</source>
+        <translation>étalonnez et localisez la caméra à la taille à laquelle elle filme</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibrate_camera</name>
+    <message>
+        <source>calibrate camera %1</source>
+        <translation>étalonnage de la caméra %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibrate_if_touched</name>
+    <message>
+        <source>if zoom, focus or the camera&apos;s settings were touched since, calibrate it again.</source>
+        <translation>si le zoom, la mise au point ou les réglages de la caméra ont changé depuis, étalonnez-la à nouveau.</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibrate_it</name>
+    <message>
+        <source>calibrate it.</source>
+        <translation>étalonnez-le.</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibrate_lens_first</name>
+    <message>
+        <source>calibrate the lens first, or put another calibration in force</source>
+        <translation>étalonnez d’abord l’objectif, ou mettez un autre étalonnage en vigueur</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibrate_or_give_picture</name>
+    <message>
+        <source>calibrate it, import its intrinsics, or give --image or --video as well</source>
+        <translation>étalonnez-la, importez ses paramètres intrinsèques, ou donnez aussi --image ou --video</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibrate_or_import_trial</name>
+    <message>
+        <source>calibrate it, import its intrinsics, or import a trial with it first</source>
+        <translation>étalonnez-la, importez ses paramètres intrinsèques, ou importez d’abord un essai avec elle</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibrated_from_pictures</name>
+    <message>
+        <source>calibrated from %1 pictures</source>
+        <translation>étalonné d’après %1 photos</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibrating_camera</name>
+    <message>
+        <source>calibrating camera %1</source>
+        <translation>étalonnage de la caméra %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibration</name>
+    <message>
+        <source>calibration %1</source>
+        <translation>étalonnage %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibration_of_camera</name>
+    <message>
+        <source>calibration of camera &apos;%1&apos;</source>
+        <translation>étalonnage de la caméra &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibration_picture</name>
+    <message>
+        <source>calibration picture &apos;%1&apos;</source>
+        <translation>photo d’étalonnage &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.camera_gave_no_picture</name>
+    <message>
+        <source>camera &apos;%1&apos; gave no picture</source>
+        <translation>la caméra &apos;%1&apos; n’a donné aucune image</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.camera_given_twice</name>
+    <message>
+        <source>camera &apos;%1&apos; or its address &apos;%2&apos; was given twice</source>
+        <translation>la caméra &apos;%1&apos; ou son adresse &apos;%2&apos; a été donnée deux fois</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.camera_given_two_videos</name>
+    <message>
+        <source>camera &apos;%1&apos; was given two videos</source>
+        <translation>deux vidéos ont été données pour la caméra &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.camera_not_on_floor</name>
+    <message>
+        <source>camera &apos;%1&apos; is not registered to the floor</source>
+        <translation>la caméra &apos;%1&apos; n’est pas localisée par rapport au sol</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.camera_not_registered</name>
+    <message>
+        <source>camera &apos;%1&apos; is not registered</source>
+        <translation>la caméra &apos;%1&apos; n’est pas localisée</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.cannot_be_looked_at</name>
+    <message>
+        <source>it cannot be looked at (%1)</source>
+        <translation>accès impossible (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.cannot_write</name>
+    <message>
+        <source>cannot write &apos;%1&apos;</source>
+        <translation>impossible d’écrire &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.changed_in_file</name>
+    <message>
+        <source>they were changed in the file</source>
+        <translation>ils ont été modifiés dans le fichier</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_cable_and_bandwidth</name>
+    <message>
+        <source>check cable, bandwidth and what else this machine does</source>
+        <translation>vérifiez le câble, la bande passante et ce que fait d’autre cet ordinateur</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_files_and_offset</name>
+    <message>
+        <source>check the files and the --sync offset</source>
+        <translation>vérifiez les fichiers et le décalage</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_folder_is_there</name>
+    <message>
+        <source>check that the folder is there and may be read</source>
+        <translation>vérifiez que le dossier est là et peut être lu</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_it_is_connected</name>
+    <message>
+        <source>check that it is connected and not used by another program</source>
+        <translation>vérifiez qu’elle est branchée et qu’aucun autre programme ne l’utilise</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_it_is_there</name>
+    <message>
+        <source>check that it is there and may be read</source>
+        <translation>vérifiez qu’il est là et peut être lu</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_its_cable</name>
+    <message>
+        <source>check its cable, and whether another program uses it</source>
+        <translation>vérifiez son câble, et si un autre programme l’utilise</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_or_analyse_again</name>
+    <message>
+        <source>run odograph check, or analyse the trial again</source>
+        <translation>lancez odograph check, ou analysez de nouveau l’essai</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_or_register_again</name>
+    <message>
+        <source>check that the camera has not moved, or register it again.</source>
+        <translation>vérifiez que la caméra n’a pas bougé, ou localisez-la à nouveau.</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_rate</name>
+    <message>
+        <source>the views are joined by time, check --rate if one is slow motion</source>
+        <translation>les vues sont réunies par le temps&#xa0;; vérifiez --rate si l’une est au ralenti</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_room_and_rights</name>
+    <message>
+        <source>check the free space and the rights of the project&apos;s folder</source>
+        <translation>vérifiez la place libre et les droits du dossier du projet</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_they_are_connected</name>
+    <message>
+        <source>check that they are connected and not used by another program</source>
+        <translation>vérifiez qu’elles sont branchées et qu’aucun autre programme ne les utilise</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_views_of_one_run</name>
+    <message>
+        <source>outside it only one view measures, so check that both belong to one run</source>
+        <translation>en dehors, une seule vue mesure&#xa0;; vérifiez que les deux sont du même passage</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_whether_moved</name>
+    <message>
+        <source>check whether camera %1 has moved</source>
+        <translation>vérification du déplacement de la caméra %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_another_name</name>
+    <message>
+        <source>choose another name</source>
+        <translation>choisissez un autre nom</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_another_one</name>
+    <message>
+        <source>choose another one</source>
+        <translation>choisissez-en un autre</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_another_run</name>
+    <message>
+        <source>choose another run as well</source>
+        <translation>choisissez aussi un autre passage</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_calibration</name>
+    <message>
+        <source>choose calibration %1 of camera %2</source>
+        <translation>choix de l’étalonnage %1 de la caméra %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_folder_for_demo</name>
+    <message>
+        <source>choose a folder you can write to, with 300 MB free</source>
+        <translation>choisissez un dossier où vous pouvez écrire, avec 300 Mo libres</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_folder_of_copies</name>
+    <message>
+        <source>choose the folder where they were copied to</source>
+        <translation>choisissez le dossier où elles ont été copiées</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_frame</name>
+    <message>
+        <source>choose one from %1 to %2</source>
+        <translation>choisissez-en une de %1 à %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_interface</name>
+    <message>
+        <source>choose one that `ip link` names, or lo to stay on this machine</source>
+        <translation>choisissez-en une que `ip link` nomme, ou lo pour rester sur cet ordinateur</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_measured_frame</name>
+    <message>
+        <source>choose a frame with a measurement</source>
+        <translation>choisissez une image avec une mesure</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_one_of_them</name>
+    <message>
+        <source>choose one of them</source>
+        <translation>choisissez-en un</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_registration</name>
+    <message>
+        <source>choose registration %1 of camera %2</source>
+        <translation>choix de la localisation %1 de la caméra %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_robot_of_trial</name>
+    <message>
+        <source>choose a robot of the trial</source>
+        <translation>choisissez un robot de l’essai</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_time</name>
+    <message>
+        <source>choose a time from %1 to %2</source>
+        <translation>choisissez un temps de %1 à %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_with_robot</name>
+    <message>
+        <source>choose one with --robot</source>
+        <translation>choisissez-en un avec --robot</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_writable_folder</name>
+    <message>
+        <source>choose a folder that you may write to</source>
+        <translation>choisissez un dossier où vous pouvez écrire</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.close_other_programs</name>
+    <message>
+        <source>close other programs and try again</source>
+        <translation>fermez d’autres programmes et réessayez</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.compared_with_itself</name>
+    <message>
+        <source>a run cannot be compared with itself</source>
+        <translation>un passage ne peut pas être comparé à lui-même</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.comparison</name>
+    <message>
+        <source>comparison</source>
+        <translation>comparaison</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.comparison_of_trial</name>
+    <message>
+        <source>comparison of trial &apos;%1&apos;</source>
+        <translation>comparaison de l’essai &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.complete_trial</name>
+    <message>
+        <source>complete %1, whose recording was cut off</source>
+        <translation>achèvement de %1, dont l’enregistrement a été interrompu</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.completing_recording</name>
+    <message>
+        <source>completing a recording that was cut off</source>
+        <translation>un enregistrement interrompu est complété</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.completing_recordings</name>
+    <message>
+        <source>completing the recordings</source>
+        <translation>compléter les enregistrements</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.computing_intrinsics</name>
+    <message>
+        <source>computing the intrinsics</source>
+        <translation>calcul des paramètres intrinsèques</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.copy</name>
+    <message>
+        <source>copy &apos;%1&apos;</source>
+        <translation>copie &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.copy_of</name>
+    <message>
+        <source>copy of &apos;%1&apos;</source>
+        <translation>copie de &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.copying_project</name>
+    <message>
+        <source>copying the project</source>
+        <translation>copie du projet</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.demo</name>
+    <message>
+        <source>demo</source>
+        <translation>démo</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.demo_in</name>
+    <message>
+        <source>demo in &apos;%1&apos;</source>
+        <translation>démo dans &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.demo_is_there</name>
+    <message>
+        <source>%1 is there already</source>
+        <translation>%1 existe déjà</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.doubtful_name</name>
+    <message>
+        <source>from %1 to %2 it is doubtful whether this is %3 or %4</source>
+        <translation>de %1 à %2, il n’est pas sûr qu’il s’agisse de %3 ou de %4</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.doubtful_name_unknown</name>
+    <message>
+        <source>from %1 to %2 it is doubtful whether this is %3 or another robot of its look</source>
+        <translation>de %1 à %2, il n’est pas sûr qu’il s’agisse de %3 ou d’un autre robot de même apparence</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.doubtful_names</name>
+    <message>
+        <source>from %1 to %2 (the first of %3 times) it is doubtful whether this is %4 or %5</source>
+        <translation>de %1 à %2 (la première de %3 fois), il n’est pas sûr qu’il s’agisse de %4 ou de %5</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.doubtful_names_unknown</name>
+    <message>
+        <source>from %1 to %2 (the first of %3 times) it is doubtful whether this is %4 or another robot of its look</source>
+        <translation>de %1 à %2 (la première de %3 fois), il n’est pas sûr qu’il s’agisse de %4 ou d’un autre robot de même apparence</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.doubtful_step</name>
+    <message>
+        <source>it is in step to %1 only, which is %2 at 1 m/s</source>
+        <translation>elle n’est synchronisée qu’à %1 près, soit %2 à 1 m/s</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.end_recording_first</name>
+    <message>
+        <source>end its recording first</source>
+        <translation>terminez d’abord son enregistrement</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.error_estimated</name>
+    <message>
+        <source>positions to %1, as estimated from them</source>
+        <translation>positions à %1, estimé d’après elles</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.error_stated</name>
+    <message>
+        <source>positions to %1, as the file says</source>
+        <translation>positions à %1, d’après le fichier</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.export</name>
+    <message>
+        <source>export of &apos;%1&apos;</source>
+        <translation>export de &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.faster_disk_or_fewer_cameras</name>
+    <message>
+        <source>record to a faster disk, or fewer cameras at once</source>
+        <translation>enregistrez sur un disque plus rapide, ou avec moins de caméras à la fois</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.file_is_missing</name>
+    <message>
+        <source>%1 is missing</source>
+        <translation>%1 manque</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.file_without_picture</name>
+    <message>
+        <source>it has no picture</source>
+        <translation>aucune image n’y est</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.fitting_cameras_together</name>
+    <message>
+        <source>fitting %1 cameras together</source>
+        <translation>ajustement de %1 caméras ensemble</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.floor_has_its_colour</name>
+    <message>
+        <source>its colour %1 is also that of the floor (%2 of view %3&apos;s picture)</source>
+        <translation>sa couleur %1 est aussi celle du sol (%2 de l’image de la vue %3)</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.folder</name>
+    <message>
+        <source>folder &apos;%1&apos;</source>
+        <translation>dossier &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.found_by_colour</name>
+    <message>
+        <source>it is found by its colour</source>
+        <translation>il est trouvé par sa couleur</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.frame_of_file</name>
+    <message>
+        <source>frame %1 of &apos;%2&apos;</source>
+        <translation>image %1 de &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.frame_of_trial</name>
+    <message>
+        <source>frame %1 of trial &apos;%2&apos;</source>
+        <translation>image %1 de l’essai &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_another_file</name>
+    <message>
+        <source>give another file</source>
+        <translation>donnez un autre fichier</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_camera_rate</name>
+    <message>
+        <source>give the rate at which the camera took the frames</source>
+        <translation>indiquez la fréquence à laquelle la caméra a pris les images</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_cameras</name>
+    <message>
+        <source>give one or more, like --camera A=sim:A</source>
+        <translation>donnez-en une ou plus, comme --camera A=sim:A</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_each_robot_one</name>
+    <message>
+        <source>give each robot one</source>
+        <translation>donnez-en une à chaque robot</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_each_view_its_camera</name>
+    <message>
+        <source>give each view its own camera</source>
+        <translation>donnez à chaque vue sa propre caméra</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_limits_of_fastest</name>
+    <message>
+        <source>give the task the limits of its fastest robot</source>
+        <translation>donnez à l’épreuve les limites de son robot le plus rapide</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_offset_for_each</name>
+    <message>
+        <source>give one offset for each view but the first, like --sync 0.1,0.2, or use --sync auto</source>
+        <translation>donnez un décalage par vue sauf la première, comme --sync 0.1,0.2, ou utilisez --sync auto</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_own_colours</name>
+    <message>
+        <source>give each a colour of its own</source>
+        <translation>donnez à chacun une couleur à lui</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_picture_of_that_size</name>
+    <message>
+        <source>give a picture of that size</source>
+        <translation>donnez une image de cette taille</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_pixels_or_picture</name>
+    <message>
+        <source>give --pixels pixels.csv, --image picture.png or --video clip.mp4</source>
+        <translation>donnez --pixels pixels.csv, --image picture.png ou --video clip.mp4</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_pre_roll</name>
+    <message>
+        <source>give a pre-roll of 0 to 10 seconds</source>
+        <translation>donnez un pré-enregistrement de 0 à 10 secondes</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_seconds</name>
+    <message>
+        <source>give the seconds, like 10</source>
+        <translation>donnez les secondes, comme 10</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_task</name>
+    <message>
+        <source>give %1 the task %2</source>
+        <translation>épreuve %2 donnée à %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_tracks</name>
+    <message>
+        <source>give one or more, like --track R=run.csv</source>
+        <translation>donnez-en une ou plus, comme --track R=run.csv</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_views</name>
+    <message>
+        <source>give one view or more, like --video A=a.mp4</source>
+        <translation>donnez une vue ou plus, comme --video A=a.mp4</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.import_again_for_offset</name>
+    <message>
+        <source>import the videos again and let the offset be found, or tell it</source>
+        <translation>réimportez les vidéos et laissez trouver le décalage, ou indiquez-le</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.import_lens</name>
+    <message>
+        <source>import the lens of camera %1 from %2</source>
+        <translation>import de l’objectif de la caméra %1 depuis %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.import_of_trial</name>
+    <message>
+        <source>import of trial &apos;%1&apos;</source>
+        <translation>import de l’essai &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.import_roster</name>
+    <message>
+        <source>import the roster %1</source>
+        <translation>import de la liste de classe %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.import_trial</name>
+    <message>
+        <source>import trial %1</source>
+        <translation>import de l’essai %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.interface_of_live_positions</name>
+    <message>
+        <source>interface &apos;%1&apos; of live positions</source>
+        <translation>interface &apos;%1&apos; des positions en direct</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.intrinsics_of_camera</name>
+    <message>
+        <source>intrinsics of camera &apos;%1&apos;</source>
+        <translation>paramètres intrinsèques de la caméra &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.keeping_pictures</name>
+    <message>
+        <source>keeping the pictures</source>
+        <translation>conservation des photos</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.leave_frame</name>
+    <message>
+        <source>leave frame %1 of %2 to the program</source>
+        <translation>image %1 de %2 laissée au programme</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.leave_out_trial</name>
+    <message>
+        <source>leave out %1, of which nothing was recorded</source>
+        <translation>écart de %1, dont rien n’a été enregistré</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lens_imported_from</name>
+    <message>
+        <source>imported from %1</source>
+        <translation>importé de %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lens_never_calibrated</name>
+    <message>
+        <source>The lens of camera &apos;%1&apos; was never calibrated, its distortion is taken as none</source>
+        <translation>L’objectif de la caméra &apos;%1&apos; n’a jamais été étalonné, sa distorsion est prise comme nulle</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.link_lost_video</name>
+    <message>
+        <source>link a lost video</source>
+        <translation>reliure d’une vidéo perdue</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.link_lost_videos</name>
+    <message>
+        <source>link %1 lost videos</source>
+        <translation>reliure de %1 vidéos perdues</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.little_common_time</name>
+    <message>
+        <source>%1 and %2 long, %3 in common</source>
+        <translation>durées %1 et %2, dont %3 en commun</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.live_positions_to</name>
+    <message>
+        <source>live positions to %1</source>
+        <translation>positions en direct vers %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.live_tracking</name>
+    <message>
+        <source>live tracking</source>
+        <translation>suivi en direct</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.look_at_outlines</name>
+    <message>
+        <source>look at the outlines, and tell the robot&apos;s colour or keep others out of the pictures</source>
+        <translation>regardez les contours, et indiquez la couleur du robot ou gardez les autres hors des images</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.look_for_lost_videos</name>
+    <message>
+        <source>look for lost videos</source>
+        <translation>chercher les vidéos perdues</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.look_for_strays</name>
+    <message>
+        <source>look for stray files</source>
+        <translation>chercher les fichiers orphelins</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.look_in</name>
+    <message>
+        <source>look in &apos;%1&apos;</source>
+        <translation>recherche dans &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.looking_for_board_in</name>
+    <message>
+        <source>looking for the board in %1</source>
+        <translation>recherche de la mire dans %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.looking_for_files</name>
+    <message>
+        <source>looking for files</source>
+        <translation>recherche de fichiers</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.looking_for_markers_again</name>
+    <message>
+        <source>looking for the markers again</source>
+        <translation>nouvelle recherche des marqueurs</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.looking_for_markers_in</name>
+    <message>
+        <source>looking for the markers in %1</source>
+        <translation>recherche des marqueurs dans %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.looking_through_media</name>
+    <message>
+        <source>looking through the media folder</source>
+        <translation>examen du dossier des médias</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lost_not_packed</name>
+    <message>
+        <source>the video of camera %1 in trial &apos;%2&apos; is lost, and not in the packed project</source>
+        <translation>la vidéo de la caméra %1 dans l’essai &apos;%2&apos; est perdue, et absente du projet empaqueté</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lost_video_not_there</name>
+    <message>
+        <source>the lost video is not there</source>
+        <translation>la vidéo perdue n’y est pas</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lost_videos</name>
+    <message>
+        <source>lost videos</source>
+        <translation>vidéos perdues</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lost_videos_not_there</name>
+    <message>
+        <source>none of the %1 lost videos is there</source>
+        <translation>aucune des %1 vidéos perdues n’y est</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.made_through_registration</name>
+    <message>
+        <source>It was made through registration %1 of the project.</source>
+        <translation>Elle a été faite par la localisation %1 du projet.</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.made_with_it_already</name>
+    <message>
+        <source>it was made with it already</source>
+        <translation>elle a déjà été faite avec lui</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.making_hash</name>
+    <message>
+        <source>making the hash of %1</source>
+        <translation>calcul de l’empreinte de %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.map_behind</name>
+    <message>
+        <source>the map is %1 behind, none skipped</source>
+        <translation>la carte a %1 de retard, rien de sauté</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.map_behind_and_skipping</name>
+    <message>
+        <source>the map is %1 behind, %2 skipped</source>
+        <translation>la carte a %1 de retard, %2 sautées</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.mark_spike</name>
+    <message>
+        <source>mark frame %1 of %2 as a spike</source>
+        <translation>signalement de l’image %1 de %2 comme pic</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.markers_for_camera</name>
+    <message>
+        <source>markers for camera &apos;%1&apos;</source>
+        <translation>marqueurs pour la caméra &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.measure_again</name>
+    <message>
+        <source>measure %1 again</source>
+        <translation>nouvelle mesure de %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.measure_it_again</name>
+    <message>
+        <source>measure it again</source>
+        <translation>mesurez-le à nouveau</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.moved_cannot_be_told</name>
+    <message>
+        <source>whether %1 has moved cannot be told</source>
+        <translation>impossible de dire si %1 a bougé</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.name_another_camera</name>
+    <message>
+        <source>name another camera that is registered</source>
+        <translation>nommez une autre caméra localisée</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.name_its_camera</name>
+    <message>
+        <source>name one of its cameras</source>
+        <translation>nommez l’une de ses caméras</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.name_its_robot</name>
+    <message>
+        <source>name one of its robots</source>
+        <translation>nommez l&apos;un de ses robots</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.name_place_in_pixels</name>
+    <message>
+        <source>name it in pixels from the picture&apos;s top left corner</source>
+        <translation>indiquez-le en pixels depuis le coin supérieur gauche de l’image</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.name_robot_after_track</name>
+    <message>
+        <source>give the robot the name of one of them</source>
+        <translation>donnez au robot le nom de l’une d’elles</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.name_time_within_trial</name>
+    <message>
+        <source>name a time within the trial, in seconds</source>
+        <translation>indiquez un moment de l’essai, en secondes</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.nearly_all_beyond_limits</name>
+    <message>
+        <source>nearly all that was measured is beyond the limits of task &apos;%1&apos;, so that they were left out</source>
+        <translation>presque toutes les mesures dépassent les limites de l’épreuve &apos;%1&apos;, qui ont donc été ignorées</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.neither_lens_nor_recording</name>
+    <message>
+        <source>it has no intrinsics and no recording</source>
+        <translation>elle n’a ni paramètres intrinsèques ni enregistrement</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.never_calibrated</name>
+    <message>
+        <source>it was never calibrated</source>
+        <translation>elle n’a jamais été étalonnée</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.new_project</name>
+    <message>
+        <source>new project</source>
+        <translation>nouveau projet</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_address_with_port</name>
+    <message>
+        <source>it is no IPv4 address with a port</source>
+        <translation>ce n’est pas une adresse IPv4 avec un port</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_camera_gave_picture</name>
+    <message>
+        <source>no camera gave a picture</source>
+        <translation>aucune caméra n’a donné d’image</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_camera_given</name>
+    <message>
+        <source>no camera was given</source>
+        <translation>aucune caméra n’a été donnée</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_common_place</name>
+    <message>
+        <source>No place was measured by both analyses.</source>
+        <translation>Aucun endroit n’a été mesuré par les deux analyses.</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_common_time</name>
+    <message>
+        <source>views &apos;%1&apos; and &apos;%2&apos; have no time in common with an offset of %3</source>
+        <translation>les vues &apos;%1&apos; et &apos;%2&apos; n’ont pas de temps commun avec un décalage de %3</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_live_positions</name>
+    <message>
+        <source>none of its cameras is registered to the floor, so there are no live positions to send</source>
+        <translation>aucune de ses caméras n’est localisée par rapport au sol, il n’y a donc pas de positions en direct à envoyer</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_multicast</name>
+    <message>
+        <source>interface &apos;%1&apos; takes no multicast</source>
+        <translation>l’interface &apos;%1&apos; n’accepte pas le multicast</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_picture_read</name>
+    <message>
+        <source>no picture could be read</source>
+        <translation>aucune photo n’a pu être lue</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_picture_then</name>
+    <message>
+        <source>the view has no picture at that time</source>
+        <translation>la vue n’a pas d&apos;image à ce moment</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_pixels_no_picture</name>
+    <message>
+        <source>neither their pixels nor a picture to look in was given</source>
+        <translation>ni leurs pixels ni une image où chercher n’ont été donnés</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_robot</name>
+    <message>
+        <source>the project has no robot to look for</source>
+        <translation>le projet n’a pas de robot à chercher</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_sample</name>
+    <message>
+        <source>the analysis has no sample</source>
+        <translation>l’analyse n’a aucun échantillon</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_socket</name>
+    <message>
+        <source>this machine gives no socket</source>
+        <translation>cet ordinateur ne donne pas de socket</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_such_frame</name>
+    <message>
+        <source>there is no such frame</source>
+        <translation>cette image n’existe pas</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_such_interface</name>
+    <message>
+        <source>this machine has none of that name</source>
+        <translation>cet ordinateur n’en a pas de ce nom</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_such_view</name>
+    <message>
+        <source>the trial has no such view</source>
+        <translation>l’essai n’a pas cette vue</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_track_given</name>
+    <message>
+        <source>no track was given</source>
+        <translation>aucune trajectoire n’a été donnée</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_track_imported</name>
+    <message>
+        <source>no track of it was imported</source>
+        <translation>aucune trajectoire de lui n’a été importée</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_track_of_that_name</name>
+    <message>
+        <source>none of its tracks is called &apos;%1&apos;; it has %2</source>
+        <translation>aucune de ses trajectoires ne s’appelle &apos;%1&apos;&#xa0;; présentes&#xa0;: %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_video_given</name>
+    <message>
+        <source>no video was given</source>
+        <translation>aucune vidéo n’a été donnée</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_video_lost</name>
+    <message>
+        <source>no video of this project is lost</source>
+        <translation>aucune vidéo de ce projet n’est perdue</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.none_of_that_number</name>
+    <message>
+        <source>camera &apos;%1&apos; has none of that number</source>
+        <translation>la caméra &apos;%1&apos; n’en a pas de ce numéro</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.not_measured_there</name>
+    <message>
+        <source>the robot was not measured there, so there is nothing to judge</source>
+        <translation>le robot n’y a pas été mesuré, il n’y a donc rien à juger</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.not_registered_to_floor</name>
+    <message>
+        <source>it is not registered to the floor</source>
+        <translation>elle n’est pas localisée au sol</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.not_synchronised</name>
+    <message>
+        <source>it is not synchronised but taken as begun together with the first view, so that a moving robot is not where the two views put it</source>
+        <translation>elle n’est pas synchronisée mais prise comme commencée avec la première vue, si bien qu’un robot en mouvement n’est pas là où les deux vues le placent</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.not_tracked_in_trial</name>
+    <message>
+        <source>it is not tracked in trial &apos;%1&apos;</source>
+        <translation>il n’est pas suivi dans l’essai &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.not_tracked_yet</name>
+    <message>
+        <source>it has not been tracked yet</source>
+        <translation>il n’a pas encore été suivi</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.nothing_came</name>
+    <message>
+        <source>nothing came for %1, because %2</source>
+        <translation>rien n’est venu pendant %1, car %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.nothing_recorded</name>
+    <message>
+        <source>nothing was recorded</source>
+        <translation>rien n’a été enregistré</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.nothing_said_there</name>
+    <message>
+        <source>nothing was said by hand there</source>
+        <translation>rien n’y a été dit à la main</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.nothing_stands_out</name>
+    <message>
+        <source>nothing stands out from the floor at %1,%2 at %3 for some frames</source>
+        <translation>rien ne se distingue du sol en %1,%2 à %3 pendant quelques images</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.nothing_to_analyse_again</name>
+    <message>
+        <source>it has not been tracked yet, so there is nothing to analyse again</source>
+        <translation>il n’a pas encore été suivi, il n’y a donc rien à réanalyser</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.nothing_to_do</name>
+    <message>
+        <source>there is nothing to do</source>
+        <translation>il n’y a rien à faire</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.offsets_of_other_count</name>
+    <message>
+        <source>%1 views were given and the offsets of %2</source>
+        <translation>%1 vues ont été données, et les décalages de %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.old_calibration</name>
+    <message>
+        <source>The lens calibration of camera &apos;%1&apos; is %2 days old</source>
+        <translation>L’étalonnage de l’objectif de la caméra &apos;%1&apos; date de %2 jours</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.old_registration</name>
+    <message>
+        <source>The floor registration of camera &apos;%1&apos; is %2 days old</source>
+        <translation>La localisation de la caméra &apos;%1&apos; date de %2 jours</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.one_follows_something_else</name>
+    <message>
+        <source>one of them follows something else, or is not where it was registered</source>
+        <translation>l’une d’elles suit autre chose, ou n’est plus là où elle a été localisée</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.only_frame</name>
+    <message>
+        <source>its only one is frame 0</source>
+        <translation>la seule est l’image 0</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.open_it_or_elsewhere</name>
+    <message>
+        <source>open it, or choose another folder</source>
+        <translation>ouvrez-le, ou choisissez un autre dossier</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.other_sample_judged</name>
+    <message>
+        <source>another sample was judged by hand while this one was analysed</source>
+        <translation>un autre échantillon a été jugé à la main pendant l’analyse de celui-ci</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.outside_picture</name>
+    <message>
+        <source>the place lies outside the picture</source>
+        <translation>l’endroit est hors de l’image</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.pack</name>
+    <message>
+        <source>pack &apos;%1&apos;</source>
+        <translation>empaquetage de &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.pick_or_take_colour</name>
+    <message>
+        <source>pick its colour again, or take the colour from it</source>
+        <translation>reprenez sa couleur, ou retirez-la-lui</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.picture_lost_here</name>
+    <message>
+        <source>1 picture was lost because this computer or its disk was too slow</source>
+        <translation>1 image a été perdue car cet ordinateur ou son disque était trop lent</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.picture_lost_on_wire</name>
+    <message>
+        <source>1 picture was lost between the camera and this program</source>
+        <translation>1 image a été perdue entre la caméra et ce programme</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.picture_made_too_late</name>
+    <message>
+        <source>1 picture was lost because this machine was too slow to make them in time</source>
+        <translation>1 image a été perdue car cet ordinateur était trop lent pour la produire à temps</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.picture_size_not_known</name>
+    <message>
+        <source>the size of its pictures is not known</source>
+        <translation>la taille de ses images n’est pas connue</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.pictures_lost_here</name>
+    <message>
+        <source>%1 pictures were lost because this computer or its disk was too slow</source>
+        <translation>%1 images ont été perdues car cet ordinateur ou son disque était trop lent</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.pictures_lost_on_wire</name>
+    <message>
+        <source>%1 pictures were lost between the camera and this program</source>
+        <translation>%1 images ont été perdues entre la caméra et ce programme</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.pictures_made_too_late</name>
+    <message>
+        <source>%1 pictures were lost because this machine was too slow to make them in time</source>
+        <translation>%1 images ont été perdues car cet ordinateur était trop lent pour les produire à temps</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.point_out_whole_robot</name>
+    <message>
+        <source>point it out where all of it is seen and it moves</source>
+        <translation>montrez-le là où il est vu en entier et se déplace</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.positions_change</name>
+    <message>
+        <source>Positions change by %1 RMS, at most by %2 (at %3).</source>
+        <translation>Les positions changent de %1 RMS, au plus de %2 (à %3).</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.project</name>
+    <message>
+        <source>project &apos;%1&apos;</source>
+        <translation>projet &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.project_file_gone</name>
+    <message>
+        <source>the project&apos;s file is no longer there</source>
+        <translation>le fichier du projet n’est plus là</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.project_lost</name>
+    <message>
+        <source>the project&apos;s file was deleted, renamed or replaced; recording goes on, and what is in it is rescued at the end</source>
+        <translation>le fichier du projet a été supprimé, renommé ou remplacé ; l’enregistrement continue et son contenu est récupéré à la fin</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.project_rescued</name>
+    <message>
+        <source>the project&apos;s file was deleted, renamed or replaced meanwhile; what was in it is rescued in &apos;%1&apos;, which is the project from now on</source>
+        <translation>le fichier du projet a entre-temps été supprimé, renommé ou remplacé ; son contenu est récupéré dans &apos;%1&apos;, qui est désormais le projet</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.put_axes_elsewhere</name>
+    <message>
+        <source>put the axes of layout %1 elsewhere</source>
+        <translation>déplacement des axes du plan %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.put_disk_back</name>
+    <message>
+        <source>put its disk or folder back where it was</source>
+        <translation>remettez son disque ou son dossier où il était</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.put_file_back</name>
+    <message>
+        <source>put the file back in its place, and open the project again</source>
+        <translation>remettez le fichier à sa place, et rouvrez le projet</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.put_plate_on_it</name>
+    <message>
+        <source>put a plate of another colour on it, or tell the colour it really has</source>
+        <translation>posez dessus une plaque d’une autre couleur, ou indiquez sa vraie couleur</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.reading_file</name>
+    <message>
+        <source>reading %1</source>
+        <translation>lecture de %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.record</name>
+    <message>
+        <source>record %1</source>
+        <translation>enregistrement de %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.record_it_again</name>
+    <message>
+        <source>record it again</source>
+        <translation>filmez-le à nouveau</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.record_to_faster_disk</name>
+    <message>
+        <source>record to a faster disk</source>
+        <translation>enregistrez sur un disque plus rapide</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.recorded_at_another_size</name>
+    <message>
+        <source>The newest recording of camera &apos;%1&apos; is %2, its lens was calibrated at %3</source>
+        <translation>Le dernier enregistrement de la caméra &apos;%1&apos; est en %2, son objectif a été étalonné en %3</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.recording</name>
+    <message>
+        <source>recording</source>
+        <translation>enregistrement</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.recording_cut_off</name>
+    <message>
+        <source>its recording was cut off</source>
+        <translation>son enregistrement a été interrompu</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.recording_of_trial</name>
+    <message>
+        <source>recording of trial &apos;%1&apos;</source>
+        <translation>enregistrement de l’essai &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_camera</name>
+    <message>
+        <source>register camera %1</source>
+        <translation>localisation de la caméra %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_camera_again</name>
+    <message>
+        <source>register camera %1 again</source>
+        <translation>nouvelle localisation de la caméra %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_camera_through</name>
+    <message>
+        <source>register camera %1 through camera %2</source>
+        <translation>localisation de la caméra %1 par la caméra %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_cameras_again</name>
+    <message>
+        <source>register the cameras again</source>
+        <translation>localisez de nouveau les caméras</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_cameras_together</name>
+    <message>
+        <source>register the cameras of layout %1 together</source>
+        <translation>localisation commune des caméras du plan %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_it_again</name>
+    <message>
+        <source>register it again.</source>
+        <translation>localisez-la à nouveau.</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_it_first</name>
+    <message>
+        <source>register it first, by markers or through another camera</source>
+        <translation>localisez-la d’abord, par marqueurs ou par une autre caméra</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_or_do_not_send</name>
+    <message>
+        <source>run odograph register for one of them, or leave --ssl-vision out</source>
+        <translation>localisez-en une, ou omettez --ssl-vision</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_through_it_again</name>
+    <message>
+        <source>register it through that camera again</source>
+        <translation>localisez-la à nouveau par cette caméra</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registered_at_another_size</name>
+    <message>
+        <source>the picture is %1, the camera was registered at %2</source>
+        <translation>l’image est en %1, la caméra a été localisée en %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registered_before_calibration</name>
+    <message>
+        <source>The floor registration of camera &apos;%1&apos; was made before its lens was calibrated</source>
+        <translation>La localisation de la caméra &apos;%1&apos; a été faite avant l’étalonnage de son objectif</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registered_through_another</name>
+    <message>
+        <source>it was registered through another camera</source>
+        <translation>elle a été localisée par une autre caméra</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registered_with_other_lens</name>
+    <message>
+        <source>The floor registration of camera &apos;%1&apos; was made with another calibration of its lens than the one in force</source>
+        <translation>La localisation de la caméra &apos;%1&apos; a été faite avec un autre étalonnage de l’objectif que celui en vigueur</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registration</name>
+    <message>
+        <source>registration %1</source>
+        <translation>localisation %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registration_of_camera</name>
+    <message>
+        <source>registration of camera &apos;%1&apos;</source>
+        <translation>localisation de la caméra &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registration_through</name>
+    <message>
+        <source>registration of camera &apos;%1&apos; through &apos;%2&apos;</source>
+        <translation>localisation de la caméra &apos;%1&apos; par &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registration_with_lens_in_force</name>
+    <message>
+        <source>registration of camera &apos;%1&apos; with the lens in force</source>
+        <translation>localisation de la caméra &apos;%1&apos; avec l’objectif en vigueur</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.remove_for_good</name>
+    <message>
+        <source>remove %1 for good</source>
+        <translation>suppression définitive de %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.remove_strays</name>
+    <message>
+        <source>remove stray files</source>
+        <translation>supprimer les fichiers orphelins</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.removing</name>
+    <message>
+        <source>removing %1</source>
+        <translation>suppression de %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.replaced_not_packed</name>
+    <message>
+        <source>the video of camera %1 in trial &apos;%2&apos; lies elsewhere and is another file than it was, and not in the packed project</source>
+        <translation>la vidéo de la caméra %1 dans l’essai &apos;%2&apos; se trouve ailleurs et n’est plus le même fichier, et absente du projet empaqueté</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.results_changed</name>
+    <message>
+        <source>its results are not those that its analysis gave</source>
+        <translation>ses résultats ne sont pas ceux que son analyse a donnés</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.robot_given_two_tracks</name>
+    <message>
+        <source>robot &apos;%1&apos; was given two tracks</source>
+        <translation>deux trajectoires ont été données pour le robot &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.robot_in_view</name>
+    <message>
+        <source>robot &apos;%1&apos; in view &apos;%2&apos;</source>
+        <translation>robot &apos;%1&apos; dans la vue &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.robot_is_new</name>
+    <message>
+        <source>robot &apos;%1&apos; is new</source>
+        <translation>le robot &apos;%1&apos; est nouveau</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.robot_not_tracked</name>
+    <message>
+        <source>robot &apos;%1&apos; was not tracked in it, but %2</source>
+        <translation>le robot &apos;%1&apos; n’y a pas été suivi, mais %2 l’a été</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.robot_pointed_out</name>
+    <message>
+        <source>robot &apos;%1&apos; pointed out in view &apos;%2&apos;</source>
+        <translation>robot &apos;%1&apos; montré dans la vue &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.roster_line</name>
+    <message>
+        <source>line %1</source>
+        <translation>ligne %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.run_calibrate</name>
+    <message>
+        <source>run odograph calibrate, or odograph intrinsics import</source>
+        <translation>étalonnez-la, ou importez ses paramètres intrinsèques</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.run_track_first</name>
+    <message>
+        <source>run odograph track first</source>
+        <translation>faites d’abord le suivi</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.run_track_without_again</name>
+    <message>
+        <source>run odograph track without --again first</source>
+        <translation>faites d’abord le suivi sans --again</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.say_it_again</name>
+    <message>
+        <source>say it again for frame %1</source>
+        <translation>indiquez-le de nouveau pour l’image %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.see_flags_by_hand</name>
+    <message>
+        <source>see the flags by_hand in odograph export</source>
+        <translation>voyez les marques by_hand dans odograph export</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.see_revisions</name>
+    <message>
+        <source>see its revisions for those there are</source>
+        <translation>voyez dans ses révisions celles qui existent</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.settling_names</name>
+    <message>
+        <source>settling which robot is which</source>
+        <translation>identification des robots</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.several_robots</name>
+    <message>
+        <source>it has several robots</source>
+        <translation>il a plusieurs robots</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.show_whole_board</name>
+    <message>
+        <source>show the whole board, flat, sharp and evenly lit, and check --pattern and --board</source>
+        <translation>montrez toute la mire, plate, nette et éclairée uniformément, et vérifiez motif et taille</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.spikes_change</name>
+    <message>
+        <source>Spikes: %1 instead of %2.</source>
+        <translation>Pics aberrants&#xa0;: %1 au lieu de %2.</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.synchronisation_of_view</name>
+    <message>
+        <source>synchronisation of view &apos;%1&apos;</source>
+        <translation>synchronisation de la vue &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.take_fewer_cameras</name>
+    <message>
+        <source>close other programs, or take fewer such cameras at once</source>
+        <translation>fermez d’autres programmes, ou prenez moins de caméras de ce genre à la fois</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.take_over_set_up</name>
+    <message>
+        <source>take over the set-up of %1</source>
+        <translation>reprise de l’installation de %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.taken_as_begun_together</name>
+    <message>
+        <source>%1, so it is taken as begun together</source>
+        <translation>%1, elle est donc prise comme commencée en même temps</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.takes_two_runs</name>
+    <message>
+        <source>it takes two runs</source>
+        <translation>il faut deux passages</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.taking_over_set_up</name>
+    <message>
+        <source>taking over the set-up</source>
+        <translation>reprise de l’installation</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.task_was_changed</name>
+    <message>
+        <source>its task was changed while it was measured</source>
+        <translation>son épreuve a été changée pendant la mesure</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.through_itself</name>
+    <message>
+        <source>a camera cannot be registered through itself</source>
+        <translation>une caméra ne peut pas être localisée par elle-même</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.time_of_trial</name>
+    <message>
+        <source>%1 of trial &apos;%2&apos;</source>
+        <translation>%1 de l’essai &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.times_count_from</name>
+    <message>
+        <source>its times count from %1</source>
+        <translation>ses temps comptent à partir de %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.too_many_views</name>
+    <message>
+        <source>it has %1 views</source>
+        <translation>il a %1 vues</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.track</name>
+    <message>
+        <source>track %1</source>
+        <translation>suivi de %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.track_it_first</name>
+    <message>
+        <source>track it first</source>
+        <translation>suivez-le d’abord</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.track_of_file</name>
+    <message>
+        <source>the file&apos;s track &apos;%1&apos;</source>
+        <translation>trajectoire &apos;%1&apos; du fichier</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.track_or_choose_another</name>
+    <message>
+        <source>track it, or choose another</source>
+        <translation>suivez-le, ou choisissez-en un autre</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.track_or_choose_with_robot</name>
+    <message>
+        <source>track it, or choose another with --robot</source>
+        <translation>suivez-le, ou choisissez-en un autre avec --robot</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.track_those_seen</name>
+    <message>
+        <source>track only the robots that are in the pictures (--robot)</source>
+        <translation>ne suivez que les robots qui sont dans les images (--robot)</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.track_trial_again</name>
+    <message>
+        <source>track the trial again</source>
+        <translation>suivez l’essai à nouveau</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.tracking</name>
+    <message>
+        <source>tracking</source>
+        <translation>suivi</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.tracking_picture</name>
+    <message>
+        <source>tracking, picture %1 of %2</source>
+        <translation>suivi, image %1 sur %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.tracks_were_imported</name>
+    <message>
+        <source>its tracks were imported, so there is no video to track in</source>
+        <translation>ses trajectoires ont été importées, il n’y a donc pas de vidéo à suivre</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.trial_being_recorded</name>
+    <message>
+        <source>trial &apos;%1&apos; is being recorded</source>
+        <translation>l’essai &apos;%1&apos; est en cours d’enregistrement</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.trial_is_there</name>
+    <message>
+        <source>the project has a trial of that name</source>
+        <translation>le projet a un essai de ce nom</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.trial_left_out</name>
+    <message>
+        <source>nothing of it had reached the disk, and it is left out</source>
+        <translation>rien n’avait atteint le disque, il est écarté</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.turn_or_flash</name>
+    <message>
+        <source>let the robot turn, or flash the room&apos;s light, where both cameras see it</source>
+        <translation>faites tourner le robot, ou clignoter la lumière de la salle, là où les deux caméras le voient</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.two_views</name>
+    <message>
+        <source>views &apos;%1&apos; and &apos;%2&apos;</source>
+        <translation>vues &apos;%1&apos; et &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.unequal_rates</name>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 et %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.unlike_first_picture</name>
+    <message>
+        <source>it is %1×%2, the first picture %3×%4</source>
+        <translation>elle fait %1×%2, la première photo %3×%4</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.unusual_frame_rate</name>
+    <message>
+        <source>its frame rate is not between 0.1 and 100,000 frames a second</source>
+        <translation>sa fréquence n’est pas comprise entre 0,1 et 100 000 images par seconde</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.unusual_length</name>
+    <message>
+        <source>it would take no time, or more than a day</source>
+        <translation>il ne durerait pas, ou plus d’un jour</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.unusual_pre_roll</name>
+    <message>
+        <source>what is kept from before is no time, or more than 10 s</source>
+        <translation>ce qui est gardé d’avant n’est pas une durée, ou dépasse 10 s</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.use_at_most</name>
+    <message>
+        <source>use at most %1</source>
+        <translation>utilisez-en %1 au plus</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.use_frame</name>
+    <message>
+        <source>use frame %1 of %2</source>
+        <translation>utilisation de l’image %1 de %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.video</name>
+    <message>
+        <source>video &apos;%1&apos;</source>
+        <translation>vidéo &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.video_without_picture</name>
+    <message>
+        <source>the video has no picture</source>
+        <translation>la vidéo n’a pas d’image</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.view</name>
+    <message>
+        <source>view &apos;%1&apos;</source>
+        <translation>vue &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.view_ended_early</name>
+    <message>
+        <source>it ended early, because %1</source>
+        <translation>elle s’est terminée trop tôt, car %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.view_is_kept</name>
+    <message>
+        <source>%1 of %2 view are kept, all but the last second at most</source>
+        <translation>%1 de %2 vue sont gardées, tout sauf au plus la dernière seconde</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.view_left_out</name>
+    <message>
+        <source>it is left out, because nothing was recorded of it</source>
+        <translation>elle est écartée, car rien n’en a été enregistré</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.view_of_trial</name>
+    <message>
+        <source>view &apos;%1&apos; of trial &apos;%2&apos;</source>
+        <translation>vue &apos;%1&apos; de l’essai &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.views_are_kept</name>
+    <message>
+        <source>%1 of %2 views are kept, all but the last second at most</source>
+        <translation>%1 de %2 vues sont gardées, tout sauf au plus la dernière seconde</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.views_contradict</name>
+    <message>
+        <source>in %1 of %2 pictures the views contradict one another</source>
+        <translation>dans %1 images sur %2, les vues se contredisent</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.views_far_apart</name>
+    <message>
+        <source>in %1 of %2 pictures the views have it at places far apart</source>
+        <translation>dans %1 images sur %2, les vues le placent à des endroits très éloignés</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.views_put_it_apart</name>
+    <message>
+        <source>they put it %1 apart</source>
+        <translation>elles le placent à %1 d’écart</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.wait_until_ended</name>
+    <message>
+        <source>wait until that has ended</source>
+        <translation>attendez que ce soit terminé</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.waited_for_disk</name>
+    <message>
+        <source>pictures waited up to %1 for the disk, and none was lost</source>
+        <translation>des images ont attendu le disque jusqu’à %1, aucune n’a été perdue</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.why_views_contradict</name>
+    <message>
+        <source>a camera was moved after it was registered, the views are out of step, or the robot&apos;s height is not what was told</source>
+        <translation>une caméra a été déplacée après sa localisation, les vues ne sont pas synchronisées ou la hauteur du robot n’est pas celle indiquée</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.write_address</name>
+    <message>
+        <source>write it like 224.5.23.2:10006</source>
+        <translation>écrivez-la comme 224.5.23.2:10006</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.writing_last_pictures</name>
+    <message>
+        <source>writing the last pictures</source>
+        <translation>écriture des dernières images</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.written_just_now</name>
+    <message>
+        <source>another program is writing or removing it just now</source>
+        <translation>un autre programme est en train de l’écrire ou de le supprimer</translation>
     </message>
 </context>
 </TS>

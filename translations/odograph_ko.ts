@@ -424,6309 +424,6 @@
     </message>
 </context>
 <context>
-    <name>CoreWords</name>
-    <message>
-        <source>The lens of camera &apos;%1&apos; was never calibrated, its distortion is taken as none</source>
-        <translation>카메라 &apos;%1&apos;의 렌즈는 보정된 적이 없어 왜곡이 없는 것으로 봅니다</translation>
-    </message>
-    <message>
-        <source>calibrate it</source>
-        <translation>보정하십시오</translation>
-    </message>
-    <message>
-        <source>The lens calibration of camera &apos;%1&apos; is %2 days old</source>
-        <translation>카메라 &apos;%1&apos;의 렌즈 보정이 %2일 지났습니다</translation>
-    </message>
-    <message>
-        <source>if zoom, focus or the camera&apos;s settings were touched since, calibrate it again</source>
-        <translation>그 뒤 줌, 초점 또는 카메라 설정을 건드렸다면 다시 보정하십시오</translation>
-    </message>
-    <message>
-        <source>The newest recording of camera &apos;%1&apos; is %2, its lens was calibrated at %3</source>
-        <translation>카메라 &apos;%1&apos;의 최신 녹화는 %2이고 렌즈는 %3에서 보정되었습니다</translation>
-    </message>
-    <message>
-        <source>calibrate it at the size it records</source>
-        <translation>녹화하는 크기로 보정하십시오</translation>
-    </message>
-    <message>
-        <source>The floor registration of camera &apos;%1&apos; is %2 days old</source>
-        <translation>카메라 &apos;%1&apos;의 바닥 정합이 %2일 지났습니다</translation>
-    </message>
-    <message>
-        <source>check that the camera has not moved, or register it again</source>
-        <translation>카메라가 움직이지 않았는지 확인하거나 다시 정합하십시오</translation>
-    </message>
-    <message>
-        <source>The floor registration of camera &apos;%1&apos; was made before its lens was calibrated</source>
-        <translation>카메라 &apos;%1&apos;의 바닥 정합은 렌즈 보정 전에 이루어졌습니다</translation>
-    </message>
-    <message>
-        <source>The floor registration of camera &apos;%1&apos; was made with another calibration of its lens than the one in force</source>
-        <translation>카메라 &apos;%1&apos;의 바닥 정합은 적용 중인 것과 다른 렌즈 보정으로 이루어졌습니다</translation>
-    </message>
-    <message>
-        <source>register it again</source>
-        <translation>다시 정합하십시오</translation>
-    </message>
-    <message>
-        <source>robot &apos;%1&apos; in trial &apos;%2&apos;</source>
-        <translation>시행 &apos;%2&apos;의 로봇 &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>view &apos;%1&apos; in trial &apos;%2&apos;</source>
-        <translation>시행 &apos;%2&apos;의 뷰 &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>view &apos;%1&apos;</source>
-        <translation>뷰 &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>views &apos;%1&apos; and &apos;%2&apos;</source>
-        <translation>뷰 &apos;%1&apos;과(와) &apos;%2&apos;</translation>
-    </message>
-    <message>
-        <source>no view sees it from %1 s to %2 s (it was at X %3 m, Y %4 m)</source>
-        <translation>%1 s부터 %2 s까지 어느 뷰에도 보이지 않음 (X %3 m, Y %4 m에 있었음)</translation>
-    </message>
-    <message>
-        <source>no view sees it after %1 s (it was at X %2 m, Y %3 m)</source>
-        <translation>%1 s 이후 어느 뷰에도 보이지 않음 (X %2 m, Y %3 m에 있었음)</translation>
-    </message>
-    <message>
-        <source>move or add a camera so that the whole task is seen</source>
-        <translation>과제 전체가 보이도록 카메라를 옮기거나 추가하십시오</translation>
-    </message>
-    <message>
-        <source>the figures are of the part that was seen</source>
-        <translation>지표는 보인 부분에 대한 것입니다</translation>
-    </message>
-    <message>
-        <source>it is not synchronised but taken as begun together with the first view, so that a moving robot is not where the two views put it</source>
-        <translation>동기화되지 않고 첫 뷰와 함께 시작된 것으로 보았으므로, 움직이는 로봇은 두 뷰가 가리키는 곳에 있지 않습니다</translation>
-    </message>
-    <message>
-        <source>import the videos again and let the offset be found, or tell it</source>
-        <translation>동영상을 다시 가져와 오프셋을 찾게 하거나 직접 지정하십시오</translation>
-    </message>
-    <message>
-        <source>it is in step to %1 ms only, which is %2 mm at 1 m/s</source>
-        <translation>동기 오차가 %1 ms로, 1 m/s에서 %2 mm입니다</translation>
-    </message>
-    <message>
-        <source>let the robot turn, or flash the room&apos;s light, where both cameras see it</source>
-        <translation>두 카메라가 보는 곳에서 로봇을 돌리거나 실내 조명을 깜박이십시오</translation>
-    </message>
-    <message>
-        <source>its colour %1 is also that of the floor (%2 % of view %3&apos;s picture)</source>
-        <translation>색 %1이(가) 바닥 색이기도 합니다 (뷰 %3 영상의 %2 %)</translation>
-    </message>
-    <message>
-        <source>put a plate of another colour on it, or tell the colour it really has</source>
-        <translation>다른 색 판을 얹거나 실제 색을 지정하십시오</translation>
-    </message>
-    <message>
-        <source>robot &apos;%1&apos; is new</source>
-        <translation>로봇 &apos;%1&apos;은(는) 새 로봇입니다</translation>
-    </message>
-    <message>
-        <source>it was added with the colour %1</source>
-        <translation>색 %1(으)로 추가했습니다</translation>
-    </message>
-    <message>
-        <source>video &apos;%1&apos;</source>
-        <translation>동영상 &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>synchronisation of view &apos;%1&apos;</source>
-        <translation>뷰 &apos;%1&apos;의 동기화</translation>
-    </message>
-    <message>
-        <source>camera &apos;%1&apos; is not registered to the floor, so it is taken as begun together</source>
-        <translation>카메라 &apos;%1&apos;이(가) 바닥에 정합되지 않아 함께 시작된 것으로 봅니다</translation>
-    </message>
-    <message>
-        <source>the project has no robot to look for, so it is taken as begun together</source>
-        <translation>프로젝트에 찾을 로봇이 없어 함께 시작된 것으로 봅니다</translation>
-    </message>
-    <message>
-        <source>robot %1 tells an offset of %2, robot %3 %4, which was taken</source>
-        <translation>로봇 %1의 오프셋은 %2, 로봇 %3은(는) %4이며 후자를 택했습니다</translation>
-    </message>
-    <message>
-        <source>the motion tells an offset of %1, which was taken, and the flash of light %2</source>
-        <translation>움직임의 오프셋 %1을(를) 택했고, 빛의 번쩍임은 %2입니다</translation>
-    </message>
-    <message>
-        <source>%1 s and %2 s long, %3 s in common</source>
-        <translation>길이 %1 s와 %2 s, 공통 %3 s</translation>
-    </message>
-    <message>
-        <source>outside it only one view measures, so check that both belong to one run</source>
-        <translation>그 밖에서는 한 뷰만 측정하므로 둘이 같은 주행인지 확인하십시오</translation>
-    </message>
-    <message>
-        <source>%1 and %2 frames/s</source>
-        <translation>%1 및 %2 프레임/s</translation>
-    </message>
-    <message>
-        <source>the views are joined by time, check --rate if one is slow motion</source>
-        <translation>뷰는 시간으로 결합됩니다. 슬로 모션이면 --rate를 확인하십시오</translation>
-    </message>
-    <message>
-        <source>it is left out, because nothing was recorded of it</source>
-        <translation>녹화된 것이 없어 제외됩니다</translation>
-    </message>
-    <message>
-        <source>check its cable, and whether another program uses it</source>
-        <translation>케이블과 다른 프로그램이 쓰고 있는지 확인하십시오</translation>
-    </message>
-    <message>
-        <source>it ended early, because %1</source>
-        <translation>일찍 끝났습니다. 이유: %1</translation>
-    </message>
-    <message>
-        <source>nothing came for %1 s, because %2</source>
-        <translation>%1 s 동안 아무것도 오지 않았습니다. 이유: %2</translation>
-    </message>
-    <message>
-        <source>pictures waited up to %1 s for the disk, and none was lost</source>
-        <translation>영상이 디스크를 최대 %1 s 기다렸으나 누락은 없음</translation>
-    </message>
-    <message>
-        <source>record to a faster disk</source>
-        <translation>더 빠른 디스크에 녹화하십시오</translation>
-    </message>
-    <message>
-        <source>1 picture was lost because this computer or its disk was too slow</source>
-        <translation>이 컴퓨터나 디스크가 너무 느려 영상 1개 누락</translation>
-    </message>
-    <message>
-        <source>%1 pictures were lost because this computer or its disk was too slow</source>
-        <translation>이 컴퓨터나 디스크가 너무 느려 영상 %1개 누락</translation>
-    </message>
-    <message>
-        <source>record to a faster disk, or fewer cameras at once</source>
-        <translation>더 빠른 디스크에, 또는 더 적은 카메라로 녹화하십시오</translation>
-    </message>
-    <message>
-        <source>1 picture was lost between the camera and this program</source>
-        <translation>카메라와 이 프로그램 사이에서 영상 1개 누락</translation>
-    </message>
-    <message>
-        <source>%1 pictures were lost between the camera and this program</source>
-        <translation>카메라와 이 프로그램 사이에서 영상 %1개 누락</translation>
-    </message>
-    <message>
-        <source>check cable, bandwidth and what else this machine does</source>
-        <translation>케이블, 대역폭, 이 컴퓨터의 다른 작업을 확인하십시오</translation>
-    </message>
-    <message>
-        <source>1 picture was lost because this machine was too slow to make them in time</source>
-        <translation>이 컴퓨터가 너무 느려 제때 만들지 못해 영상 1개 누락</translation>
-    </message>
-    <message>
-        <source>%1 pictures were lost because this machine was too slow to make them in time</source>
-        <translation>이 컴퓨터가 너무 느려 제때 만들지 못해 영상 %1개 누락</translation>
-    </message>
-    <message>
-        <source>close other programs, or take fewer such cameras at once</source>
-        <translation>다른 프로그램을 닫거나 그런 카메라를 더 적게 쓰십시오</translation>
-    </message>
-    <message>
-        <source>the video of camera %1 in trial &apos;%2&apos; is lost, and not in the packed project</source>
-        <translation>시행 &apos;%2&apos;의 카메라 %1 동영상이 없어 묶은 프로젝트에 들어 있지 않습니다</translation>
-    </message>
-    <message>
-        <source>trial &apos;%1&apos;</source>
-        <translation>시행 &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>its recording was cut off</source>
-        <translation>녹화가 중간에 끊겼습니다</translation>
-    </message>
-    <message>
-        <source>nothing of it had reached the disk, and it is left out</source>
-        <translation>디스크에 남은 것이 없어 제외됩니다</translation>
-    </message>
-    <message>
-        <source>record it again</source>
-        <translation>다시 녹화하십시오</translation>
-    </message>
-    <message>
-        <source>%1 s of %2 view are kept, all but the last second at most</source>
-        <translation>뷰 %2개의 %1 s가 보존됨, 최대 마지막 1초만 빠짐</translation>
-    </message>
-    <message>
-        <source>%1 s of %2 views are kept, all but the last second at most</source>
-        <translation>뷰 %2개의 %1 s가 보존됨, 최대 마지막 1초만 빠짐</translation>
-    </message>
-    <message>
-        <source>Good: %1</source>
-        <translation>양호: %1</translation>
-    </message>
-    <message>
-        <source>Usable: %1</source>
-        <translation>사용 가능: %1</translation>
-    </message>
-    <message>
-        <source>Poor: %1</source>
-        <translation>불량: %1</translation>
-    </message>
-    <message>
-        <source>no figure in millimetres, since this lens holds only for a part of the picture</source>
-        <translation>이 렌즈 모델은 영상의 일부에만 유효하므로 밀리미터 값 없음</translation>
-    </message>
-    <message>
-        <source>±%1 mm in the middle and ±%2 mm at worst (%3) on %4, as far as the lens is concerned</source>
-        <translation>렌즈만 고려할 때 %4에서 가운데 ±%1 mm, 최악 ±%2 mm (%3)</translation>
-    </message>
-    <message>
-        <source>in the far left corner</source>
-        <translation>먼 쪽 왼쪽 모서리</translation>
-    </message>
-    <message>
-        <source>in the far right corner</source>
-        <translation>먼 쪽 오른쪽 모서리</translation>
-    </message>
-    <message>
-        <source>in the near left corner</source>
-        <translation>가까운 쪽 왼쪽 모서리</translation>
-    </message>
-    <message>
-        <source>in the near right corner</source>
-        <translation>가까운 쪽 오른쪽 모서리</translation>
-    </message>
-    <message>
-        <source>at the far edge</source>
-        <translation>먼 쪽 가장자리</translation>
-    </message>
-    <message>
-        <source>at the near edge</source>
-        <translation>가까운 쪽 가장자리</translation>
-    </message>
-    <message>
-        <source>at the left edge</source>
-        <translation>왼쪽 가장자리</translation>
-    </message>
-    <message>
-        <source>at the right edge</source>
-        <translation>오른쪽 가장자리</translation>
-    </message>
-    <message>
-        <source>inside</source>
-        <translation>안쪽</translation>
-    </message>
-    <message>
-        <source>a %1 m × %2 m floor seen from %3 m above</source>
-        <translation>%3 m 높이에서 본 %1 m × %2 m 바닥</translation>
-    </message>
-    <message>
-        <source>%1 pictures fit to %2 px, focal length %3 px ± %4 %</source>
-        <translation>사진 %1장이 %2 px로 피팅됨, 초점 거리 %3 px ± %4 %</translation>
-    </message>
-    <message>
-        <source>each half of them foretells the other to %1 px, %2 mm apart at worst on that floor</source>
-        <translation>절반이 다른 절반을 %1 px로 예측, 그 바닥에서 최대 %2 mm 차이</translation>
-    </message>
-    <message>
-        <source>each half of them foretells the other to %1 px</source>
-        <translation>절반이 다른 절반을 %1 px로 예측</translation>
-    </message>
-    <message>
-        <source>%1 pictures fit to %2 px, focal length %3 px ± %4 %, %5 mm apart at worst on that floor</source>
-        <translation>사진 %1장이 %2 px로 피팅됨, 초점 거리 %3 px ± %4 %, 그 바닥에서 최대 %5 mm 차이</translation>
-    </message>
-    <message>
-        <source>Standard lens</source>
-        <translation>표준 렌즈</translation>
-    </message>
-    <message>
-        <source>Rational lens</source>
-        <translation>유리식 렌즈</translation>
-    </message>
-    <message>
-        <source>Fisheye lens</source>
-        <translation>어안 렌즈</translation>
-    </message>
-    <message>
-        <source>standard</source>
-        <translation>표준</translation>
-    </message>
-    <message>
-        <source>rational</source>
-        <translation>유리식</translation>
-    </message>
-    <message>
-        <source>fisheye</source>
-        <translation>어안</translation>
-    </message>
-    <message>
-        <source>told</source>
-        <translation>지정됨</translation>
-    </message>
-    <message>
-        <source>no other model fits</source>
-        <translation>맞는 다른 모델 없음</translation>
-    </message>
-    <message>
-        <source>not all</source>
-        <translation>일부 불가</translation>
-    </message>
-    <message>
-        <source>%1 px</source>
-        <translation>%1 px</translation>
-    </message>
-    <message>
-        <source>it foretells pictures held out to %1, the %2 one to %3, which may be chance</source>
-        <translation>빼 둔 사진을 %1로 예측, %2 모델은 %3로 예측하나 우연일 수 있음</translation>
-    </message>
-    <message>
-        <source>it foretells pictures held out to %1, the %2 one no better (%3)</source>
-        <translation>빼 둔 사진을 %1로 예측, %2 모델도 더 낫지 않음 (%3)</translation>
-    </message>
-    <message>
-        <source>it foretells pictures held out to %1, the %2 one only to %3</source>
-        <translation>빼 둔 사진을 %1로 예측, %2 모델은 %3에 그침</translation>
-    </message>
-    <message>
-        <source>%1 % of the corners disagree, in %2</source>
-        <translation>모서리의 %1 %가 맞지 않음, %2</translation>
-    </message>
-    <message>
-        <source>%1 % of the corners disagree, most in %2</source>
-        <translation>모서리의 %1 %가 맞지 않음, 주로 %2</translation>
-    </message>
-    <message>
-        <source>they were kept</source>
-        <translation>그대로 두었음</translation>
-    </message>
-    <message>
-        <source>look at these pictures and leave out those that are blurred, bent or of another board</source>
-        <translation>이 사진들을 보고 흐리거나 휘었거나 다른 보드의 것은 빼십시오</translation>
-    </message>
-    <message>
-        <source>1 corner that stands out was left out, in %1</source>
-        <translation>튀는 모서리 1개를 제외함, %1</translation>
-    </message>
-    <message>
-        <source>%1 corners that stand out were left out, in %2</source>
-        <translation>튀는 모서리 %1개를 제외함, %2</translation>
-    </message>
-    <message>
-        <source>%1 corners that stand out were left out, most in %2</source>
-        <translation>튀는 모서리 %1개를 제외함, 주로 %2</translation>
-    </message>
-    <message>
-        <source>%1 corners that stand out side by side were kept, in %2</source>
-        <translation>나란히 튀는 모서리 %1개를 그대로 둠, %2</translation>
-    </message>
-    <message>
-        <source>%1 corners that stand out side by side were kept, most in %2</source>
-        <translation>나란히 튀는 모서리 %1개를 그대로 둠, 주로 %2</translation>
-    </message>
-    <message>
-        <source>leave out these pictures if the board is bent, cut or covered there</source>
-        <translation>그 사진에서 보드가 휘었거나 잘렸거나 가려졌다면 빼십시오</translation>
-    </message>
-    <message>
-        <source>More pictures (%1 or more) would make it surer</source>
-        <translation>사진이 더 있으면(%1장 이상) 더 확실해집니다</translation>
-    </message>
-    <message>
-        <source>Only %1 % of the picture was covered</source>
-        <translation>영상의 %1 %만 덮였습니다</translation>
-    </message>
-    <message>
-        <source>show the board near its edges too</source>
-        <translation>가장자리 가까이에도 보드를 보여 주십시오</translation>
-    </message>
-    <message>
-        <source>Look at %1</source>
-        <translation>%1을(를) 보십시오</translation>
-    </message>
-    <message>
-        <source>its %1 px stand out</source>
-        <translation>%1 px가 튑니다</translation>
-    </message>
-    <message>
-        <source>mark frame %1 of %2 as a spike</source>
-        <translation>%2의 프레임 %1을(를) 이상점으로 지정</translation>
-    </message>
-    <message>
-        <source>use frame %1 of %2</source>
-        <translation>%2의 프레임 %1 사용</translation>
-    </message>
-    <message>
-        <source>leave frame %1 of %2 to the program</source>
-        <translation>%2의 프레임 %1을(를) 프로그램에 맡김</translation>
-    </message>
-    <message>
-        <source>import the roster %1</source>
-        <translation>명단 %1 가져오기</translation>
-    </message>
-    <message>
-        <source>put the axes of layout %1 elsewhere</source>
-        <translation>배치 %1의 축 옮기기</translation>
-    </message>
-    <message>
-        <source>choose calibration %1 of camera %2</source>
-        <translation>카메라 %2의 보정 %1 선택</translation>
-    </message>
-    <message>
-        <source>choose registration %1 of camera %2</source>
-        <translation>카메라 %2의 정합 %1 선택</translation>
-    </message>
-    <message>
-        <source>link a lost video</source>
-        <translation>잃어버린 동영상 연결</translation>
-    </message>
-    <message>
-        <source>link %1 lost videos</source>
-        <translation>잃어버린 동영상 %1개 연결</translation>
-    </message>
-    <message>
-        <source>give %1 the task %2</source>
-        <translation>%1에 과제 %2 지정</translation>
-    </message>
-    <message>
-        <source>import trial %1</source>
-        <translation>시행 %1 가져오기</translation>
-    </message>
-    <message>
-        <source>leave out %1, of which nothing was recorded</source>
-        <translation>녹화된 것이 없는 %1 제외</translation>
-    </message>
-    <message>
-        <source>complete %1, whose recording was cut off</source>
-        <translation>녹화가 끊긴 %1 완성</translation>
-    </message>
-    <message>
-        <source>calibrated from %1 pictures</source>
-        <translation>사진 %1장으로 보정</translation>
-    </message>
-    <message>
-        <source>imported from %1</source>
-        <translation>%1에서 가져옴</translation>
-    </message>
-    <message>
-        <source>layout &apos;%1&apos;, lens not calibrated</source>
-        <translation>배치 &apos;%1&apos;, 렌즈 보정 안 됨</translation>
-    </message>
-    <message>
-        <source>layout &apos;%1&apos;, lens of calibration %2</source>
-        <translation>배치 &apos;%1&apos;, 보정 %2의 렌즈</translation>
-    </message>
-    <message>
-        <source>register camera %1</source>
-        <translation>카메라 %1 정합</translation>
-    </message>
-    <message>
-        <source>register camera %1 again</source>
-        <translation>카메라 %1 다시 정합</translation>
-    </message>
-    <message>
-        <source>register camera %1 through camera %2</source>
-        <translation>카메라 %2을(를) 통해 카메라 %1 정합</translation>
-    </message>
-    <message>
-        <source>register the cameras of layout %1 together</source>
-        <translation>배치 %1의 카메라 함께 정합</translation>
-    </message>
-    <message>
-        <source>calibrate camera %1</source>
-        <translation>카메라 %1 보정</translation>
-    </message>
-    <message>
-        <source>import the lens of camera %1 from %2</source>
-        <translation>%2에서 카메라 %1의 렌즈 가져오기</translation>
-    </message>
-    <message>
-        <source>check whether camera %1 has moved</source>
-        <translation>카메라 %1이(가) 움직였는지 확인</translation>
-    </message>
-    <message>
-        <source>remove %1 for good</source>
-        <translation>%1 영구 삭제</translation>
-    </message>
-    <message>
-        <source>track %1</source>
-        <translation>%1 추적</translation>
-    </message>
-    <message>
-        <source>measure %1 again</source>
-        <translation>%1 다시 측정</translation>
-    </message>
-    <message>
-        <source>record %1</source>
-        <translation>%1 녹화</translation>
-    </message>
-    <message>
-        <source>connect camera %1</source>
-        <translation>카메라 %1 연결</translation>
-    </message>
-    <message>
-        <source>waiting for the first picture</source>
-        <translation>첫 영상을 기다리는 중</translation>
-    </message>
-    <message>
-        <source>%1 frames/s, none lost</source>
-        <translation>%1 프레임/s, 누락 없음</translation>
-    </message>
-    <message>
-        <source>%1 frames/s (too slow), none lost</source>
-        <translation>%1 프레임/s (너무 느림), 누락 없음</translation>
-    </message>
-    <message>
-        <source>%1 frames/s, %2 lost</source>
-        <translation>%1 프레임/s, %2개 누락</translation>
-    </message>
-    <message>
-        <source>%1 frames/s (too slow), %2 lost</source>
-        <translation>%1 프레임/s (너무 느림), %2개 누락</translation>
-    </message>
-    <message>
-        <source>%1 frames/s, %2 lost because this machine is too slow</source>
-        <translation>%1 프레임/s, 이 컴퓨터가 너무 느려 %2개 누락</translation>
-    </message>
-    <message>
-        <source>%1 frames/s (too slow), %2 lost because this machine is too slow</source>
-        <translation>%1 프레임/s (너무 느림), 이 컴퓨터가 너무 느려 %2개 누락</translation>
-    </message>
-    <message>
-        <source>%1 frames/s, %2 lost (%3 on the wire, %4 here)</source>
-        <translation>%1 프레임/s, %2개 누락 (전송 중 %3, 여기서 %4)</translation>
-    </message>
-    <message>
-        <source>%1 frames/s (too slow), %2 lost (%3 on the wire, %4 here)</source>
-        <translation>%1 프레임/s (너무 느림), %2개 누락 (전송 중 %3, 여기서 %4)</translation>
-    </message>
-    <message>
-        <source>%1 frames/s, %2 lost on the wire</source>
-        <translation>%1 프레임/s, 전송 중 %2개 누락</translation>
-    </message>
-    <message>
-        <source>%1 frames/s (too slow), %2 lost on the wire</source>
-        <translation>%1 프레임/s (너무 느림), 전송 중 %2개 누락</translation>
-    </message>
-    <message>
-        <source>%1 frames/s, %2 lost here</source>
-        <translation>%1 프레임/s, 여기서 %2개 누락</translation>
-    </message>
-    <message>
-        <source>%1 frames/s (too slow), %2 lost here</source>
-        <translation>%1 프레임/s (너무 느림), 여기서 %2개 누락</translation>
-    </message>
-    <message>
-        <source>in step to %1 ms</source>
-        <translation>동기 오차 %1 ms</translation>
-    </message>
-    <message>
-        <source>at %1 m/s that is %2 mm</source>
-        <translation>%1 m/s에서 %2 mm</translation>
-    </message>
-    <message>
-        <source>room for %1 s</source>
-        <translation>%1 s 녹화 가능</translation>
-    </message>
-    <message>
-        <source>room for %1 min</source>
-        <translation>%1 min 녹화 가능</translation>
-    </message>
-    <message>
-        <source>room for %1 h</source>
-        <translation>%1 h 녹화 가능</translation>
-    </message>
-    <message>
-        <source>the map is %1 ms behind, none skipped</source>
-        <translation>지도 지연 %1 ms, 건너뜀 없음</translation>
-    </message>
-    <message>
-        <source>the map is %1 ms behind, %2 skipped</source>
-        <translation>지도 지연 %1 ms, %2개 건너뜀</translation>
-    </message>
-    <message>
-        <source>analysing %1</source>
-        <translation>%1 분석 중</translation>
-    </message>
-    <message>
-        <source>analysing</source>
-        <translation>분석 중</translation>
-    </message>
-    <message>
-        <source>copying the project</source>
-        <translation>프로젝트 복사 중</translation>
-    </message>
-    <message>
-        <source>looking for the markers in %1</source>
-        <translation>%1에서 마커 찾는 중</translation>
-    </message>
-    <message>
-        <source>looking for the markers again</source>
-        <translation>마커를 다시 찾는 중</translation>
-    </message>
-    <message>
-        <source>looking for files</source>
-        <translation>파일 찾는 중</translation>
-    </message>
-    <message>
-        <source>computing the intrinsics</source>
-        <translation>내부 파라미터 계산 중</translation>
-    </message>
-    <message>
-        <source>keeping the pictures</source>
-        <translation>사진 보관 중</translation>
-    </message>
-    <message>
-        <source>recording</source>
-        <translation>녹화 중</translation>
-    </message>
-    <message>
-        <source>writing the last pictures</source>
-        <translation>마지막 프레임 쓰는 중</translation>
-    </message>
-    <message>
-        <source>calibrating camera %1</source>
-        <translation>카메라 %1 보정 중</translation>
-    </message>
-    <message>
-        <source>settling which robot is which</source>
-        <translation>로봇 구별 중</translation>
-    </message>
-    <message>
-        <source>fitting %1 cameras together</source>
-        <translation>카메라 %1대를 함께 피팅하는 중</translation>
-    </message>
-    <message>
-        <source>Poor, measure the markers again: %1</source>
-        <translation>불량, 마커를 다시 재십시오: %1</translation>
-    </message>
-    <message>
-        <source>%1 markers fit to %2 mm RMS (worst %3, %4 mm), and the floor among them is known to ±%5 mm</source>
-        <translation>마커 %1개가 %2 mm RMS로 맞으며(최악 %3, %4 mm), 그 사이 바닥은 ±%5 mm로 알려짐</translation>
-    </message>
-    <message>
-        <source>Four markers hardly check one another</source>
-        <translation>마커 네 개로는 서로를 거의 검증하지 못합니다</translation>
-    </message>
-    <message>
-        <source>Four points hardly check one another</source>
-        <translation>점 네 개로는 서로를 거의 검증하지 못합니다</translation>
-    </message>
-    <message>
-        <source>a fifth would</source>
-        <translation>다섯 번째가 있으면 됩니다</translation>
-    </message>
-    <message>
-        <source>The camera was taken as free of distortion, its focal length estimated from the markers (%1 px ± %2)</source>
-        <translation>카메라는 왜곡이 없는 것으로 보았고 초점 거리는 마커에서 추정했습니다 (%1 px ± %2)</translation>
-    </message>
-    <message>
-        <source>The camera was taken as free of distortion, its focal length guessed (%1 px), since this view does not determine it</source>
-        <translation>카메라는 왜곡이 없는 것으로 보았고 이 뷰로는 초점 거리를 정할 수 없어 가정했습니다 (%1 px)</translation>
-    </message>
-    <message>
-        <source>The camera was taken as free of distortion, its focal length as %1 px</source>
-        <translation>카메라는 왜곡이 없고 초점 거리는 %1 px인 것으로 보았습니다</translation>
-    </message>
-    <message>
-        <source>Calibrate it for positions to rely on</source>
-        <translation>믿을 만한 위치를 얻으려면 보정하십시오</translation>
-    </message>
-    <message>
-        <source>The camera would stand only %1 mm above the floor</source>
-        <translation>카메라가 바닥 위 %1 mm에만 있게 됩니다</translation>
-    </message>
-    <message>
-        <source>if that is wrong, the layout&apos;s numbers are no mm</source>
-        <translation>틀렸다면 배치의 숫자가 mm가 아닙니다</translation>
-    </message>
-    <message>
-        <source>convert its unit</source>
-        <translation>단위를 변환하십시오</translation>
-    </message>
-    <message>
-        <source>through %1 %2 points of the floor fit to %3 mm RMS (worst %4, %5 mm), and the floor among them is known to ±%6 mm, of which ±%7 mm come from %8</source>
-        <translation>%1을(를) 통해 바닥의 점 %2개가 %3 mm RMS로 맞으며(최악 %4, %5 mm), 그 사이 바닥은 ±%6 mm로 알려짐, 그중 ±%7 mm는 %8에서 옴</translation>
-    </message>
-    <message>
-        <source>with %1 together %2 markers fit to %3 mm RMS, and the floor among them is known to ±%4 mm</source>
-        <translation>%1과(와) 함께 마커 %2개가 %3 mm RMS로 맞으며, 그 사이 바닥은 ±%4 mm로 알려짐</translation>
-    </message>
-    <message>
-        <source>The markers and the cameras agree with one another</source>
-        <translation>마커와 카메라가 서로 일치합니다</translation>
-    </message>
-    <message>
-        <source>%1 is %2 mm off by all cameras</source>
-        <translation>모든 카메라에서 %1이(가) %2 mm 어긋남</translation>
-    </message>
-    <message>
-        <source>measure it again</source>
-        <translation>다시 재십시오</translation>
-    </message>
-    <message>
-        <source>%1 is %2 mm off by the one camera that sees it</source>
-        <translation>%1을(를) 보는 카메라 한 대에서 %2 mm 어긋남</translation>
-    </message>
-    <message>
-        <source>measure it, or mark it in the picture, again</source>
-        <translation>다시 재거나 영상에서 다시 표시하십시오</translation>
-    </message>
-    <message>
-        <source>%1 sees %2 %3 px from where the others do</source>
-        <translation>%1이(가) %2을(를) 다른 카메라보다 %3 px 떨어진 곳에서 봄</translation>
-    </message>
-    <message>
-        <source>mark it there again</source>
-        <translation>거기서 다시 표시하십시오</translation>
-    </message>
-    <message>
-        <source>None of the floor among the markers is seen</source>
-        <translation>마커 사이 바닥이 전혀 보이지 않습니다</translation>
-    </message>
-    <message>
-        <source>±%1 mm in the middle, ±%2 mm in the corner near %3</source>
-        <translation>가운데 ±%1 mm, %3 근처 모서리 ±%2 mm</translation>
-    </message>
-    <message>
-        <source>±%1 mm in the middle, ±%2 mm at the edge near %3</source>
-        <translation>가운데 ±%1 mm, %3 근처 가장자리 ±%2 mm</translation>
-    </message>
-    <message>
-        <source>±%1 mm in the middle, ±%2 mm near %3</source>
-        <translation>가운데 ±%1 mm, %3 근처 ±%2 mm</translation>
-    </message>
-    <message>
-        <source>The middle is not seen, ±%1 mm in the corner near %2</source>
-        <translation>가운데가 보이지 않음, %2 근처 모서리 ±%1 mm</translation>
-    </message>
-    <message>
-        <source>The middle is not seen, ±%1 mm at the edge near %2</source>
-        <translation>가운데가 보이지 않음, %2 근처 가장자리 ±%1 mm</translation>
-    </message>
-    <message>
-        <source>The middle is not seen, ±%1 mm near %2</source>
-        <translation>가운데가 보이지 않음, %2 근처 ±%1 mm</translation>
-    </message>
-    <message>
-        <source>%1 % of the floor among the markers is not seen</source>
-        <translation>마커 사이 바닥의 %1 %가 보이지 않습니다</translation>
-    </message>
-    <message>
-        <source>%1 stands where it was registered</source>
-        <translation>%1은(는) 정합한 자리에 그대로 있습니다</translation>
-    </message>
-    <message>
-        <source>%1 markers lie within %2 px = %3 mm of their places</source>
-        <translation>마커 %1개가 제자리에서 %2 px = %3 mm 이내</translation>
-    </message>
-    <message>
-        <source>%1 has moved %2 px = %3 mm</source>
-        <translation>%1이(가) %2 px = %3 mm 움직였습니다</translation>
-    </message>
-    <message>
-        <source>register it again before you record</source>
-        <translation>녹화 전에 다시 정합하십시오</translation>
-    </message>
-    <message>
-        <source>Marker %1 has moved %2 px = %3 mm, %4 has not</source>
-        <translation>마커 %1이(가) %2 px = %3 mm 움직였고 %4은(는) 그대로입니다</translation>
-    </message>
-    <message>
-        <source>Markers %1 have moved %2 px = %3 mm, %4 has not</source>
-        <translation>마커 %1이(가) %2 px = %3 mm 움직였고 %4은(는) 그대로입니다</translation>
-    </message>
-    <message>
-        <source>put it back, or measure again and register all cameras</source>
-        <translation>제자리에 놓거나, 다시 재어 모든 카메라를 정합하십시오</translation>
-    </message>
-    <message>
-        <source>put them back, or measure again and register all cameras</source>
-        <translation>모두 제자리에 놓거나, 다시 재어 모든 카메라를 정합하십시오</translation>
-    </message>
-    <message>
-        <source>Not found again: %1</source>
-        <translation>다시 찾지 못함: %1</translation>
-    </message>
-    <message>
-        <source>The length is %1 mm ± %2 mm</source>
-        <translation>길이는 %1 mm ± %2 mm입니다</translation>
-    </message>
-    <message>
-        <source>It is %1 mm shorter than the %2 mm told</source>
-        <translation>알려 준 %2 mm보다 %1 mm 짧습니다</translation>
-    </message>
-    <message>
-        <source>It is %1 mm longer than the %2 mm told</source>
-        <translation>알려 준 %2 mm보다 %1 mm 깁니다</translation>
-    </message>
-    <message>
-        <source>inside the expected error of %1 mm</source>
-        <translation>예상 오차 %1 mm 이내</translation>
-    </message>
-    <message>
-        <source>outside the expected error of %1 mm</source>
-        <translation>예상 오차 %1 mm 초과</translation>
-    </message>
-    <message>
-        <source>Check the length itself, whether it lies on the floor, and the places of the markers</source>
-        <translation>길이 자체, 바닥에 놓였는지, 마커의 자리를 확인하십시오</translation>
-    </message>
-    <message>
-        <source>Camera &apos;%1&apos; alone says %2 mm</source>
-        <translation>카메라 &apos;%1&apos;만으로는 %2 mm입니다</translation>
-    </message>
-    <message>
-        <source>look whether the same ends are marked in each picture, and register it again if they are</source>
-        <translation>각 영상에 같은 끝이 표시되었는지 보고, 그렇다면 다시 정합하십시오</translation>
-    </message>
-    <message>
-        <source>No place was measured by both analyses</source>
-        <translation>두 분석이 함께 측정한 곳이 없습니다</translation>
-    </message>
-    <message>
-        <source>Positions change by %1 mm RMS, at most by %2 mm (at %3 s)</source>
-        <translation>위치가 %1 mm RMS, 최대 %2 mm 바뀝니다 (%3 s)</translation>
-    </message>
-    <message>
-        <source>Spikes: %1 instead of %2</source>
-        <translation>이상점: %2개 대신 %1개</translation>
-    </message>
-    <message>
-        <source>USB buses</source>
-        <translation>USB 버스</translation>
-    </message>
-    <message>
-        <source>each USB camera has a bus of its own</source>
-        <translation>각 USB 카메라가 자기 버스를 씁니다</translation>
-    </message>
-    <message>
-        <source>no USB camera is used</source>
-        <translation>USB 카메라를 쓰지 않습니다</translation>
-    </message>
-    <message>
-        <source>cameras %1 share the bus %2, of %3 Mbit/s</source>
-        <translation>카메라 %1이(가) %3 Mbit/s인 버스 %2을(를) 함께 씁니다</translation>
-    </message>
-    <message>
-        <source>cameras %1 share the bus %2</source>
-        <translation>카메라 %1이(가) 버스 %2을(를) 함께 씁니다</translation>
-    </message>
-    <message>
-        <source>plug one into a port on the other side of the computer, or a card of its own</source>
-        <translation>하나를 컴퓨터 반대쪽 포트나 별도 카드에 꽂으십시오</translation>
-    </message>
-    <message>
-        <source>or let both send MJPEG, or smaller pictures</source>
-        <translation>또는 둘 다 MJPEG이나 더 작은 영상을 보내게 하십시오</translation>
-    </message>
-    <message>
-        <source>Access to cameras</source>
-        <translation>카메라 접근</translation>
-    </message>
-    <message>
-        <source>you may not use %1</source>
-        <translation>%1을(를) 쓸 권한이 없습니다</translation>
-    </message>
-    <message>
-        <source>add yourself to the group video (sudo usermod -aG video $USER), then log out and in again</source>
-        <translation>video 그룹에 추가한 뒤(sudo usermod -aG video $USER) 로그아웃했다가 다시 로그인하십시오</translation>
-    </message>
-    <message>
-        <source>this machine shows no USB or built-in camera (/dev/video*)</source>
-        <translation>이 컴퓨터에 USB 카메라나 내장 카메라가 보이지 않습니다 (/dev/video*)</translation>
-    </message>
-    <message>
-        <source>if one is connected, try another cable and port, without a hub</source>
-        <translation>연결되어 있다면 허브 없이 다른 케이블과 포트를 써 보십시오</translation>
-    </message>
-    <message>
-        <source>you may use all %1 video devices</source>
-        <translation>비디오 장치 %1개를 모두 쓸 수 있습니다</translation>
-    </message>
-    <message>
-        <source>Receive buffer</source>
-        <translation>수신 버퍼</translation>
-    </message>
-    <message>
-        <source>the system does not say how large it may be (net.core.rmem_max)</source>
-        <translation>시스템이 허용 크기를 알려 주지 않습니다 (net.core.rmem_max)</translation>
-    </message>
-    <message>
-        <source>up to %1 MiB, enough for network cameras</source>
-        <translation>최대 %1 MiB, 네트워크 카메라에 충분</translation>
-    </message>
-    <message>
-        <source>%1 MiB, which only network cameras would find too small</source>
-        <translation>%1 MiB, 네트워크 카메라에만 부족</translation>
-    </message>
-    <message>
-        <source>only %1 MiB</source>
-        <translation>%1 MiB뿐</translation>
-    </message>
-    <message>
-        <source>%1 will lose pictures</source>
-        <translation>%1에서 영상이 누락됩니다</translation>
-    </message>
-    <message>
-        <source>sudo sysctl -w net.core.rmem_max=%1, and put the same into /etc/sysctl.d/ to keep it</source>
-        <translation>sudo sysctl -w net.core.rmem_max=%1, 유지하려면 /etc/sysctl.d/에도 넣으십시오</translation>
-    </message>
-    <message>
-        <source>Packet size</source>
-        <translation>패킷 크기</translation>
-    </message>
-    <message>
-        <source>no network camera is used</source>
-        <translation>네트워크 카메라를 쓰지 않습니다</translation>
-    </message>
-    <message>
-        <source>large packets are allowed</source>
-        <translation>큰 패킷이 허용됩니다</translation>
-    </message>
-    <message>
-        <source>small packets on %1</source>
-        <translation>%1에서 작은 패킷</translation>
-    </message>
-    <message>
-        <source>give the port that the camera is on an MTU of 9000 (sudo ip link set dev NAME mtu 9000), if camera and switch can take it</source>
-        <translation>카메라와 스위치가 지원하면 카메라 포트의 MTU를 9000으로 하십시오 (sudo ip link set dev NAME mtu 9000)</translation>
-    </message>
-    <message>
-        <source>Lamps&apos; flicker, camera %1</source>
-        <translation>조명 깜박임, 카메라 %1</translation>
-    </message>
-    <message>
-        <source>filtered by the camera (%1)</source>
-        <translation>카메라가 걸러 냄 (%1)</translation>
-    </message>
-    <message>
-        <source>its filter is off</source>
-        <translation>필터가 꺼져 있습니다</translation>
-    </message>
-    <message>
-        <source>pictures may pulse under lamps</source>
-        <translation>조명 아래에서 영상이 깜박일 수 있습니다</translation>
-    </message>
-    <message>
-        <source>set &apos;%1&apos; to your mains</source>
-        <translation>&apos;%1&apos;을(를) 전원 주파수에 맞추십시오</translation>
-    </message>
-    <message>
-        <source>50 Hz in most countries, 60 Hz in the Americas</source>
-        <translation>대부분의 나라 50 Hz, 미주와 한국 60 Hz</translation>
-    </message>
-    <message>
-        <source>it does not tell its exposure</source>
-        <translation>노출을 알려 주지 않습니다</translation>
-    </message>
-    <message>
-        <source>exposed for %1 ms, which suits lamps</source>
-        <translation>%1 ms 노출, 조명에 맞음</translation>
-    </message>
-    <message>
-        <source>exposed for %1 ms</source>
-        <translation>%1 ms 노출</translation>
-    </message>
-    <message>
-        <source>expose for 10 or 20 ms with mains of 50 Hz, 8.3 or 16.7 ms with 60 Hz</source>
-        <translation>50 Hz에서는 10 또는 20 ms, 60 Hz에서는 8.3 또는 16.7 ms로 노출하십시오</translation>
-    </message>
-    <message>
-        <source>or use daylight</source>
-        <translation>또는 자연광을 쓰십시오</translation>
-    </message>
-    <message>
-        <source>Automatics, camera %1</source>
-        <translation>자동 조절, 카메라 %1</translation>
-    </message>
-    <message>
-        <source>%1 go on changing by themselves</source>
-        <translation>%1이(가) 계속 저절로 바뀝니다</translation>
-    </message>
-    <message>
-        <source>%1 goes on changing by itself</source>
-        <translation>%1이(가) 계속 저절로 바뀝니다</translation>
-    </message>
-    <message>
-        <source>turn it off in the camera&apos;s own program, or keep the light steady while robots run</source>
-        <translation>카메라 자체 프로그램에서 끄거나, 로봇이 달리는 동안 조명을 일정하게 유지하십시오</translation>
-    </message>
-    <message>
-        <source>exposure, gain, white balance and focus are held</source>
-        <translation>노출, 게인, 화이트 밸런스, 초점이 고정됨</translation>
-    </message>
-    <message>
-        <source>it has none</source>
-        <translation>없음</translation>
-    </message>
-    <message>
-        <source>they are held while recording</source>
-        <translation>녹화 중에 고정됩니다</translation>
-    </message>
-    <message>
-        <source>Step</source>
-        <translation>동기</translation>
-    </message>
-    <message>
-        <source>one camera is always in step</source>
-        <translation>카메라 한 대는 항상 동기 상태입니다</translation>
-    </message>
-    <message>
-        <source>a camera does not deliver</source>
-        <translation>영상을 보내지 않는 카메라가 있습니다</translation>
-    </message>
-    <message>
-        <source>see its own line</source>
-        <translation>해당 줄을 보십시오</translation>
-    </message>
-    <message>
-        <source>the cameras run at %1 and %2 frames/s</source>
-        <translation>카메라가 %1 및 %2 프레임/s로 작동합니다</translation>
-    </message>
-    <message>
-        <source>set both to one rate</source>
-        <translation>둘을 같은 속도로 설정하십시오</translation>
-    </message>
-    <message>
-        <source>in dim light a camera halves its rate by itself, unless its automatic exposure is off</source>
-        <translation>어두우면 자동 노출을 끄지 않는 한 카메라가 스스로 속도를 절반으로 낮춥니다</translation>
-    </message>
-    <message>
-        <source>no two pictures have been taken together yet</source>
-        <translation>아직 함께 찍힌 두 영상이 없습니다</translation>
-    </message>
-    <message>
-        <source>wait a few seconds, and look again</source>
-        <translation>몇 초 기다렸다가 다시 보십시오</translation>
-    </message>
-    <message>
-        <source>set both to one rate, or trigger them together</source>
-        <translation>둘을 같은 속도로 하거나 함께 트리거하십시오</translation>
-    </message>
-    <message>
-        <source>Picture size, camera %1</source>
-        <translation>영상 크기, 카메라 %1</translation>
-    </message>
-    <message>
-        <source>it is not registered to the floor</source>
-        <translation>바닥에 정합되지 않았습니다</translation>
-    </message>
-    <message>
-        <source>register it in Testbed, or its pictures cannot tell where a robot is</source>
-        <translation>테스트베드에서 정합하십시오. 그렇지 않으면 영상에서 로봇의 위치를 알 수 없습니다</translation>
-    </message>
-    <message>
-        <source>%1, as it was registered</source>
-        <translation>%1, 정합할 때와 같음</translation>
-    </message>
-    <message>
-        <source>%1, but registered at %2</source>
-        <translation>%1, 그러나 %2에서 정합됨</translation>
-    </message>
-    <message>
-        <source>let it send the size it was registered at, or calibrate and register it anew</source>
-        <translation>정합한 크기로 보내게 하거나 새로 보정하고 정합하십시오</translation>
-    </message>
-    <message>
-        <source>views disagree by %1 mm</source>
-        <translation>뷰 간 불일치 %1 mm</translation>
-    </message>
-    <message>
-        <source>none could be trusted</source>
-        <translation>신뢰할 수 있는 뷰 없음</translation>
-    </message>
-    <message>
-        <source>one left out</source>
-        <translation>한 뷰 제외됨</translation>
-    </message>
-    <message>
-        <source>jump of %1 mm</source>
-        <translation>%1 mm 도약</translation>
-    </message>
-    <message>
-        <source>jump</source>
-        <translation>도약</translation>
-    </message>
-    <message>
-        <source>stands out in position and speed</source>
-        <translation>위치와 속력이 튐</translation>
-    </message>
-    <message>
-        <source>stands out in position</source>
-        <translation>위치가 튐</translation>
-    </message>
-    <message>
-        <source>stands out in speed</source>
-        <translation>속력이 튐</translation>
-    </message>
-    <message>
-        <source>faster than the limit</source>
-        <translation>한계보다 빠름</translation>
-    </message>
-    <message>
-        <source>harder than the limit of acceleration</source>
-        <translation>가속도 한계 초과</translation>
-    </message>
-    <message>
-        <source>called a spike by hand</source>
-        <translation>수동으로 이상점 지정됨</translation>
-    </message>
-    <message>
-        <source>cut by the picture&apos;s edge</source>
-        <translation>영상 가장자리에서 잘림</translation>
-    </message>
-    <message>
-        <source>the tracker was not sure (score %1 %)</source>
-        <translation>추적기가 확신하지 못함 (점수 %1 %)</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>없음</translation>
-    </message>
-    <message>
-        <source>%1 and %2</source>
-        <translation>%1 및 %2</translation>
-    </message>
-    <message>
-        <source>%1; %2</source>
-        <translation>%1; %2</translation>
-    </message>
-    <message>
-        <source>%1 %2</source>
-        <translation>%1 %2</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>%1.</source>
-        <translation>%1.</translation>
-    </message>
-    <message>
-        <source>the picture is too small to hold a board</source>
-        <translation>영상이 너무 작아 보드가 들어갈 수 없습니다</translation>
-    </message>
-    <message>
-        <source>use a picture of the camera</source>
-        <translation>카메라의 영상을 쓰십시오</translation>
-    </message>
-    <message>
-        <source>use pictures of the camera</source>
-        <translation>카메라의 영상을 쓰십시오</translation>
-    </message>
-    <message>
-        <source>use another picture</source>
-        <translation>다른 사진을 쓰십시오</translation>
-    </message>
-    <message>
-        <source>the picture is too small</source>
-        <translation>영상이 너무 작습니다</translation>
-    </message>
-    <message>
-        <source>the picture has no size</source>
-        <translation>영상의 크기가 없습니다</translation>
-    </message>
-    <message>
-        <source>the board is blurred</source>
-        <translation>보드가 흐립니다</translation>
-    </message>
-    <message>
-        <source>its edges are %1 pixels wide</source>
-        <translation>가장자리의 폭이 %1픽셀입니다</translation>
-    </message>
-    <message>
-        <source>hold it still, and focus the camera</source>
-        <translation>움직이지 않게 들고 카메라의 초점을 맞추십시오</translation>
-    </message>
-    <message>
-        <source>a corner of the board cannot be made out</source>
-        <translation>보드의 모서리 하나를 알아볼 수 없습니다</translation>
-    </message>
-    <message>
-        <source>keep the board clear and well lit</source>
-        <translation>보드를 가리지 말고 밝게 하십시오</translation>
-    </message>
-    <message>
-        <source>this board has %1 inner corners, %2 was asked for</source>
-        <translation>이 보드의 내부 모서리는 %1, 요청은 %2입니다</translation>
-    </message>
-    <message>
-        <source>count the inner corners, or leave the size out</source>
-        <translation>내부 모서리를 세거나 크기를 비워 두십시오</translation>
-    </message>
-    <message>
-        <source>the board is cut off</source>
-        <translation>보드가 잘렸습니다</translation>
-    </message>
-    <message>
-        <source>only %1 of its %2 inner corners are seen</source>
-        <translation>내부 모서리 %2 중 %1만 보입니다</translation>
-    </message>
-    <message>
-        <source>keep the whole board in the picture</source>
-        <translation>보드 전체가 영상에 들어오게 하십시오</translation>
-    </message>
-    <message>
-        <source>no board found</source>
-        <translation>보드를 찾지 못했습니다</translation>
-    </message>
-    <message>
-        <source>%1 of its markers could be read</source>
-        <translation>마커 %1개를 읽었습니다</translation>
-    </message>
-    <message>
-        <source>show the whole board, flat, sharp and well lit</source>
-        <translation>보드 전체를 평평하고 선명하고 밝게 보여 주십시오</translation>
-    </message>
-    <message>
-        <source>show the board larger, sharp and well lit</source>
-        <translation>보드를 더 크고 선명하고 밝게 보여 주십시오</translation>
-    </message>
-    <message>
-        <source>only %1 corners of the board are seen</source>
-        <translation>보드의 모서리가 %1개만 보입니다</translation>
-    </message>
-    <message>
-        <source>show more of the board</source>
-        <translation>보드를 더 많이 보여 주십시오</translation>
-    </message>
-    <message>
-        <source>show one ChArUco board</source>
-        <translation>ChArUco 보드 하나를 보여 주십시오</translation>
-    </message>
-    <message>
-        <source>the camera cannot be calibrated</source>
-        <translation>카메라를 보정할 수 없습니다</translation>
-    </message>
-    <message>
-        <source>calibration of camera &apos;%1&apos;</source>
-        <translation>카메라 &apos;%1&apos;의 보정</translation>
-    </message>
-    <message>
-        <source>three pictures of the board are needed, %1 can be used</source>
-        <translation>보드 사진 세 장이 필요한데 %1장만 쓸 수 있습니다</translation>
-    </message>
-    <message>
-        <source>take ten or more, the board tilted differently in each</source>
-        <translation>보드를 매번 다르게 기울여 열 장 이상 찍으십시오</translation>
-    </message>
-    <message>
-        <source>%1 % of the corners do not agree with the others</source>
-        <translation>모서리의 %1 %가 나머지와 맞지 않습니다</translation>
-    </message>
-    <message>
-        <source>check that all pictures are sharp, of one flat board and of one camera at one zoom and focus</source>
-        <translation>모든 사진이 선명하고, 평평한 한 보드를 한 카메라로 같은 줌과 초점에서 찍었는지 확인하십시오</translation>
-    </message>
-    <message>
-        <source>no lens fits these pictures</source>
-        <translation>이 사진들에 맞는 렌즈가 없습니다</translation>
-    </message>
-    <message>
-        <source>check that all are of one camera, at one zoom and focus</source>
-        <translation>모두 한 카메라로 같은 줌과 초점에서 찍었는지 확인하십시오</translation>
-    </message>
-    <message>
-        <source>choose others</source>
-        <translation>다른 것을 고르십시오</translation>
-    </message>
-    <message>
-        <source>use pictures of one camera at one zoom and focus</source>
-        <translation>한 카메라로 같은 줌과 초점에서 찍은 사진을 쓰십시오</translation>
-    </message>
-    <message>
-        <source>all %1 pictures show the board in one place, the %2 %3 % of the picture</source>
-        <translation>사진 %1장 모두 보드가 한곳에 있습니다 (%2, 영상의 %3 %)</translation>
-    </message>
-    <message>
-        <source>how the lens bends elsewhere stays unknown</source>
-        <translation>다른 곳의 렌즈 왜곡은 알 수 없습니다</translation>
-    </message>
-    <message>
-        <source>show the board in the middle and near each corner of the picture, and closer</source>
-        <translation>보드를 가운데와 각 모서리 가까이, 더 가깝게 보여 주십시오</translation>
-    </message>
-    <message>
-        <source>all %1 pictures show the board in nearly the same attitude, which does not determine the focal length</source>
-        <translation>사진 %1장 모두 보드의 자세가 거의 같아 초점 거리를 정할 수 없습니다</translation>
-    </message>
-    <message>
-        <source>take pictures with the board tilted by 30 to 45 degrees, to each side</source>
-        <translation>보드를 각 방향으로 30~45도 기울여 찍으십시오</translation>
-    </message>
-    <message>
-        <source>the pictures determine the focal length only to %1 %</source>
-        <translation>사진들로는 초점 거리가 %1 %까지만 정해집니다</translation>
-    </message>
-    <message>
-        <source>the board is seen too nearly frontal</source>
-        <translation>보드가 너무 정면으로 보입니다</translation>
-    </message>
-    <message>
-        <source>two halves of the pictures give focal lengths that differ by %1 %</source>
-        <translation>사진을 둘로 나누면 초점 거리가 %1 % 다릅니다</translation>
-    </message>
-    <message>
-        <source>the floor cannot be registered</source>
-        <translation>바닥에 정합할 수 없습니다</translation>
-    </message>
-    <message>
-        <source>the camera cannot be registered through another</source>
-        <translation>다른 카메라를 통해 정합할 수 없습니다</translation>
-    </message>
-    <message>
-        <source>the cameras cannot be registered together</source>
-        <translation>카메라를 함께 정합할 수 없습니다</translation>
-    </message>
-    <message>
-        <source>the length cannot be measured</source>
-        <translation>길이를 잴 수 없습니다</translation>
-    </message>
-    <message>
-        <source>registration of camera &apos;%1&apos;</source>
-        <translation>카메라 &apos;%1&apos;의 정합</translation>
-    </message>
-    <message>
-        <source>marker %1 stands twice in the layout</source>
-        <translation>마커 %1이(가) 배치에 두 번 있습니다</translation>
-    </message>
-    <message>
-        <source>marker %1 stands twice in the picture</source>
-        <translation>마커 %1이(가) 영상에 두 번 있습니다</translation>
-    </message>
-    <message>
-        <source>give each marker a name of its own</source>
-        <translation>마커마다 다른 이름을 주십시오</translation>
-    </message>
-    <message>
-        <source>markers %1 and %2 lie at one place of the floor</source>
-        <translation>마커 %1과(와) %2이(가) 바닥의 같은 곳에 있습니다</translation>
-    </message>
-    <message>
-        <source>correct the layout</source>
-        <translation>배치를 고치십시오</translation>
-    </message>
-    <message>
-        <source>markers %1 and %2 lie on one pixel</source>
-        <translation>마커 %1과(와) %2이(가) 같은 픽셀에 있습니다</translation>
-    </message>
-    <message>
-        <source>points %1 and %2 lie on one pixel</source>
-        <translation>점 %1과(와) %2이(가) 같은 픽셀에 있습니다</translation>
-    </message>
-    <message>
-        <source>mark each of them where it is seen</source>
-        <translation>각각 보이는 곳에 표시하십시오</translation>
-    </message>
-    <message>
-        <source>markers %1 and %2 lie only %3 mm apart, too close for two of four</source>
-        <translation>마커 %1과(와) %2의 간격이 %3 mm뿐이라 넷 중 둘로는 너무 가깝습니다</translation>
-    </message>
-    <message>
-        <source>spread the markers over the floor</source>
-        <translation>마커를 바닥에 넓게 놓으십시오</translation>
-    </message>
-    <message>
-        <source>spread the points over the floor</source>
-        <translation>점을 바닥에 넓게 잡으십시오</translation>
-    </message>
-    <message>
-        <source>spread them over the floor</source>
-        <translation>바닥에 넓게 놓으십시오</translation>
-    </message>
-    <message>
-        <source>four markers are needed that the layout and the picture have in common</source>
-        <translation>배치와 영상에 공통인 마커 네 개가 필요합니다</translation>
-    </message>
-    <message>
-        <source>there are %1 (%2)</source>
-        <translation>%1개뿐입니다 (%2)</translation>
-    </message>
-    <message>
-        <source>there are %1 (%2), and the layout does not know %3</source>
-        <translation>%1개뿐이며(%2) 배치에 %3이(가) 없습니다</translation>
-    </message>
-    <message>
-        <source>there are %1</source>
-        <translation>%1개뿐입니다</translation>
-    </message>
-    <message>
-        <source>mark more of the layout&apos;s markers, under the layout&apos;s names</source>
-        <translation>배치의 마커를 배치의 이름으로 더 표시하십시오</translation>
-    </message>
-    <message>
-        <source>the markers are mirrored</source>
-        <translation>마커가 거울상입니다</translation>
-    </message>
-    <message>
-        <source>seen in this order the camera would be below the floor</source>
-        <translation>이 순서라면 카메라가 바닥 아래에 있게 됩니다</translation>
-    </message>
-    <message>
-        <source>seen from above, Y must point to the left of X</source>
-        <translation>위에서 볼 때 Y는 X의 왼쪽을 향해야 합니다</translation>
-    </message>
-    <message>
-        <source>check the signs of the layout</source>
-        <translation>배치의 부호를 확인하십시오</translation>
-    </message>
-    <message>
-        <source>check these labels</source>
-        <translation>이 이름표들을 확인하십시오</translation>
-    </message>
-    <message>
-        <source>the camera would stand only %1 mm above the floor</source>
-        <translation>카메라가 바닥 위 %1 mm에만 있게 됩니다</translation>
-    </message>
-    <message>
-        <source>the camera would stand %1 m above the floor</source>
-        <translation>카메라가 바닥 위 %1 m에 있게 됩니다</translation>
-    </message>
-    <message>
-        <source>marker %1 would lie at or beyond the horizon</source>
-        <translation>마커 %1이(가) 지평선이나 그 너머에 있게 됩니다</translation>
-    </message>
-    <message>
-        <source>check its place and its pixel</source>
-        <translation>그 자리와 픽셀을 확인하십시오</translation>
-    </message>
-    <message>
-        <source>the markers do not fit a flat floor</source>
-        <translation>마커가 평평한 바닥에 맞지 않습니다</translation>
-    </message>
-    <message>
-        <source>%1 px RMS, most at %2 (%3 px)</source>
-        <translation>%1 px RMS, %2에서 가장 큼 (%3 px)</translation>
-    </message>
-    <message>
-        <source>check the layout, the labels and the intrinsics</source>
-        <translation>배치, 이름표, 내부 파라미터를 확인하십시오</translation>
-    </message>
-    <message>
-        <source>the markers lie so nearly on one line (%1 the most) that the floor is known only to ±%2 mm</source>
-        <translation>마커가 거의 한 줄에 있어(특히 %1) 바닥이 ±%2 mm로만 알려집니다</translation>
-    </message>
-    <message>
-        <source>mark and measure them again, or add another</source>
-        <translation>다시 표시하고 재거나 하나를 더 추가하십시오</translation>
-    </message>
-    <message>
-        <source>the markers do not determine where the cameras stand</source>
-        <translation>마커로 카메라의 위치를 정할 수 없습니다</translation>
-    </message>
-    <message>
-        <source>the points do not determine where the camera stands</source>
-        <translation>점들로 카메라의 위치를 정할 수 없습니다</translation>
-    </message>
-    <message>
-        <source>four points are needed that both cameras see</source>
-        <translation>두 카메라가 모두 보는 점 네 개가 필요합니다</translation>
-    </message>
-    <message>
-        <source>add points of the floor, such as corners of tiles</source>
-        <translation>타일 모서리 같은 바닥의 점을 추가하십시오</translation>
-    </message>
-    <message>
-        <source>%1 of %2 were found, four are needed</source>
-        <translation>%2개 중 %1개를 찾았고 네 개가 필요합니다</translation>
-    </message>
-    <message>
-        <source>missing: %1</source>
-        <translation>없는 것: %1</translation>
-    </message>
-    <message>
-        <source>show the missing tags (AprilTag 36h11, numbered from 0 in the layout&apos;s order) or rings, or mark the markers by hand</source>
-        <translation>없는 태그(AprilTag 36h11, 배치 순서로 0부터)나 고리를 보여 주거나 마커를 손으로 표시하십시오</translation>
-    </message>
-    <message>
-        <source>%1 rings or dots were found, four are needed</source>
-        <translation>고리나 점 %1개를 찾았고 네 개가 필요합니다</translation>
-    </message>
-    <message>
-        <source>show more of them, larger or in better light, or mark the markers by hand</source>
-        <translation>더 많이, 더 크게 또는 더 밝게 보여 주거나 마커를 손으로 표시하십시오</translation>
-    </message>
-    <message>
-        <source>tell by hand which of them is %1</source>
-        <translation>어느 것이 %1인지 손으로 지정하십시오</translation>
-    </message>
-    <message>
-        <source>whether %1 has moved cannot be told</source>
-        <translation>%1이(가) 움직였는지 알 수 없습니다</translation>
-    </message>
-    <message>
-        <source>%1 of its %2 markers were found again, two are needed</source>
-        <translation>마커 %2개 중 %1개를 다시 찾았고 두 개가 필요합니다</translation>
-    </message>
-    <message>
-        <source>clear the view of the markers</source>
-        <translation>마커가 보이게 하십시오</translation>
-    </message>
-    <message>
-        <source>if they are gone or the camera looks elsewhere, register it again</source>
-        <translation>마커가 없거나 카메라가 다른 곳을 보면 다시 정합하십시오</translation>
-    </message>
-    <message>
-        <source>these intrinsics cannot be used</source>
-        <translation>이 내부 파라미터는 쓸 수 없습니다</translation>
-    </message>
-    <message>
-        <source>calibrate the camera again, or import another file</source>
-        <translation>카메라를 다시 보정하거나 다른 파일을 가져오십시오</translation>
-    </message>
-    <message>
-        <source>register it first, by markers or through another camera</source>
-        <translation>먼저 마커나 다른 카메라를 통해 정합하십시오</translation>
-    </message>
-    <message>
-        <source>camera &apos;%1&apos; is not registered</source>
-        <translation>카메라 &apos;%1&apos;이(가) 정합되지 않았습니다</translation>
-    </message>
-    <message>
-        <source>a camera cannot be registered through itself</source>
-        <translation>카메라를 자기 자신을 통해 정합할 수 없습니다</translation>
-    </message>
-    <message>
-        <source>name another camera that is registered</source>
-        <translation>정합된 다른 카메라를 지정하십시오</translation>
-    </message>
-    <message>
-        <source>both ends lie on one pixel of camera &apos;%1&apos;</source>
-        <translation>두 끝이 카메라 &apos;%1&apos;의 같은 픽셀에 있습니다</translation>
-    </message>
-    <message>
-        <source>mark the two ends where they are seen</source>
-        <translation>두 끝을 보이는 곳에 표시하십시오</translation>
-    </message>
-    <message>
-        <source>no camera was given that sees it</source>
-        <translation>그것을 보는 카메라가 지정되지 않았습니다</translation>
-    </message>
-    <message>
-        <source>mark its ends in one picture at least</source>
-        <translation>적어도 한 영상에 두 끝을 표시하십시오</translation>
-    </message>
-    <message>
-        <source>the told length is not above 0</source>
-        <translation>알려 준 길이가 0보다 크지 않습니다</translation>
-    </message>
-    <message>
-        <source>give the length as it was measured with a tape</source>
-        <translation>줄자로 잰 길이를 주십시오</translation>
-    </message>
-    <message>
-        <source>the picture is %1, the camera was registered at %2</source>
-        <translation>영상은 %1, 카메라는 %2에서 정합되었습니다</translation>
-    </message>
-    <message>
-        <source>give a picture of that size</source>
-        <translation>그 크기의 영상을 주십시오</translation>
-    </message>
-    <message>
-        <source>this computer</source>
-        <translation>이 컴퓨터</translation>
-    </message>
-    <message>
-        <source>it slept for %1, and nothing was recorded meanwhile</source>
-        <translation>%1 동안 절전 상태여서 그동안 녹화되지 않았습니다</translation>
-    </message>
-    <message>
-        <source>what came before is kept</source>
-        <translation>그 이전 것은 보존됩니다</translation>
-    </message>
-    <message>
-        <source>keep it awake while it records</source>
-        <translation>녹화하는 동안 절전에 들지 않게 하십시오</translation>
-    </message>
-    <message>
-        <source>camera %1</source>
-        <translation>카메라 %1</translation>
-    </message>
-    <message>
-        <source>it takes only %1 pictures a second of the %2 it was asked for</source>
-        <translation>요청한 초당 %2개 중 %1개만 찍습니다</translation>
-    </message>
-    <message>
-        <source>give it more light or a shorter exposure, or ask for a lower rate</source>
-        <translation>조명을 늘리거나 노출을 줄이거나 더 낮은 속도를 요청하십시오</translation>
-    </message>
-    <message>
-        <source>it is not there</source>
-        <translation>없습니다</translation>
-    </message>
-    <message>
-        <source>plug it in, or choose one of those that odograph cameras lists</source>
-        <translation>연결하거나 odograph cameras가 보여 주는 것 중에서 고르십시오</translation>
-    </message>
-    <message>
-        <source>choose one of those that odograph cameras lists</source>
-        <translation>odograph cameras가 보여 주는 것 중에서 고르십시오</translation>
-    </message>
-    <message>
-        <source>you may not use it</source>
-        <translation>쓸 권한이 없습니다</translation>
-    </message>
-    <message>
-        <source>join the group video (sudo usermod -aG video YOUR-NAME) and log in again</source>
-        <translation>video 그룹에 들어간 뒤(sudo usermod -aG video YOUR-NAME) 다시 로그인하십시오</translation>
-    </message>
-    <message>
-        <source>another program uses it</source>
-        <translation>다른 프로그램이 쓰고 있습니다</translation>
-    </message>
-    <message>
-        <source>close that program</source>
-        <translation>그 프로그램을 닫으십시오</translation>
-    </message>
-    <message>
-        <source>it was unplugged</source>
-        <translation>분리되었습니다</translation>
-    </message>
-    <message>
-        <source>plug it in again</source>
-        <translation>다시 연결하십시오</translation>
-    </message>
-    <message>
-        <source>plug %1 in again</source>
-        <translation>%1을(를) 다시 연결하십시오</translation>
-    </message>
-    <message>
-        <source>plug it in where it shares no bus with another camera, or choose MJPEG, a smaller picture or a lower rate (?format=MJPG&amp;size=640x480&amp;rate=30)</source>
-        <translation>다른 카메라와 버스를 나누지 않는 곳에 연결하거나 MJPEG, 더 작은 영상, 더 낮은 속도를 고르십시오 (?format=MJPG&amp;size=640x480&amp;rate=30)</translation>
-    </message>
-    <message>
-        <source>it cannot be opened (%1)</source>
-        <translation>열 수 없습니다 (%1)</translation>
-    </message>
-    <message>
-        <source>check its cable and address</source>
-        <translation>케이블과 주소를 확인하십시오</translation>
-    </message>
-    <message>
-        <source>check that you may use it (a udev rule), and that no other program does</source>
-        <translation>사용 권한(udev 규칙)과 다른 프로그램이 쓰지 않는지 확인하십시오</translation>
-    </message>
-    <message>
-        <source>no picture came for half a second</source>
-        <translation>0.5초 동안 영상이 오지 않았습니다</translation>
-    </message>
-    <message>
-        <source>wait, or check its cable</source>
-        <translation>기다리거나 케이블을 확인하십시오</translation>
-    </message>
-    <message>
-        <source>it does not answer</source>
-        <translation>응답하지 않습니다</translation>
-    </message>
-    <message>
-        <source>check its power and cable</source>
-        <translation>전원과 케이블을 확인하십시오</translation>
-    </message>
-    <message>
-        <source>it does not start (%1)</source>
-        <translation>시작되지 않습니다 (%1)</translation>
-    </message>
-    <message>
-        <source>check its cable, and that no other program uses it</source>
-        <translation>케이블과 다른 프로그램이 쓰지 않는지 확인하십시오</translation>
-    </message>
-    <message>
-        <source>another camera (%1) is in its place</source>
-        <translation>그 자리에 다른 카메라(%1)가 있습니다</translation>
-    </message>
-    <message>
-        <source>another camera (%1) is in the place of camera %2</source>
-        <translation>카메라 %2 자리에 다른 카메라(%1)가 있습니다</translation>
-    </message>
-    <message>
-        <source>connect the one that belongs there, or begin anew with this one</source>
-        <translation>맞는 카메라를 연결하거나 이 카메라로 새로 시작하십시오</translation>
-    </message>
-    <message>
-        <source>it came back with pictures of another size or format</source>
-        <translation>다른 크기나 형식의 영상으로 돌아왔습니다</translation>
-    </message>
-    <message>
-        <source>set it as before, or begin anew with size and format in its address</source>
-        <translation>이전처럼 설정하거나 주소에 크기와 형식을 넣어 새로 시작하십시오</translation>
-    </message>
-    <message>
-        <source>it has nothing named &apos;%1&apos; that could be set</source>
-        <translation>설정할 수 있는 &apos;%1&apos;이(가) 없습니다</translation>
-    </message>
-    <message>
-        <source>leave it out</source>
-        <translation>빼십시오</translation>
-    </message>
-    <message>
-        <source>it refuses this value of %1</source>
-        <translation>%1의 이 값을 받아들이지 않습니다</translation>
-    </message>
-    <message>
-        <source>choose another one</source>
-        <translation>다른 것을 고르십시오</translation>
-    </message>
-    <message>
-        <source>%1 cannot be set as the camera stands now</source>
-        <translation>카메라의 현재 상태에서는 %1을(를) 설정할 수 없습니다</translation>
-    </message>
-    <message>
-        <source>turn off the automatic that moves it first</source>
-        <translation>먼저 그것을 움직이는 자동 기능을 끄십시오</translation>
-    </message>
-    <message>
-        <source>%1 goes from %2 to %3</source>
-        <translation>%1의 범위는 %2에서 %3까지입니다</translation>
-    </message>
-    <message>
-        <source>choose a value between</source>
-        <translation>그 사이의 값을 고르십시오</translation>
-    </message>
-    <message>
-        <source>%1 gives no pictures</source>
-        <translation>%1은(는) 영상을 주지 않습니다</translation>
-    </message>
-    <message>
-        <source>it has no format that can be read</source>
-        <translation>읽을 수 있는 형식이 없습니다</translation>
-    </message>
-    <message>
-        <source>take another camera</source>
-        <translation>다른 카메라를 쓰십시오</translation>
-    </message>
-    <message>
-        <source>it does not offer what was asked for</source>
-        <translation>요청한 것을 제공하지 않습니다</translation>
-    </message>
-    <message>
-        <source>choose of what it offers</source>
-        <translation>제공하는 것 중에서 고르십시오</translation>
-    </message>
-    <message>
-        <source>it does not take %1</source>
-        <translation>%1을(를) 받아들이지 않습니다</translation>
-    </message>
-    <message>
-        <source>ask for another size or format</source>
-        <translation>다른 크기나 형식을 요청하십시오</translation>
-    </message>
-    <message>
-        <source>it does not take this size</source>
-        <translation>이 크기를 받아들이지 않습니다</translation>
-    </message>
-    <message>
-        <source>it does not take this rate</source>
-        <translation>이 속도를 받아들이지 않습니다</translation>
-    </message>
-    <message>
-        <source>it does not take this exposure</source>
-        <translation>이 노출을 받아들이지 않습니다</translation>
-    </message>
-    <message>
-        <source>it does not take this gain</source>
-        <translation>이 게인을 받아들이지 않습니다</translation>
-    </message>
-    <message>
-        <source>ask it for something else, or leave that to the camera</source>
-        <translation>다른 것을 요청하거나 카메라에 맡기십시오</translation>
-    </message>
-    <message>
-        <source>no camera has such an address</source>
-        <translation>그런 주소의 카메라가 없습니다</translation>
-    </message>
-    <message>
-        <source>give one as v4l2:/dev/video0, aravis:192.168.1.20, sim:A or file:PATH</source>
-        <translation>v4l2:/dev/video0, aravis:192.168.1.20, sim:A 또는 file:PATH처럼 지정하십시오</translation>
-    </message>
-    <message>
-        <source>the video has ended</source>
-        <translation>동영상이 끝났습니다</translation>
-    </message>
-    <message>
-        <source>open it again to see it from the start</source>
-        <translation>처음부터 보려면 다시 여십시오</translation>
-    </message>
-    <message>
-        <source>the recording %1</source>
-        <translation>녹화 %1</translation>
-    </message>
-    <message>
-        <source>make room, or move the project to another disk</source>
-        <translation>공간을 확보하거나 프로젝트를 다른 디스크로 옮기십시오</translation>
-    </message>
-    <message>
-        <source>what was recorded so far is kept</source>
-        <translation>지금까지 녹화된 것은 보존됩니다</translation>
-    </message>
-    <message>
-        <source>recording of trial &apos;%1&apos;</source>
-        <translation>시행 &apos;%1&apos; 녹화</translation>
-    </message>
-    <message>
-        <source>check that they are connected and not used by another program</source>
-        <translation>연결되어 있고 다른 프로그램이 쓰지 않는지 확인하십시오</translation>
-    </message>
-    <message>
-        <source>check that it is connected and not used by another program</source>
-        <translation>연결되어 있고 다른 프로그램이 쓰지 않는지 확인하십시오</translation>
-    </message>
-    <message>
-        <source>camera &apos;%1&apos; gave no picture</source>
-        <translation>카메라 &apos;%1&apos;에서 영상이 오지 않았습니다</translation>
-    </message>
-    <message>
-        <source>no camera was given</source>
-        <translation>카메라가 지정되지 않았습니다</translation>
-    </message>
-    <message>
-        <source>address &apos;%1&apos; of live positions</source>
-        <translation>실시간 위치의 주소 &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>it is no IPv4 address with a port</source>
-        <translation>포트가 붙은 IPv4 주소가 아닙니다</translation>
-    </message>
-    <message>
-        <source>write it like 224.5.23.2:10006</source>
-        <translation>224.5.23.2:10006처럼 쓰십시오</translation>
-    </message>
-    <message>
-        <source>live positions to %1</source>
-        <translation>%1(으)로 보내는 실시간 위치</translation>
-    </message>
-    <message>
-        <source>interface &apos;%1&apos; takes no multicast</source>
-        <translation>인터페이스 &apos;%1&apos;은(는) 멀티캐스트를 지원하지 않습니다</translation>
-    </message>
-    <message>
-        <source>this machine has none of that name</source>
-        <translation>이 컴퓨터에 그런 이름의 것이 없습니다</translation>
-    </message>
-    <message>
-        <source>close other programs and try again</source>
-        <translation>다른 프로그램을 닫고 다시 시도하십시오</translation>
-    </message>
-    <message>
-        <source>cancelled</source>
-        <translation>취소됨</translation>
-    </message>
-    <message>
-        <source>nothing was changed</source>
-        <translation>바뀐 것이 없습니다</translation>
-    </message>
-    <message>
-        <source>another program is writing to it</source>
-        <translation>다른 프로그램이 쓰고 있습니다</translation>
-    </message>
-    <message>
-        <source>close the other program and try again</source>
-        <translation>다른 프로그램을 닫고 다시 시도하십시오</translation>
-    </message>
-    <message>
-        <source>it cannot be written to</source>
-        <translation>쓸 수 없습니다</translation>
-    </message>
-    <message>
-        <source>its folder cannot be written to</source>
-        <translation>폴더에 쓸 수 없습니다</translation>
-    </message>
-    <message>
-        <source>copy it to a folder that you may write to, and open the copy</source>
-        <translation>쓸 수 있는 폴더로 복사한 뒤 사본을 여십시오</translation>
-    </message>
-    <message>
-        <source>copy it with its videos to a folder that you may write to, and open the copy</source>
-        <translation>동영상과 함께 쓸 수 있는 폴더로 복사한 뒤 사본을 여십시오</translation>
-    </message>
-    <message>
-        <source>the disk is full, the change was not saved</source>
-        <translation>디스크가 가득 차 변경이 저장되지 않았습니다</translation>
-    </message>
-    <message>
-        <source>the disk is full</source>
-        <translation>디스크가 가득 찼습니다</translation>
-    </message>
-    <message>
-        <source>make room on the disk and try again</source>
-        <translation>디스크 공간을 확보하고 다시 시도하십시오</translation>
-    </message>
-    <message>
-        <source>the disk reported an error, the change was not saved</source>
-        <translation>디스크 오류로 변경이 저장되지 않았습니다</translation>
-    </message>
-    <message>
-        <source>check the disk, and copy the project to another one</source>
-        <translation>디스크를 확인하고 프로젝트를 다른 곳에 복사하십시오</translation>
-    </message>
-    <message>
-        <source>check the disk and try again</source>
-        <translation>디스크를 확인하고 다시 시도하십시오</translation>
-    </message>
-    <message>
-        <source>check the disk</source>
-        <translation>디스크를 확인하십시오</translation>
-    </message>
-    <message>
-        <source>the file is damaged</source>
-        <translation>파일이 손상되었습니다</translation>
-    </message>
-    <message>
-        <source>its tables are not those of a project</source>
-        <translation>테이블이 프로젝트의 것이 아닙니다</translation>
-    </message>
-    <message>
-        <source>restore it from a backup copy</source>
-        <translation>백업 사본에서 복원하십시오</translation>
-    </message>
-    <message>
-        <source>the project file is damaged</source>
-        <translation>프로젝트 파일이 손상되었습니다</translation>
-    </message>
-    <message>
-        <source>it is not a project file</source>
-        <translation>프로젝트 파일이 아닙니다</translation>
-    </message>
-    <message>
-        <source>it is a database of another program</source>
-        <translation>다른 프로그램의 데이터베이스입니다</translation>
-    </message>
-    <message>
-        <source>the journal beside it names another file</source>
-        <translation>옆에 있는 저널이 다른 파일을 가리킵니다</translation>
-    </message>
-    <message>
-        <source>choose a file that Odograph has written</source>
-        <translation>Odograph가 쓴 파일을 선택하십시오</translation>
-    </message>
-    <message>
-        <source>it refers to something that is not in the project, or a value is missing</source>
-        <translation>프로젝트에 없는 것을 가리키거나 값이 빠졌습니다</translation>
-    </message>
-    <message>
-        <source>add what it refers to first</source>
-        <translation>먼저 가리키는 것을 추가하십시오</translation>
-    </message>
-    <message>
-        <source>the database refused</source>
-        <translation>데이터베이스가 거부했습니다</translation>
-    </message>
-    <message>
-        <source>run a check of the project</source>
-        <translation>프로젝트 검사를 실행하십시오</translation>
-    </message>
-    <message>
-        <source>there is no such file</source>
-        <translation>그런 파일이 없습니다</translation>
-    </message>
-    <message>
-        <source>check the name, or make a new project</source>
-        <translation>이름을 확인하거나 새 프로젝트를 만드십시오</translation>
-    </message>
-    <message>
-        <source>check the name and the folder</source>
-        <translation>이름과 폴더를 확인하십시오</translation>
-    </message>
-    <message>
-        <source>it is a folder</source>
-        <translation>폴더입니다</translation>
-    </message>
-    <message>
-        <source>it cannot be read</source>
-        <translation>읽을 수 없습니다</translation>
-    </message>
-    <message>
-        <source>it cannot be read (%1)</source>
-        <translation>읽을 수 없습니다 (%1)</translation>
-    </message>
-    <message>
-        <source>check that you may read the file</source>
-        <translation>파일을 읽을 권한을 확인하십시오</translation>
-    </message>
-    <message>
-        <source>check that the file is there and may be read</source>
-        <translation>파일이 있고 읽을 수 있는지 확인하십시오</translation>
-    </message>
-    <message>
-        <source>check that it is there and may be read</source>
-        <translation>있고 읽을 수 있는지 확인하십시오</translation>
-    </message>
-    <message>
-        <source>the file is empty</source>
-        <translation>파일이 비어 있습니다</translation>
-    </message>
-    <message>
-        <source>the file is cut off</source>
-        <translation>파일이 잘렸습니다</translation>
-    </message>
-    <message>
-        <source>it has %1 of %2 bytes</source>
-        <translation>%2바이트 중 %1바이트만 있습니다</translation>
-    </message>
-    <message>
-        <source>copy it again from where it came, or restore a backup copy</source>
-        <translation>원본에서 다시 복사하거나 백업을 복원하십시오</translation>
-    </message>
-    <message>
-        <source>it was written by a newer Odograph (format %1, this one knows formats up to %2)</source>
-        <translation>더 새로운 Odograph가 썼습니다 (형식 %1, 이 프로그램은 %2까지)</translation>
-    </message>
-    <message>
-        <source>open it with that Odograph, or update this one</source>
-        <translation>그 Odograph로 열거나 이 프로그램을 업데이트하십시오</translation>
-    </message>
-    <message>
-        <source>open the project with a newer Odograph</source>
-        <translation>더 새로운 Odograph로 프로젝트를 여십시오</translation>
-    </message>
-    <message>
-        <source>it is open in another window</source>
-        <translation>다른 창에서 열려 있습니다</translation>
-    </message>
-    <message>
-        <source>it is open in another window (%1)</source>
-        <translation>다른 창에서 열려 있습니다 (%1)</translation>
-    </message>
-    <message>
-        <source>close it there first</source>
-        <translation>먼저 거기서 닫으십시오</translation>
-    </message>
-    <message>
-        <source>a trial is being recorded into it just now</source>
-        <translation>지금 시행을 녹화하는 중입니다</translation>
-    </message>
-    <message>
-        <source>wait until that has ended</source>
-        <translation>끝날 때까지 기다리십시오</translation>
-    </message>
-    <message>
-        <source>check the free space and the rights of the project&apos;s folder</source>
-        <translation>프로젝트 폴더의 여유 공간과 권한을 확인하십시오</translation>
-    </message>
-    <message>
-        <source>check the free space and the rights of its folder</source>
-        <translation>그 폴더의 여유 공간과 권한을 확인하십시오</translation>
-    </message>
-    <message>
-        <source>a file of that name is there already</source>
-        <translation>같은 이름의 파일이 이미 있습니다</translation>
-    </message>
-    <message>
-        <source>choose another name, or remove that file first</source>
-        <translation>다른 이름을 고르거나 그 파일을 먼저 지우십시오</translation>
-    </message>
-    <message>
-        <source>there is no folder &apos;%1&apos;</source>
-        <translation>폴더 &apos;%1&apos;이(가) 없습니다</translation>
-    </message>
-    <message>
-        <source>make the folder first, or choose another one</source>
-        <translation>먼저 폴더를 만들거나 다른 폴더를 고르십시오</translation>
-    </message>
-    <message>
-        <source>it has no file name</source>
-        <translation>파일 이름이 없습니다</translation>
-    </message>
-    <message>
-        <source>give the file a name</source>
-        <translation>파일 이름을 지정하십시오</translation>
-    </message>
-    <message>
-        <source>its name is too long</source>
-        <translation>이름이 너무 깁니다</translation>
-    </message>
-    <message>
-        <source>choose a shorter name</source>
-        <translation>더 짧은 이름을 고르십시오</translation>
-    </message>
-    <message>
-        <source>the folder &apos;%1&apos; cannot be written to (%2)</source>
-        <translation>폴더 &apos;%1&apos;에 쓸 수 없습니다 (%2)</translation>
-    </message>
-    <message>
-        <source>choose a folder that you may write to</source>
-        <translation>쓸 수 있는 폴더를 고르십시오</translation>
-    </message>
-    <message>
-        <source>choose a folder that you may write to and that has room</source>
-        <translation>쓸 수 있고 여유가 있는 폴더를 고르십시오</translation>
-    </message>
-    <message>
-        <source>choose a folder that can be written to and has room</source>
-        <translation>쓸 수 있고 여유가 있는 폴더를 고르십시오</translation>
-    </message>
-    <message>
-        <source>writing it failed (%1)</source>
-        <translation>쓰지 못했습니다 (%1)</translation>
-    </message>
-    <message>
-        <source>it cannot be written (%1)</source>
-        <translation>쓸 수 없습니다 (%1)</translation>
-    </message>
-    <message>
-        <source>what it concerns has been changed or used since</source>
-        <translation>그 뒤 대상이 바뀌었거나 쓰였습니다</translation>
-    </message>
-    <message>
-        <source>take the later change back first, or leave it</source>
-        <translation>먼저 나중 변경을 되돌리거나 그대로 두십시오</translation>
-    </message>
-    <message>
-        <source>nothing has been changed since the project was opened</source>
-        <translation>프로젝트를 연 뒤 바뀐 것이 없습니다</translation>
-    </message>
-    <message>
-        <source>change something first</source>
-        <translation>먼저 무언가를 바꾸십시오</translation>
-    </message>
-    <message>
-        <source>nothing has been undone</source>
-        <translation>되돌린 것이 없습니다</translation>
-    </message>
-    <message>
-        <source>undo something first</source>
-        <translation>먼저 무언가를 되돌리십시오</translation>
-    </message>
-    <message>
-        <source>the project has a %1 of that name already</source>
-        <translation>프로젝트에 같은 이름의 %1이(가) 이미 있습니다</translation>
-    </message>
-    <message>
-        <source>the project has a trial of that name</source>
-        <translation>프로젝트에 같은 이름의 시행이 있습니다</translation>
-    </message>
-    <message>
-        <source>choose another name</source>
-        <translation>다른 이름을 고르십시오</translation>
-    </message>
-    <message>
-        <source>there is no such %1 in the project</source>
-        <translation>프로젝트에 그런 %1이(가) 없습니다</translation>
-    </message>
-    <message>
-        <source>class</source>
-        <translation>학급</translation>
-    </message>
-    <message>
-        <source>team</source>
-        <translation>팀</translation>
-    </message>
-    <message>
-        <source>robot</source>
-        <translation>로봇</translation>
-    </message>
-    <message>
-        <source>camera</source>
-        <translation>카메라</translation>
-    </message>
-    <message>
-        <source>task</source>
-        <translation>과제</translation>
-    </message>
-    <message>
-        <source>trial</source>
-        <translation>시행</translation>
-    </message>
-    <message>
-        <source>layout</source>
-        <translation>배치</translation>
-    </message>
-    <message>
-        <source>name of a %1</source>
-        <translation>%1의 이름</translation>
-    </message>
-    <message>
-        <source>it is empty</source>
-        <translation>비어 있습니다</translation>
-    </message>
-    <message>
-        <source>give the %1 a name</source>
-        <translation>%1에 이름을 붙이십시오</translation>
-    </message>
-    <message>
-        <source>it has %1 characters</source>
-        <translation>%1자입니다</translation>
-    </message>
-    <message>
-        <source>use at most %1</source>
-        <translation>최대 %1자까지 쓰십시오</translation>
-    </message>
-    <message>
-        <source>it holds a line break or another control character</source>
-        <translation>줄바꿈이나 다른 제어 문자가 들어 있습니다</translation>
-    </message>
-    <message>
-        <source>use a name of one line</source>
-        <translation>한 줄 이름을 쓰십시오</translation>
-    </message>
-    <message>
-        <source>it is not valid UTF-8 text</source>
-        <translation>올바른 UTF-8 텍스트가 아닙니다</translation>
-    </message>
-    <message>
-        <source>class &apos;%1&apos;</source>
-        <translation>학급 &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>team &apos;%1&apos;</source>
-        <translation>팀 &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>robot &apos;%1&apos;</source>
-        <translation>로봇 &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>camera &apos;%1&apos;</source>
-        <translation>카메라 &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>task &apos;%1&apos;</source>
-        <translation>과제 &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>layout &apos;%1&apos;</source>
-        <translation>배치 &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>file &apos;%1&apos;</source>
-        <translation>파일 &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>a team belongs to it</source>
-        <translation>팀 하나가 속해 있습니다</translation>
-    </message>
-    <message>
-        <source>%1 teams belong to it</source>
-        <translation>팀 %1개가 속해 있습니다</translation>
-    </message>
-    <message>
-        <source>move its teams to another class first, or archive it</source>
-        <translation>먼저 팀을 다른 학급으로 옮기거나 보관하십시오</translation>
-    </message>
-    <message>
-        <source>it drove in a trial</source>
-        <translation>시행에서 달린 적이 있습니다</translation>
-    </message>
-    <message>
-        <source>keep it</source>
-        <translation>그대로 두십시오</translation>
-    </message>
-    <message>
-        <source>it can be given another name</source>
-        <translation>다른 이름을 줄 수 있습니다</translation>
-    </message>
-    <message>
-        <source>a trial has it</source>
-        <translation>시행 하나가 씁니다</translation>
-    </message>
-    <message>
-        <source>%1 trials have it</source>
-        <translation>시행 %1개가 씁니다</translation>
-    </message>
-    <message>
-        <source>give them another task first</source>
-        <translation>먼저 다른 과제를 지정하십시오</translation>
-    </message>
-    <message>
-        <source>trials were measured by it</source>
-        <translation>이것으로 측정한 시행이 있습니다</translation>
-    </message>
-    <message>
-        <source>their figures would not say any more what they were measured by</source>
-        <translation>지표가 무엇으로 측정되었는지 알 수 없게 됩니다</translation>
-    </message>
-    <message>
-        <source>a trial is its</source>
-        <translation>시행 하나가 이 팀의 것입니다</translation>
-    </message>
-    <message>
-        <source>%1 trials are its</source>
-        <translation>시행 %1개가 이 팀의 것입니다</translation>
-    </message>
-    <message>
-        <source>delete them for good first, or archive its class</source>
-        <translation>먼저 영구 삭제하거나 학급을 보관하십시오</translation>
-    </message>
-    <message>
-        <source>it has more than %1 members</source>
-        <translation>팀원이 %1명을 넘습니다</translation>
-    </message>
-    <message>
-        <source>give the names of the people in the team</source>
-        <translation>팀원의 이름을 적으십시오</translation>
-    </message>
-    <message>
-        <source>a robot belongs to it twice</source>
-        <translation>같은 로봇이 두 번 속해 있습니다</translation>
-    </message>
-    <message>
-        <source>name each of its robots once</source>
-        <translation>각 로봇을 한 번씩만 적으십시오</translation>
-    </message>
-    <message>
-        <source>it is being recorded</source>
-        <translation>녹화 중입니다</translation>
-    </message>
-    <message>
-        <source>trial &apos;%1&apos; is being recorded</source>
-        <translation>시행 &apos;%1&apos;을(를) 녹화하는 중입니다</translation>
-    </message>
-    <message>
-        <source>end its recording first</source>
-        <translation>먼저 녹화를 끝내십시오</translation>
-    </message>
-    <message>
-        <source>it is not in the bin</source>
-        <translation>휴지통에 없습니다</translation>
-    </message>
-    <message>
-        <source>put it into the bin first</source>
-        <translation>먼저 휴지통에 넣으십시오</translation>
-    </message>
-    <message>
-        <source>its height is to be told, but none is given</source>
-        <translation>높이를 지정해야 하는데 없습니다</translation>
-    </message>
-    <message>
-        <source>give a height, or let it be estimated</source>
-        <translation>높이를 주거나 추정하게 하십시오</translation>
-    </message>
-    <message>
-        <source>its height is below the floor</source>
-        <translation>높이가 바닥보다 낮습니다</translation>
-    </message>
-    <message>
-        <source>give a height of 0 or more</source>
-        <translation>0 이상의 높이를 주십시오</translation>
-    </message>
-    <message>
-        <source>its size is not above 0</source>
-        <translation>크기가 0보다 크지 않습니다</translation>
-    </message>
-    <message>
-        <source>give length and width in millimetres, like 260x190</source>
-        <translation>길이와 너비를 밀리미터로 주십시오 (예: 260x190)</translation>
-    </message>
-    <message>
-        <source>length &apos;%1&apos;</source>
-        <translation>길이 &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>not a number with the unit mm, cm or m</source>
-        <translation>단위 mm, cm 또는 m이 붙은 숫자가 아닙니다</translation>
-    </message>
-    <message>
-        <source>write it like 25mm, 2.5cm or 0.3m</source>
-        <translation>25mm, 2.5cm 또는 0.3m처럼 쓰십시오</translation>
-    </message>
-    <message>
-        <source>not a finite decimal number</source>
-        <translation>유한한 십진수가 아닙니다</translation>
-    </message>
-    <message>
-        <source>write it with digits and a point, like 12.5</source>
-        <translation>12.5처럼 숫자와 점으로 쓰십시오</translation>
-    </message>
-    <message>
-        <source>correct the pixels</source>
-        <translation>픽셀을 고치십시오</translation>
-    </message>
-    <message>
-        <source>correct it</source>
-        <translation>고치십시오</translation>
-    </message>
-    <message>
-        <source>correct one of them</source>
-        <translation>그중 하나를 고치십시오</translation>
-    </message>
-    <message>
-        <source>point %1 is there twice</source>
-        <translation>점 %1이(가) 두 번 있습니다</translation>
-    </message>
-    <message>
-        <source>point %1 lies at or beyond the horizon of %2</source>
-        <translation>점 %1이(가) %2의 지평선이나 그 너머에 있습니다</translation>
-    </message>
-    <message>
-        <source>choose points of the floor</source>
-        <translation>바닥의 점을 고르십시오</translation>
-    </message>
-    <message>
-        <source>point %1 lies where a lens cannot have put it</source>
-        <translation>점 %1이(가) 렌즈로는 나올 수 없는 곳에 있습니다</translation>
-    </message>
-    <message>
-        <source>check its pixels and the intrinsics of both cameras</source>
-        <translation>픽셀과 두 카메라의 내부 파라미터를 확인하십시오</translation>
-    </message>
-    <message>
-        <source>the points are mirrored between the pictures of the two cameras</source>
-        <translation>두 카메라의 영상 사이에서 점들이 거울상입니다</translation>
-    </message>
-    <message>
-        <source>check which label belongs to which point in %1 and in this camera</source>
-        <translation>%1과(와) 이 카메라에서 이름표와 점이 맞는지 확인하십시오</translation>
-    </message>
-    <message>
-        <source>point %1 would lie at or beyond the horizon</source>
-        <translation>점 %1이(가) 지평선이나 그 너머에 있게 됩니다</translation>
-    </message>
-    <message>
-        <source>check its pixels in both pictures</source>
-        <translation>두 영상에서 그 픽셀을 확인하십시오</translation>
-    </message>
-    <message>
-        <source>the floor among the points is known only to ±%1 mm</source>
-        <translation>점 사이의 바닥이 ±%1 mm로만 알려집니다</translation>
-    </message>
-    <message>
-        <source>spread the points over the floor, or register %1 better first</source>
-        <translation>점을 바닥에 넓게 잡거나 먼저 %1을(를) 더 잘 정합하십시오</translation>
-    </message>
-    <message>
-        <source>the markers fit only to %1 px, but %2</source>
-        <translation>마커가 %1 px로만 맞습니다. 그러나 %2</translation>
-    </message>
-    <message>
-        <source>the %1 markers misfit by %2 px (%3 mm) and check one another too little to tell which of them</source>
-        <translation>마커 %1개가 %2 px (%3 mm) 어긋나며 서로 검증이 부족해 어느 것인지 알 수 없습니다</translation>
-    </message>
-    <message>
-        <source>it may be wrong by much more</source>
-        <translation>오차가 훨씬 클 수 있습니다</translation>
-    </message>
-    <message>
-        <source>there is %1 camera on layout &apos;%2&apos;, two are needed</source>
-        <translation>배치 &apos;%2&apos;에 카메라가 %1대 있고 두 대가 필요합니다</translation>
-    </message>
-    <message>
-        <source>register the cameras one by one by this layout first</source>
-        <translation>먼저 이 배치로 카메라를 하나씩 정합하십시오</translation>
-    </message>
-    <message>
-        <source>camera &apos;%1&apos; sees only %2 of the markers</source>
-        <translation>카메라 &apos;%1&apos;이(가) 마커를 %2개만 봅니다</translation>
-    </message>
-    <message>
-        <source>register it by more of them first</source>
-        <translation>먼저 더 많은 마커로 정합하십시오</translation>
-    </message>
-    <message>
-        <source>no two of the cameras see the same marker</source>
-        <translation>같은 마커를 보는 카메라가 두 대도 없습니다</translation>
-    </message>
-    <message>
-        <source>let them see some of the same floor</source>
-        <translation>같은 바닥을 일부 함께 보게 하십시오</translation>
-    </message>
-    <message>
-        <source>the first end lies at or beyond the horizon of camera &apos;%1&apos;</source>
-        <translation>첫 번째 끝이 카메라 &apos;%1&apos;의 지평선이나 그 너머에 있습니다</translation>
-    </message>
-    <message>
-        <source>the second end lies at or beyond the horizon of camera &apos;%1&apos;</source>
-        <translation>두 번째 끝이 카메라 &apos;%1&apos;의 지평선이나 그 너머에 있습니다</translation>
-    </message>
-    <message>
-        <source>lay the stick on the floor, nearer to the camera</source>
-        <translation>막대를 카메라에 더 가까운 바닥에 놓으십시오</translation>
-    </message>
-    <message>
-        <source>the floor markers cannot be found</source>
-        <translation>바닥의 마커를 찾을 수 없습니다</translation>
-    </message>
-    <message>
-        <source>the markers cannot be told apart</source>
-        <translation>마커를 구별할 수 없습니다</translation>
-    </message>
-    <message>
-        <source>in %1 ways they fit the layout equally well, which looks the same from several sides</source>
-        <translation>여러 방향에서 같아 보이는 배치라 %1가지로 똑같이 맞습니다</translation>
-    </message>
-    <message>
-        <source>none of the ways to name the %1 rings and dots fits the layout</source>
-        <translation>고리와 점 %1개의 어떤 배정도 배치에 맞지 않습니다</translation>
-    </message>
-    <message>
-        <source>check the layout&apos;s places and their unit, cover other round things, or mark the markers by hand</source>
-        <translation>배치의 위치와 단위를 확인하고, 다른 둥근 것을 가리거나 마커를 손으로 표시하십시오</translation>
-    </message>
-    <message>
-        <source>tag %1 (marker %2) is seen %3 times</source>
-        <translation>태그 %1(마커 %2)이(가) %3번 보입니다</translation>
-    </message>
-    <message>
-        <source>leave one of them on the floor</source>
-        <translation>하나만 바닥에 남기십시오</translation>
-    </message>
-    <message>
-        <source>the axes of layout &apos;%1&apos; cannot be changed</source>
-        <translation>배치 &apos;%1&apos;의 좌표축을 바꿀 수 없습니다</translation>
-    </message>
-    <message>
-        <source>it has no marker %1</source>
-        <translation>마커 %1이(가) 없습니다</translation>
-    </message>
-    <message>
-        <source>name one of %1</source>
-        <translation>%1 중 하나를 지정하십시오</translation>
-    </message>
-    <message>
-        <source>the markers that X is to run along lie at one place</source>
-        <translation>X축이 지날 마커들이 같은 곳에 있습니다</translation>
-    </message>
-    <message>
-        <source>name two that lie apart</source>
-        <translation>떨어져 있는 둘을 지정하십시오</translation>
-    </message>
-    <message>
-        <source>give one of them</source>
-        <translation>그중 하나를 주십시오</translation>
-    </message>
-    <message>
-        <source>reversing X alone would mirror the floor, and no camera above it sees it so</source>
-        <translation>X만 뒤집으면 바닥이 거울상이 되며 위의 카메라는 그렇게 보지 않습니다</translation>
-    </message>
-    <message>
-        <source>reversing Y alone would mirror the floor, and no camera above it sees it so</source>
-        <translation>Y만 뒤집으면 바닥이 거울상이 되며 위의 카메라는 그렇게 보지 않습니다</translation>
-    </message>
-    <message>
-        <source>reverse both (a half turn), or turn the axes</source>
-        <translation>둘 다 뒤집거나(반 바퀴) 축을 돌리십시오</translation>
-    </message>
-    <message>
-        <source>if the layout was written down mirrored, correct its signs and add it anew</source>
-        <translation>배치를 거울상으로 적었다면 부호를 고쳐 새로 추가하십시오</translation>
-    </message>
-    <message>
-        <source>%1 cannot be set while it is automatic</source>
-        <translation>%1은(는) 자동일 때 설정할 수 없습니다</translation>
-    </message>
-    <message>
-        <source>turn the automatic off</source>
-        <translation>자동을 끄십시오</translation>
-    </message>
-    <message>
-        <source>check its power and cable, and that this computer has an address in the camera&apos;s network</source>
-        <translation>전원과 케이블, 이 컴퓨터가 카메라 네트워크의 주소를 갖는지 확인하십시오</translation>
-    </message>
-    <message>
-        <source>a camera whose program has crashed is free again after some seconds</source>
-        <translation>프로그램이 죽은 카메라는 몇 초 뒤 다시 쓸 수 있습니다</translation>
-    </message>
-    <message>
-        <source>no camera of this serial number answers</source>
-        <translation>이 일련번호의 카메라가 응답하지 않습니다</translation>
-    </message>
-    <message>
-        <source>check its power and cable; odograph cameras lists those that answer</source>
-        <translation>전원과 케이블을 확인하십시오. odograph cameras가 응답하는 것을 보여 줍니다</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not understood</source>
-        <translation>&apos;%1&apos;을(를) 이해할 수 없습니다</translation>
-    </message>
-    <message>
-        <source>give each point a label</source>
-        <translation>점마다 이름표를 주십시오</translation>
-    </message>
-    <message>
-        <source>write one value for each of %1</source>
-        <translation>%1마다 값을 하나씩 쓰십시오</translation>
-    </message>
-    <message>
-        <source>not of the form #rrggbb</source>
-        <translation>#rrggbb 형식이 아닙니다</translation>
-    </message>
-    <message>
-        <source>write it like #d72328</source>
-        <translation>#d72328처럼 쓰십시오</translation>
-    </message>
-    <message>
-        <source>a board of %1 inner corners is too small</source>
-        <translation>내부 모서리 %1의 보드는 너무 작습니다</translation>
-    </message>
-    <message>
-        <source>give 3x3 at least, like 9x6, or leave the size out</source>
-        <translation>9x6처럼 3x3 이상으로 하거나 크기를 비워 두십시오</translation>
-    </message>
-    <message>
-        <source>the squares have no size</source>
-        <translation>칸의 크기가 없습니다</translation>
-    </message>
-    <message>
-        <source>give it like 25mm</source>
-        <translation>25mm처럼 주십시오</translation>
-    </message>
-    <message>
-        <source>there is no marker dictionary %1</source>
-        <translation>마커 사전 %1이(가) 없습니다</translation>
-    </message>
-    <message>
-        <source>analyse the trial again</source>
-        <translation>시행을 다시 분석하십시오</translation>
-    </message>
-    <message>
-        <source>analysis of a trial</source>
-        <translation>시행의 분석</translation>
-    </message>
-    <message>
-        <source>the change could not be noted (%1)</source>
-        <translation>변경을 기록하지 못했습니다 (%1)</translation>
-    </message>
-    <message>
-        <source>try it again</source>
-        <translation>다시 시도하십시오</translation>
-    </message>
-    <message>
-        <source>undo</source>
-        <translation>실행 취소</translation>
-    </message>
-    <message>
-        <source>redo</source>
-        <translation>다시 실행</translation>
-    </message>
-    <message>
-        <source>an earlier step of this change failed</source>
-        <translation>이 변경의 앞 단계가 실패했습니다</translation>
-    </message>
-    <message>
-        <source>try the whole change again</source>
-        <translation>변경 전체를 다시 시도하십시오</translation>
-    </message>
-    <message>
-        <source>cannot hold %1</source>
-        <translation>%1을(를) 잠글 수 없습니다</translation>
-    </message>
-    <message>
-        <source>the labels are not those that it has</source>
-        <translation>이름표가 원래의 것과 다릅니다</translation>
-    </message>
-    <message>
-        <source>add another layout for other markers</source>
-        <translation>다른 마커는 다른 배치로 추가하십시오</translation>
-    </message>
-    <message>
-        <source>the copy differs from what was written</source>
-        <translation>사본이 쓴 것과 다릅니다</translation>
-    </message>
-    <message>
-        <source>it says of itself to have the format %1</source>
-        <translation>스스로 형식 %1이라고 합니다</translation>
-    </message>
-    <message>
-        <source>type the name anew</source>
-        <translation>이름을 다시 입력하십시오</translation>
-    </message>
-    <message>
-        <source>type the text anew</source>
-        <translation>텍스트를 다시 입력하십시오</translation>
-    </message>
-    <message>
-        <source>it has no %1 yet</source>
-        <translation>아직 %1이(가) 없습니다</translation>
-    </message>
-    <message>
-        <source>add one first</source>
-        <translation>먼저 추가하십시오</translation>
-    </message>
-    <message>
-        <source>it has the older format %1 and must be brought up to date before it can be read, but %2</source>
-        <translation>옛 형식 %1이라 읽기 전에 갱신해야 하는데, %2</translation>
-    </message>
-    <message>
-        <source>it could not be brought to format %1 (%2)</source>
-        <translation>형식 %1(으)로 갱신하지 못했습니다 (%2)</translation>
-    </message>
-    <message>
-        <source>reading it failed (%1)</source>
-        <translation>읽지 못했습니다 (%1)</translation>
-    </message>
-    <message>
-        <source>recording &apos;%1&apos;</source>
-        <translation>녹화 &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>its recording has ended already</source>
-        <translation>녹화가 이미 끝났습니다</translation>
-    </message>
-    <message>
-        <source>record another trial</source>
-        <translation>다른 시행을 녹화하십시오</translation>
-    </message>
-    <message>
-        <source>comparison of %1</source>
-        <translation>%1의 비교</translation>
-    </message>
-    <message>
-        <source>it has more than %1 lines</source>
-        <translation>%1행을 넘습니다</translation>
-    </message>
-    <message>
-        <source>keep those that matter</source>
-        <translation>중요한 것만 남기십시오</translation>
-    </message>
-    <message>
-        <source>a number in it is none</source>
-        <translation>그 안의 숫자가 올바르지 않습니다</translation>
-    </message>
-    <message>
-        <source>give three numbers</source>
-        <translation>숫자 세 개를 주십시오</translation>
-    </message>
-    <message>
-        <source>its points are 0, or beyond 1000</source>
-        <translation>점수가 0이거나 1000을 넘습니다</translation>
-    </message>
-    <message>
-        <source>give points from 1 to 1000, below zero for a penalty</source>
-        <translation>1에서 1000까지, 벌점은 음수로 주십시오</translation>
-    </message>
-    <message>
-        <source>it is shorter than 1 mm</source>
-        <translation>1 mm보다 짧습니다</translation>
-    </message>
-    <message>
-        <source>its points are not on a floor of 1 km</source>
-        <translation>점들이 1 km 바닥 안에 있지 않습니다</translation>
-    </message>
-    <message>
-        <source>it has more than %1 points</source>
-        <translation>점이 %1개를 넘습니다</translation>
-    </message>
-    <message>
-        <source>its place is not a number</source>
-        <translation>위치가 숫자가 아닙니다</translation>
-    </message>
-    <message>
-        <source>a slalom has 1 to 100 poles, not %1</source>
-        <translation>슬라럼의 기둥은 %1개가 아니라 1~100개입니다</translation>
-    </message>
-    <message>
-        <source>give another number</source>
-        <translation>다른 숫자를 주십시오</translation>
-    </message>
-    <message>
-        <source>the board was found in none of %1 pictures (%2)</source>
-        <translation>사진 %1장 어디에서도 보드를 찾지 못했습니다 (%2)</translation>
-    </message>
-    <message>
-        <source>show the whole board, flat, sharp and evenly lit, and check --pattern and --board</source>
-        <translation>보드 전체를 평평하고 선명하고 고르게 밝게 보여 주고 무늬와 크기를 확인하십시오</translation>
-    </message>
-    <message>
-        <source>the size of its pictures is not known</source>
-        <translation>영상의 크기를 알 수 없습니다</translation>
-    </message>
-    <message>
-        <source>it has no intrinsics and no recording</source>
-        <translation>내부 파라미터도 녹화도 없습니다</translation>
-    </message>
-    <message>
-        <source>calibrate it, import its intrinsics, or import a trial with it first</source>
-        <translation>먼저 보정하거나, 내부 파라미터나 이 카메라의 시행을 가져오십시오</translation>
-    </message>
-    <message>
-        <source>it was never calibrated</source>
-        <translation>보정된 적이 없습니다</translation>
-    </message>
-    <message>
-        <source>it was registered through another camera</source>
-        <translation>다른 카메라를 통해 정합되었습니다</translation>
-    </message>
-    <message>
-        <source>register it through that camera again</source>
-        <translation>그 카메라를 통해 다시 정합하십시오</translation>
-    </message>
-    <message>
-        <source>it cannot be looked at (%1)</source>
-        <translation>살펴볼 수 없습니다 (%1)</translation>
-    </message>
-    <message>
-        <source>choose a robot of the trial</source>
-        <translation>시행의 로봇을 고르십시오</translation>
-    </message>
-    <message>
-        <source>no track of it was imported</source>
-        <translation>그 궤적을 가져오지 않았습니다</translation>
-    </message>
-    <message>
-        <source>begin the file with the line %1</source>
-        <translation>파일을 %1 줄로 시작하십시오</translation>
-    </message>
-    <message>
-        <source>begin the file with the line class,team or class,team,pseudonym</source>
-        <translation>파일을 class,team 또는 class,team,pseudonym 줄로 시작하십시오</translation>
-    </message>
-    <message>
-        <source>there is no such rule of a zone</source>
-        <translation>그런 구역 규칙이 없습니다</translation>
-    </message>
-    <message>
-        <source>it has less than three corners</source>
-        <translation>꼭짓점이 세 개보다 적습니다</translation>
-    </message>
-    <message>
-        <source>give the corners of its outline, all the way round</source>
-        <translation>윤곽의 꼭짓점을 한 바퀴 빠짐없이 주십시오</translation>
-    </message>
-    <message>
-        <source>give the corners in order, all the way round</source>
-        <translation>꼭짓점을 한 바퀴 차례대로 주십시오</translation>
-    </message>
-    <message>
-        <source>it has more than %1 corners</source>
-        <translation>꼭짓점이 %1개를 넘습니다</translation>
-    </message>
-    <message>
-        <source>draw it more coarsely</source>
-        <translation>더 성기게 그리십시오</translation>
-    </message>
-    <message>
-        <source>sample it more coarsely</source>
-        <translation>더 성기게 찍으십시오</translation>
-    </message>
-    <message>
-        <source>its corners are not on a floor of 1 km</source>
-        <translation>꼭짓점이 1 km 바닥 안에 있지 않습니다</translation>
-    </message>
-    <message>
-        <source>two corners are less than 1 mm apart</source>
-        <translation>두 꼭짓점의 간격이 1 mm 미만입니다</translation>
-    </message>
-    <message>
-        <source>give each corner once</source>
-        <translation>각 꼭짓점을 한 번씩만 주십시오</translation>
-    </message>
-    <message>
-        <source>its outline crosses itself</source>
-        <translation>윤곽이 스스로 교차합니다</translation>
-    </message>
-    <message>
-        <source>the task has %1 zones already</source>
-        <translation>과제에 구역이 이미 %1개 있습니다</translation>
-    </message>
-    <message>
-        <source>join zones that lie beside one another</source>
-        <translation>나란한 구역을 합치십시오</translation>
-    </message>
-    <message>
-        <source>give each zone a name of its own</source>
-        <translation>구역마다 다른 이름을 주십시오</translation>
-    </message>
-    <message>
-        <source>give where it lies in millimetres</source>
-        <translation>위치를 밀리미터로 주십시오</translation>
-    </message>
-    <message>
-        <source>name a picture</source>
-        <translation>그림을 지정하십시오</translation>
-    </message>
-    <message>
-        <source>the file is larger than 200 MB</source>
-        <translation>파일이 200 MB보다 큽니다</translation>
-    </message>
-    <message>
-        <source>the file could not be read</source>
-        <translation>파일을 읽지 못했습니다</translation>
-    </message>
-    <message>
-        <source>it is no PNG, JPEG, BMP, TIFF or PNM picture</source>
-        <translation>PNG, JPEG, BMP, TIFF, PNM 그림이 아닙니다</translation>
-    </message>
-    <message>
-        <source>convert it to PNG or JPEG</source>
-        <translation>PNG나 JPEG로 변환하십시오</translation>
-    </message>
-    <message>
-        <source>make it smaller</source>
-        <translation>더 작게 하십시오</translation>
-    </message>
-    <message>
-        <source>its content is damaged or cut short</source>
-        <translation>내용이 손상되었거나 잘렸습니다</translation>
-    </message>
-    <message>
-        <source>copy it again</source>
-        <translation>다시 복사하십시오</translation>
-    </message>
-    <message>
-        <source>cannot decode %1</source>
-        <translation>%1을(를) 디코딩할 수 없습니다</translation>
-    </message>
-    <message>
-        <source>cannot show frame %1 of %2</source>
-        <translation>%2의 프레임 %1을(를) 표시할 수 없습니다</translation>
-    </message>
-    <message>
-        <source>it has frames 0 to %1</source>
-        <translation>프레임 0부터 %1까지 있습니다</translation>
-    </message>
-    <message>
-        <source>choose one of these</source>
-        <translation>그중에서 고르십시오</translation>
-    </message>
-    <message>
-        <source>cannot write the recording %1</source>
-        <translation>녹화 %1을(를) 쓸 수 없습니다</translation>
-    </message>
-    <message>
-        <source>check that its folder may be written to and has room</source>
-        <translation>폴더에 쓸 수 있고 여유가 있는지 확인하십시오</translation>
-    </message>
-    <message>
-        <source>check that the folder may be written to and has room</source>
-        <translation>폴더에 쓸 수 있고 여유가 있는지 확인하십시오</translation>
-    </message>
-    <message>
-        <source>writing has failed before</source>
-        <translation>앞서 쓰기에 실패했습니다</translation>
-    </message>
-    <message>
-        <source>convert it to a smaller size</source>
-        <translation>더 작은 크기로 변환하십시오</translation>
-    </message>
-    <message>
-        <source>H.264 needs an even width and height, not %1</source>
-        <translation>H.264는 %1이(가) 아니라 짝수의 너비와 높이가 필요합니다</translation>
-    </message>
-    <message>
-        <source>use MJPEG or FFV1, or another size</source>
-        <translation>MJPEG나 FFV1, 또는 다른 크기를 쓰십시오</translation>
-    </message>
-    <message>
-        <source>the installed libavcodec has no encoder for it</source>
-        <translation>설치된 libavcodec에 그 인코더가 없습니다</translation>
-    </message>
-    <message>
-        <source>neither their pixels nor a picture to look in was given</source>
-        <translation>픽셀도 찾아볼 영상도 지정되지 않았습니다</translation>
-    </message>
-    <message>
-        <source>it was made with it already</source>
-        <translation>이미 그것으로 만들어졌습니다</translation>
-    </message>
-    <message>
-        <source>calibrate the lens first, or put another calibration in force</source>
-        <translation>먼저 렌즈를 보정하거나 다른 보정을 적용하십시오</translation>
-    </message>
-    <message>
-        <source>project &apos;%1&apos;</source>
-        <translation>프로젝트 &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>copy &apos;%1&apos;</source>
-        <translation>사본 &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>copy of &apos;%1&apos;</source>
-        <translation>&apos;%1&apos;의 사본</translation>
-    </message>
-    <message>
-        <source>export of &apos;%1&apos;</source>
-        <translation>&apos;%1&apos; 내보내기</translation>
-    </message>
-    <message>
-        <source>cannot open the video %1</source>
-        <translation>동영상 %1을(를) 열 수 없습니다</translation>
-    </message>
-    <message>
-        <source>cannot write a frame to the video %1</source>
-        <translation>동영상 %1에 프레임을 쓸 수 없습니다</translation>
-    </message>
-    <message>
-        <source>cannot finish the video %1</source>
-        <translation>동영상 %1을(를) 마칠 수 없습니다</translation>
-    </message>
-    <message>
-        <source>cannot encode the video</source>
-        <translation>동영상을 인코딩할 수 없습니다</translation>
-    </message>
-    <message>
-        <source>the encoder would not start (%1)</source>
-        <translation>인코더가 시작되지 않습니다 (%1)</translation>
-    </message>
-    <message>
-        <source>check the size, the frame rate and the quality that were asked for</source>
-        <translation>요청한 크기, 프레임 속도, 품질을 확인하십시오</translation>
-    </message>
-    <message>
-        <source>cannot record into %1</source>
-        <translation>%1에 녹화할 수 없습니다</translation>
-    </message>
-    <message>
-        <source>demo in &apos;%1&apos;</source>
-        <translation>&apos;%1&apos;의 데모</translation>
-    </message>
-    <message>
-        <source>colour in the box</source>
-        <translation>상자 안의 색</translation>
-    </message>
-    <message>
-        <source>the box is too small, or outside the picture</source>
-        <translation>상자가 너무 작거나 영상 밖에 있습니다</translation>
-    </message>
-    <message>
-        <source>draw it round the robot, at least 8 pixels wide and high</source>
-        <translation>로봇 둘레에 가로세로 8픽셀 이상으로 그리십시오</translation>
-    </message>
-    <message>
-        <source>the box leaves nothing of the floor to compare with</source>
-        <translation>비교할 바닥이 상자 밖에 남지 않습니다</translation>
-    </message>
-    <message>
-        <source>draw it closely round the robot</source>
-        <translation>로봇에 바짝 붙여 그리십시오</translation>
-    </message>
-    <message>
-        <source>what differs from the floor around it is grey, black or white</source>
-        <translation>주변 바닥과 다른 부분이 회색, 검정 또는 흰색입니다</translation>
-    </message>
-    <message>
-        <source>it holds no colour that differs from the floor around it</source>
-        <translation>주변 바닥과 다른 색이 없습니다</translation>
-    </message>
-    <message>
-        <source>draw it closely round the robot, or put a plate of another colour on it</source>
-        <translation>로봇에 바짝 붙여 그리거나 다른 색 판을 얹으십시오</translation>
-    </message>
-    <message>
-        <source>Cannot track</source>
-        <translation>추적할 수 없습니다</translation>
-    </message>
-    <message>
-        <source>Cannot track robot %1</source>
-        <translation>로봇 %1을(를) 추적할 수 없습니다</translation>
-    </message>
-    <message>
-        <source>no robot is given</source>
-        <translation>로봇이 지정되지 않았습니다</translation>
-    </message>
-    <message>
-        <source>add a robot with its colour first</source>
-        <translation>먼저 로봇과 그 색을 추가하십시오</translation>
-    </message>
-    <message>
-        <source>its colour %1 is grey, and only hue tells a robot from the floor</source>
-        <translation>색 %1이(가) 회색인데, 로봇은 색상으로만 바닥과 구별됩니다</translation>
-    </message>
-    <message>
-        <source>the robot&apos;s path cannot be measured</source>
-        <translation>로봇의 경로를 측정할 수 없습니다</translation>
-    </message>
-    <message>
-        <source>the trial has no view</source>
-        <translation>시행에 뷰가 없습니다</translation>
-    </message>
-    <message>
-        <source>import at least one video for it</source>
-        <translation>동영상을 적어도 하나 가져오십시오</translation>
-    </message>
-    <message>
-        <source>camera %1 is not registered to the floor</source>
-        <translation>카메라 %1이(가) 바닥에 정합되지 않았습니다</translation>
-    </message>
-    <message>
-        <source>cameras %1 are not registered to the floor</source>
-        <translation>카메라 %1이(가) 바닥에 정합되지 않았습니다</translation>
-    </message>
-    <message>
-        <source>run odograph register for at least one of them</source>
-        <translation>그중 적어도 하나를 정합하십시오</translation>
-    </message>
-    <message>
-        <source>run odograph register for them</source>
-        <translation>그것들을 정합하십시오</translation>
-    </message>
-    <message>
-        <source>view %1 has no frame</source>
-        <translation>뷰 %1에 프레임이 없습니다</translation>
-    </message>
-    <message>
-        <source>track the trial&apos;s videos first</source>
-        <translation>먼저 시행의 동영상을 추적하십시오</translation>
-    </message>
-    <message>
-        <source>the robot was not found in any picture of %1</source>
-        <translation>%1의 어느 영상에서도 로봇을 찾지 못했습니다</translation>
-    </message>
-    <message>
-        <source>only cameras that are not registered to the floor saw the robot</source>
-        <translation>바닥에 정합되지 않은 카메라만 로봇을 보았습니다</translation>
-    </message>
-    <message>
-        <source>its height is to be triangulated, but two registered views hardly ever saw it together</source>
-        <translation>높이를 삼각 측량해야 하는데 정합된 두 뷰가 함께 본 적이 거의 없습니다</translation>
-    </message>
-    <message>
-        <source>add a second view, or give the robot one height</source>
-        <translation>두 번째 뷰를 추가하거나 로봇의 높이를 지정하십시오</translation>
-    </message>
-    <message>
-        <source>not enough data</source>
-        <translation>데이터 부족</translation>
-    </message>
-    <message>
-        <source>of %1 frames %2 give a position that can be used</source>
-        <translation>프레임 %1개 중 %2개만 쓸 수 있는 위치를 줍니다</translation>
-    </message>
-    <message>
-        <source>choose a longer video, or check the robot&apos;s colour and the light</source>
-        <translation>더 긴 동영상을 고르거나 로봇의 색과 조명을 확인하십시오</translation>
-    </message>
-    <message>
-        <source>it has not been tracked yet</source>
-        <translation>아직 추적되지 않았습니다</translation>
-    </message>
-    <message>
-        <source>it has not been tracked yet, so there is nothing to analyse again</source>
-        <translation>아직 추적되지 않아 다시 분석할 것이 없습니다</translation>
-    </message>
-    <message>
-        <source>track it first</source>
-        <translation>먼저 추적하십시오</translation>
-    </message>
-    <message>
-        <source>comparison</source>
-        <translation>비교</translation>
-    </message>
-    <message>
-        <source>comparison of trial &apos;%1&apos;</source>
-        <translation>시행 &apos;%1&apos;의 비교</translation>
-    </message>
-    <message>
-        <source>it takes two runs</source>
-        <translation>주행 두 개가 필요합니다</translation>
-    </message>
-    <message>
-        <source>choose another run as well</source>
-        <translation>다른 주행도 고르십시오</translation>
-    </message>
-    <message>
-        <source>a run cannot be compared with itself</source>
-        <translation>주행을 자기 자신과 비교할 수 없습니다</translation>
-    </message>
-    <message>
-        <source>it has several robots</source>
-        <translation>로봇이 여럿입니다</translation>
-    </message>
-    <message>
-        <source>choose one of them</source>
-        <translation>그중 하나를 고르십시오</translation>
-    </message>
-    <message>
-        <source>its tracks were imported, so there is no video to track in</source>
-        <translation>궤적을 가져온 것이라 추적할 동영상이 없습니다</translation>
-    </message>
-    <message>
-        <source>its task was changed while it was measured</source>
-        <translation>측정하는 동안 과제가 바뀌었습니다</translation>
-    </message>
-    <message>
-        <source>the project has no robot to look for</source>
-        <translation>프로젝트에 찾을 로봇이 없습니다</translation>
-    </message>
-    <message>
-        <source>its pictures are %1 but the camera was calibrated at %2</source>
-        <translation>영상은 %1인데 카메라는 %2에서 보정되었습니다</translation>
-    </message>
-    <message>
-        <source>calibrate and register the camera at the size it records</source>
-        <translation>녹화하는 크기로 카메라를 보정하고 정합하십시오</translation>
-    </message>
-    <message>
-        <source>view &apos;%1&apos; of trial &apos;%2&apos;</source>
-        <translation>시행 &apos;%2&apos;의 뷰 &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>synchronisation of the clips</source>
-        <translation>동영상의 동기화</translation>
-    </message>
-    <message>
-        <source>flash the room lights once while both cameras record, or give --sync SECONDS</source>
-        <translation>두 카메라가 녹화하는 동안 실내 조명을 한 번 깜박이거나 오프셋을 지정하십시오</translation>
-    </message>
-    <message>
-        <source>gate &apos;%1&apos;</source>
-        <translation>게이트 &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>zone &apos;%1&apos;</source>
-        <translation>구역 &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>its ends are not on a floor of 1 km</source>
-        <translation>두 끝이 1 km 바닥 안에 있지 않습니다</translation>
-    </message>
-    <message>
-        <source>check the numbers</source>
-        <translation>숫자를 확인하십시오</translation>
-    </message>
-    <message>
-        <source>its ends are less than 1 mm apart</source>
-        <translation>두 끝의 간격이 1 mm 미만입니다</translation>
-    </message>
-    <message>
-        <source>give the two ends of the line that is to be passed</source>
-        <translation>지나야 할 선의 두 끝을 주십시오</translation>
-    </message>
-    <message>
-        <source>the name is there twice</source>
-        <translation>이름이 두 번 있습니다</translation>
-    </message>
-    <message>
-        <source>give each gate a name of its own</source>
-        <translation>게이트마다 다른 이름을 주십시오</translation>
-    </message>
-    <message>
-        <source>gate &apos;%1&apos; is the start already</source>
-        <translation>게이트 &apos;%1&apos;이(가) 이미 출발입니다</translation>
-    </message>
-    <message>
-        <source>gate &apos;%1&apos; is the finish already</source>
-        <translation>게이트 &apos;%1&apos;이(가) 이미 도착입니다</translation>
-    </message>
-    <message>
-        <source>keep one start and one finish, or one gate with the role start_finish</source>
-        <translation>출발과 도착을 하나씩만 두거나 둘을 겸하는 게이트 하나를 두십시오</translation>
-    </message>
-    <message>
-        <source>reference path</source>
-        <translation>기준 경로</translation>
-    </message>
-    <message>
-        <source>it has too few points</source>
-        <translation>점이 너무 적습니다</translation>
-    </message>
-    <message>
-        <source>give two points or more, three where the path is closed</source>
-        <translation>점을 두 개 이상, 닫힌 경로면 세 개 이상 주십시오</translation>
-    </message>
-    <message>
-        <source>limits of a task</source>
-        <translation>과제의 한계</translation>
-    </message>
-    <message>
-        <source>a limit is not above zero</source>
-        <translation>한계가 0보다 크지 않습니다</translation>
-    </message>
-    <message>
-        <source>give the largest speed and acceleration that a robot can have in the task</source>
-        <translation>과제에서 로봇이 낼 수 있는 최대 속력과 가속도를 주십시오</translation>
-    </message>
-    <message>
-        <source>template of a task</source>
-        <translation>과제의 템플릿</translation>
-    </message>
-    <message>
-        <source>a size is less than 1 mm</source>
-        <translation>크기가 1 mm 미만입니다</translation>
-    </message>
-    <message>
-        <source>give the sizes in millimetres</source>
-        <translation>크기를 밀리미터로 주십시오</translation>
-    </message>
-    <message>
-        <source>scoring</source>
-        <translation>채점</translation>
-    </message>
-    <message>
-        <source>line %1 of the scoring</source>
-        <translation>채점의 %1행</translation>
-    </message>
-    <message>
-        <source>it names no figure</source>
-        <translation>지표가 지정되지 않았습니다</translation>
-    </message>
-    <message>
-        <source>choose what is scored</source>
-        <translation>무엇을 채점할지 고르십시오</translation>
-    </message>
-    <message>
-        <source>all points and no points are at the same value</source>
-        <translation>만점과 0점의 값이 같습니다</translation>
-    </message>
-    <message>
-        <source>give two values, between which the points rise</source>
-        <translation>점수가 그 사이에서 오르는 두 값을 주십시오</translation>
-    </message>
-    <message>
-        <source>%1 points are too few for it</source>
-        <translation>점 %1개로는 부족합니다</translation>
-    </message>
-    <message>
-        <source>choose a longer range</source>
-        <translation>더 긴 범위를 고르십시오</translation>
-    </message>
-    <message>
-        <source>the robot was not measured there, so there is nothing to judge</source>
-        <translation>그곳에서 로봇이 측정되지 않아 판단할 것이 없습니다</translation>
-    </message>
-    <message>
-        <source>there is no such frame</source>
-        <translation>그런 프레임이 없습니다</translation>
-    </message>
-    <message>
-        <source>import of trial &apos;%1&apos;</source>
-        <translation>시행 &apos;%1&apos; 가져오기</translation>
-    </message>
-    <message>
-        <source>no video was given</source>
-        <translation>동영상이 지정되지 않았습니다</translation>
-    </message>
-    <message>
-        <source>camera &apos;%1&apos; was given two videos</source>
-        <translation>카메라 &apos;%1&apos;에 동영상이 두 개 지정되었습니다</translation>
-    </message>
-    <message>
-        <source>give each view its own camera</source>
-        <translation>뷰마다 다른 카메라를 지정하십시오</translation>
-    </message>
-    <message>
-        <source>views &apos;%1&apos; and &apos;%2&apos; have no time in common with an offset of %3 s</source>
-        <translation>뷰 &apos;%1&apos;과(와) &apos;%2&apos;은(는) 오프셋 %3 s에서 겹치는 시간이 없습니다</translation>
-    </message>
-    <message>
-        <source>check the files and the --sync offset</source>
-        <translation>파일과 오프셋을 확인하십시오</translation>
-    </message>
-    <message>
-        <source>name a file</source>
-        <translation>파일을 지정하십시오</translation>
-    </message>
-    <message>
-        <source>check the permissions of its folder</source>
-        <translation>폴더의 권한을 확인하십시오</translation>
-    </message>
-    <message>
-        <source>copy it from the camera again</source>
-        <translation>카메라에서 다시 복사하십시오</translation>
-    </message>
-    <message>
-        <source>it is not a video of a kind that is read, or its header is damaged or missing (%1)</source>
-        <translation>읽을 수 있는 동영상이 아니거나 헤더가 손상되었거나 없습니다 (%1)</translation>
-    </message>
-    <message>
-        <source>give an MP4, MOV, MKV or AVI file</source>
-        <translation>MP4, MOV, MKV 또는 AVI 파일을 지정하십시오</translation>
-    </message>
-    <message>
-        <source>copy it from the camera again if it was cut short</source>
-        <translation>잘렸다면 카메라에서 다시 복사하십시오</translation>
-    </message>
-    <message>
-        <source>it holds no video stream that can be read</source>
-        <translation>읽을 수 있는 동영상이 들어 있지 않습니다</translation>
-    </message>
-    <message>
-        <source>give the file that the camera recorded</source>
-        <translation>카메라가 녹화한 파일을 지정하십시오</translation>
-    </message>
-    <message>
-        <source>there is no decoder for %1</source>
-        <translation>%1의 디코더가 없습니다</translation>
-    </message>
-    <message>
-        <source>its decoder would not start (%1)</source>
-        <translation>디코더가 시작되지 않습니다 (%1)</translation>
-    </message>
-    <message>
-        <source>convert it to H.264</source>
-        <translation>H.264로 변환하십시오</translation>
-    </message>
-    <message>
-        <source>its data are damaged</source>
-        <translation>데이터가 손상되었습니다</translation>
-    </message>
-    <message>
-        <source>it is left out</source>
-        <translation>제외됩니다</translation>
-    </message>
-    <message>
-        <source>the video has no picture</source>
-        <translation>동영상에 영상이 없습니다</translation>
-    </message>
-    <message>
-        <source>it has no picture</source>
-        <translation>영상이 없습니다</translation>
-    </message>
-    <message>
-        <source>give another file</source>
-        <translation>다른 파일을 지정하십시오</translation>
-    </message>
-    <message>
-        <source>check that the folder exists, may be written to and has room</source>
-        <translation>폴더가 있고 쓸 수 있으며 여유가 있는지 확인하십시오</translation>
-    </message>
-    <message>
-        <source>cannot write the video %1</source>
-        <translation>동영상 %1을(를) 쓸 수 없습니다</translation>
-    </message>
-    <message>
-        <source>its name ends with neither .mkv nor .mp4</source>
-        <translation>이름이 .mkv나 .mp4로 끝나지 않습니다</translation>
-    </message>
-    <message>
-        <source>give it one of these endings</source>
-        <translation>이 중 하나로 끝나게 하십시오</translation>
-    </message>
-    <message>
-        <source>cannot write &apos;%1&apos;</source>
-        <translation>&apos;%1&apos;을(를) 쓸 수 없습니다</translation>
-    </message>
-    <message>
-        <source>pack &apos;%1&apos;</source>
-        <translation>&apos;%1&apos; 묶기</translation>
-    </message>
-    <message>
-        <source>unpack &apos;%1&apos;</source>
-        <translation>&apos;%1&apos; 풀기</translation>
-    </message>
-    <message>
-        <source>unpack into &apos;%1&apos;</source>
-        <translation>&apos;%1&apos;에 풀기</translation>
-    </message>
-    <message>
-        <source>it is there already</source>
-        <translation>이미 있습니다</translation>
-    </message>
-    <message>
-        <source>choose a folder that is not there yet</source>
-        <translation>아직 없는 폴더를 고르십시오</translation>
-    </message>
-    <message>
-        <source>it has become shorter meanwhile</source>
-        <translation>그사이 짧아졌습니다</translation>
-    </message>
-    <message>
-        <source>wait until nobody writes to it, and try again</source>
-        <translation>아무도 쓰지 않을 때까지 기다린 뒤 다시 시도하십시오</translation>
-    </message>
-    <message>
-        <source>there is no project in it</source>
-        <translation>프로젝트가 들어 있지 않습니다</translation>
-    </message>
-    <message>
-        <source>it has too many files</source>
-        <translation>파일이 너무 많습니다</translation>
-    </message>
-    <message>
-        <source>it unpacks to more than a hundred times its size</source>
-        <translation>풀면 크기가 백 배 넘게 커집니다</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is in it twice</source>
-        <translation>&apos;%1&apos;이(가) 두 번 들어 있습니다</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; does not belong into a packed project</source>
-        <translation>&apos;%1&apos;은(는) 묶은 프로젝트에 속하지 않습니다</translation>
-    </message>
-    <message>
-        <source>choose a file that Odograph has packed, and copy it anew if it is damaged</source>
-        <translation>Odograph가 묶은 파일을 고르고, 손상되었다면 새로 복사하십시오</translation>
-    </message>
-    <message>
-        <source>it is written in UTF-16</source>
-        <translation>UTF-16으로 쓰였습니다</translation>
-    </message>
-    <message>
-        <source>it is not a UTF-8 text file</source>
-        <translation>UTF-8 텍스트 파일이 아닙니다</translation>
-    </message>
-    <message>
-        <source>save it again as &quot;CSV UTF-8&quot; or as a UTF-8 text</source>
-        <translation>&quot;CSV UTF-8&quot;이나 UTF-8 텍스트로 다시 저장하십시오</translation>
-    </message>
-    <message>
-        <source>save it again as UTF-8 text</source>
-        <translation>UTF-8 텍스트로 다시 저장하십시오</translation>
-    </message>
-    <message>
-        <source>it is larger than %1 KiB</source>
-        <translation>%1 KiB보다 큽니다</translation>
-    </message>
-    <message>
-        <source>check that it is the right file</source>
-        <translation>맞는 파일인지 확인하십시오</translation>
-    </message>
-    <message>
-        <source>its columns are separated by semicolons</source>
-        <translation>열이 세미콜론으로 구분되어 있습니다</translation>
-    </message>
-    <message>
-        <source>save it with commas, and with a point in its numbers</source>
-        <translation>쉼표로 구분하고 숫자에는 점을 써서 저장하십시오</translation>
-    </message>
-    <message>
-        <source>save it with commas</source>
-        <translation>쉼표로 구분해 저장하십시오</translation>
-    </message>
-    <message>
-        <source>it lacks the expected header line</source>
-        <translation>기대한 머리글 줄이 없습니다</translation>
-    </message>
-    <message>
-        <source>it lacks the column %1</source>
-        <translation>%1 열이 없습니다</translation>
-    </message>
-    <message>
-        <source>it has %1 cells instead of %2</source>
-        <translation>셀이 %2개가 아니라 %1개입니다</translation>
-    </message>
-    <message>
-        <source>a quoted cell does not end</source>
-        <translation>따옴표로 시작한 셀이 끝나지 않습니다</translation>
-    </message>
-    <message>
-        <source>close the quotes</source>
-        <translation>따옴표를 닫으십시오</translation>
-    </message>
-    <message>
-        <source>%1 &apos;%2&apos; is not a finite number</source>
-        <translation>%1 &apos;%2&apos;은(는) 유한한 수가 아닙니다</translation>
-    </message>
-    <message>
-        <source>the label is empty</source>
-        <translation>이름표가 비어 있습니다</translation>
-    </message>
-    <message>
-        <source>the label &apos;%1&apos; is in line %2 already</source>
-        <translation>이름표 &apos;%1&apos;은(는) 이미 %2행에 있습니다</translation>
-    </message>
-    <message>
-        <source>the label &apos;%1&apos; is there twice</source>
-        <translation>이름표 &apos;%1&apos;이(가) 두 번 있습니다</translation>
-    </message>
-    <message>
-        <source>give each marker a label</source>
-        <translation>마커마다 이름표를 주십시오</translation>
-    </message>
-    <message>
-        <source>give each marker a label of its own</source>
-        <translation>마커마다 다른 이름표를 주십시오</translation>
-    </message>
-    <message>
-        <source>give each point a label of its own</source>
-        <translation>점마다 다른 이름표를 주십시오</translation>
-    </message>
-    <message>
-        <source>there are no markers below the header</source>
-        <translation>머리글 아래에 마커가 없습니다</translation>
-    </message>
-    <message>
-        <source>write one line for each marker</source>
-        <translation>마커마다 한 줄씩 쓰십시오</translation>
-    </message>
-    <message>
-        <source>mend these lines</source>
-        <translation>이 줄들을 고치십시오</translation>
-    </message>
-    <message>
-        <source>nothing was imported</source>
-        <translation>가져온 것이 없습니다</translation>
-    </message>
-    <message>
-        <source>it has no team</source>
-        <translation>팀이 없습니다</translation>
-    </message>
-    <message>
-        <source>write a line with class and team below the header</source>
-        <translation>머리글 아래에 학급과 팀을 한 줄 쓰십시오</translation>
-    </message>
-    <message>
-        <source>roster &apos;%1&apos;</source>
-        <translation>명단 &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>no track was given</source>
-        <translation>궤적이 지정되지 않았습니다</translation>
-    </message>
-    <message>
-        <source>robot &apos;%1&apos; was given two tracks</source>
-        <translation>로봇 &apos;%1&apos;에 궤적이 두 개 지정되었습니다</translation>
-    </message>
-    <message>
-        <source>give each robot one</source>
-        <translation>로봇마다 하나씩 지정하십시오</translation>
-    </message>
-    <message>
-        <source>its column &apos;%1&apos; is in a unit that is not known</source>
-        <translation>&apos;%1&apos; 열의 단위를 알 수 없습니다</translation>
-    </message>
-    <message>
-        <source>give times in s or ms and places in m, cm or mm</source>
-        <translation>시간은 s나 ms, 위치는 m, cm, mm로 주십시오</translation>
-    </message>
-    <message>
-        <source>none of its tracks is called &apos;%1&apos;</source>
-        <translation>&apos;%1&apos;(이)라는 궤적이 없습니다</translation>
-    </message>
-    <message>
-        <source>give the robot the name of one of them</source>
-        <translation>로봇에 그중 하나의 이름을 주십시오</translation>
-    </message>
-    <message>
-        <source>it has no samples</source>
-        <translation>샘플이 없습니다</translation>
-    </message>
-    <message>
-        <source>its times do not rise</source>
-        <translation>시간이 증가하지 않습니다</translation>
-    </message>
-    <message>
-        <source>import another file</source>
-        <translation>다른 파일을 가져오십시오</translation>
-    </message>
-    <message>
-        <source>look in &apos;%1&apos;</source>
-        <translation>&apos;%1&apos;에서 찾기</translation>
-    </message>
-    <message>
-        <source>check that the folder is there and may be read</source>
-        <translation>폴더가 있고 읽을 수 있는지 확인하십시오</translation>
-    </message>
-    <message>
-        <source>lost videos</source>
-        <translation>잃어버린 동영상</translation>
-    </message>
-    <message>
-        <source>no video of this project is lost</source>
-        <translation>이 프로젝트에 잃어버린 동영상이 없습니다</translation>
-    </message>
-    <message>
-        <source>there is nothing to do</source>
-        <translation>할 일이 없습니다</translation>
-    </message>
-    <message>
-        <source>the lost video is not there</source>
-        <translation>잃어버린 동영상이 거기 없습니다</translation>
-    </message>
-    <message>
-        <source>none of the %1 lost videos is there</source>
-        <translation>잃어버린 동영상 %1개가 거기 없습니다</translation>
-    </message>
-    <message>
-        <source>choose the folder where they were copied to</source>
-        <translation>복사해 둔 폴더를 고르십시오</translation>
-    </message>
-    <message>
-        <source>%1 is there already</source>
-        <translation>%1이(가) 이미 있습니다</translation>
-    </message>
-    <message>
-        <source>open it, or choose another folder</source>
-        <translation>열거나 다른 폴더를 고르십시오</translation>
-    </message>
-    <message>
-        <source>choose a folder you can write to, with 300 MB free</source>
-        <translation>쓸 수 있고 300 MB의 여유가 있는 폴더를 고르십시오</translation>
-    </message>
-    <message>
-        <source>take over the set-up of %1</source>
-        <translation>%1의 설정 이어받기</translation>
-    </message>
-    <message>
-        <source>new project</source>
-        <translation>새 프로젝트</translation>
-    </message>
-    <message>
-        <source>taking over the set-up</source>
-        <translation>설정 이어받는 중</translation>
-    </message>
-    <message>
-        <source>speed limit</source>
-        <translation>속력 한계</translation>
-    </message>
-    <message>
-        <source>acceleration limit</source>
-        <translation>가속도 한계</translation>
-    </message>
-    <message>
-        <source>views disagree</source>
-        <translation>뷰 불일치</translation>
-    </message>
-    <message>
-        <source>low score</source>
-        <translation>낮은 점수</translation>
-    </message>
-    <message>
-        <source>lost</source>
-        <translation>놓침</translation>
-    </message>
-    <message>
-        <source>duplicate frame</source>
-        <translation>중복 프레임</translation>
-    </message>
-    <message>
-        <source>interpolated</source>
-        <translation>보간됨</translation>
-    </message>
-    <message>
-        <source>by hand</source>
-        <translation>수동</translation>
-    </message>
-    <message>
-        <source>it says neither an address nor a serial number</source>
-        <translation>주소도 일련번호도 없습니다</translation>
-    </message>
-    <message>
-        <source>give one as aravis:192.168.1.20 or aravis:SERIAL</source>
-        <translation>aravis:192.168.1.20이나 aravis:SERIAL처럼 주십시오</translation>
-    </message>
-    <message>
-        <source>odograph cameras lists them</source>
-        <translation>odograph cameras로 목록을 볼 수 있습니다</translation>
-    </message>
-    <message>
-        <source>take rate, exposure_ms, gain, format, size, trigger=software, packet_size or packet_delay_us, as in ?rate=30&amp;size=640x480</source>
-        <translation>?rate=30&amp;size=640x480처럼 rate, exposure_ms, gain, format, size, trigger=software, packet_size, packet_delay_us를 쓰십시오</translation>
-    </message>
-    <message>
-        <source>set it to something between</source>
-        <translation>그 사이의 값으로 설정하십시오</translation>
-    </message>
-    <message>
-        <source>set it to something else</source>
-        <translation>다른 값으로 설정하십시오</translation>
-    </message>
-    <message>
-        <source>it does not take this for %1 (%2)</source>
-        <translation>%1에 이 값을 받아들이지 않습니다 (%2)</translation>
-    </message>
-    <message>
-        <source>it does not take this size (%1)</source>
-        <translation>이 크기를 받아들이지 않습니다 (%1)</translation>
-    </message>
-    <message>
-        <source>it does not take this rate (%1)</source>
-        <translation>이 속도를 받아들이지 않습니다 (%1)</translation>
-    </message>
-    <message>
-        <source>it does not take this exposure (%1)</source>
-        <translation>이 노출을 받아들이지 않습니다 (%1)</translation>
-    </message>
-    <message>
-        <source>it does not take this gain (%1)</source>
-        <translation>이 게인을 받아들이지 않습니다 (%1)</translation>
-    </message>
-    <message>
-        <source>it does not take this packet size (%1)</source>
-        <translation>이 패킷 크기를 받아들이지 않습니다 (%1)</translation>
-    </message>
-    <message>
-        <source>it does not take this packet delay (%1)</source>
-        <translation>이 패킷 지연을 받아들이지 않습니다 (%1)</translation>
-    </message>
-    <message>
-        <source>its pictures have %1 pixels at most</source>
-        <translation>영상은 최대 %1픽셀입니다</translation>
-    </message>
-    <message>
-        <source>ask it for a size within that</source>
-        <translation>그 안의 크기를 요청하십시오</translation>
-    </message>
-    <message>
-        <source>it has no format %1 (%2)</source>
-        <translation>%1 형식이 없습니다 (%2)</translation>
-    </message>
-    <message>
-        <source>it has no pixel format that is understood</source>
-        <translation>지원되는 픽셀 형식이 없습니다</translation>
-    </message>
-    <message>
-        <source>take a camera that has one of %1</source>
-        <translation>%1 중 하나가 있는 카메라를 쓰십시오</translation>
-    </message>
-    <message>
-        <source>it has no software trigger (%1)</source>
-        <translation>소프트웨어 트리거가 없습니다 (%1)</translation>
-    </message>
-    <message>
-        <source>it does not tell its pixel format (%1)</source>
-        <translation>픽셀 형식을 알려 주지 않습니다 (%1)</translation>
-    </message>
-    <message>
-        <source>its pixel format is not understood</source>
-        <translation>픽셀 형식이 지원되지 않습니다</translation>
-    </message>
-    <message>
-        <source>ask it for one of %1</source>
-        <translation>%1 중 하나를 요청하십시오</translation>
-    </message>
-    <message>
-        <source>it does not tell its size (%1)</source>
-        <translation>크기를 알려 주지 않습니다 (%1)</translation>
-    </message>
-    <message>
-        <source>its pictures have no size</source>
-        <translation>영상의 크기가 없습니다</translation>
-    </message>
-    <message>
-        <source>set its width and height</source>
-        <translation>너비와 높이를 설정하십시오</translation>
-    </message>
-    <message>
-        <source>it does not tell how large its pictures are (%1)</source>
-        <translation>영상의 크기를 알려 주지 않습니다 (%1)</translation>
-    </message>
-    <message>
-        <source>the system keeps only %1 kB of the network&apos;s packets</source>
-        <translation>시스템이 네트워크 패킷을 %1 kB만 보관합니다</translation>
-    </message>
-    <message>
-        <source>there is no simulated camera %1</source>
-        <translation>시뮬레이션 카메라 %1이(가) 없습니다</translation>
-    </message>
-    <message>
-        <source>take sim:A or sim:B</source>
-        <translation>sim:A나 sim:B를 쓰십시오</translation>
-    </message>
-    <message>
-        <source>the picture</source>
-        <translation>사진</translation>
-    </message>
-    <message>
-        <source>write for instance v4l2:/dev/video0?size=1280x720&amp;rate=30&amp;format=MJPG</source>
-        <translation>v4l2:/dev/video0?size=1280x720&amp;rate=30&amp;format=MJPG처럼 쓰십시오</translation>
-    </message>
-    <message>
-        <source>all its pictures come damaged</source>
-        <translation>모든 영상이 손상되어 들어옵니다</translation>
-    </message>
-    <message>
-        <source>try another cable or port, or ask for fewer or smaller pictures</source>
-        <translation>다른 케이블이나 포트를 쓰거나, 영상의 수나 크기를 줄이십시오</translation>
-    </message>
-    <message>
-        <source>it is there but sends no pictures</source>
-        <translation>연결되어 있지만 영상을 보내지 않습니다</translation>
-    </message>
-    <message>
-        <source>look at its cable, or plug it in again if that lasts</source>
-        <translation>케이블을 살펴보고, 계속되면 다시 꽂으십시오</translation>
-    </message>
-    <message>
-        <source>no camera gave a picture</source>
-        <translation>어느 카메라도 영상을 보내지 않았습니다</translation>
-    </message>
-    <message>
-        <source>camera &apos;%1&apos; or its address &apos;%2&apos; was given twice</source>
-        <translation>카메라 &apos;%1&apos; 또는 주소 &apos;%2&apos;이(가) 두 번 주어졌습니다</translation>
-    </message>
-    <message>
-        <source>give one or more, like --camera A=sim:A</source>
-        <translation>--camera A=sim:A처럼 하나 이상 주십시오</translation>
-    </message>
-    <message>
-        <source>it would take no time, or more than a day</source>
-        <translation>길이가 0이거나 하루를 넘습니다</translation>
-    </message>
-    <message>
-        <source>give the seconds, like 10</source>
-        <translation>10처럼 초를 주십시오</translation>
-    </message>
-    <message>
-        <source>what is kept from before is no time, or more than 10 s</source>
-        <translation>미리 남겨 둘 시간이 올바르지 않거나 10 s를 넘습니다</translation>
-    </message>
-    <message>
-        <source>give a pre-roll of 0 to 10 seconds</source>
-        <translation>사전 녹화를 0초에서 10초 사이로 주십시오</translation>
-    </message>
-    <message>
-        <source>none of its cameras is registered to the floor, so there are no live positions to send</source>
-        <translation>바닥에 정합된 카메라가 없어 보낼 실시간 위치가 없습니다</translation>
-    </message>
-    <message>
-        <source>run odograph register for one of them, or leave --ssl-vision out</source>
-        <translation>그중 하나를 정합하거나 --ssl-vision을 빼십시오</translation>
-    </message>
-    <message>
-        <source>interface &apos;%1&apos; of live positions</source>
-        <translation>실시간 위치의 인터페이스 &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>choose one that `ip link` names, or lo to stay on this machine</source>
-        <translation>`ip link`에 나오는 것을 고르거나, 이 컴퓨터에서만 쓰려면 lo를 고르십시오</translation>
-    </message>
-    <message>
-        <source>this machine gives no socket</source>
-        <translation>이 컴퓨터가 소켓을 내주지 않습니다</translation>
-    </message>
-    <message>
-        <source>completing the recordings</source>
-        <translation>녹화 완성</translation>
-    </message>
-    <message>
-        <source>write the task as odograph task list --json shows one</source>
-        <translation>odograph task list --json이 보이는 대로 과제를 쓰십시오</translation>
-    </message>
-    <message>
-        <source>use a calibration file as ROS or OpenCV writes it</source>
-        <translation>ROS나 OpenCV가 쓰는 형식의 보정 파일을 쓰십시오</translation>
-    </message>
-    <message>
-        <source>the entry &apos;%1&apos; is missing</source>
-        <translation>항목 &apos;%1&apos;이(가) 없습니다</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not a finite number</source>
-        <translation>&apos;%1&apos;은(는) 유한한 수가 아닙니다</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not a whole number from %2 to %3</source>
-        <translation>&apos;%1&apos;은(는) %2에서 %3 사이의 정수가 아닙니다</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; has %2 numbers instead of %3 × %4</source>
-        <translation>&apos;%1&apos;에 수가 %3 × %4개가 아니라 %2개 있습니다</translation>
-    </message>
-    <message>
-        <source>&apos;camera_matrix&apos; is not a 3 × 3 matrix</source>
-        <translation>&apos;camera_matrix&apos;가 3 × 3 행렬이 아닙니다</translation>
-    </message>
-    <message>
-        <source>&apos;camera_matrix&apos; is not of the form fx 0 cx, 0 fy cy, 0 0 1</source>
-        <translation>&apos;camera_matrix&apos;가 fx 0 cx, 0 fy cy, 0 0 1 꼴이 아닙니다</translation>
-    </message>
-    <message>
-        <source>&apos;distortion_coefficients&apos; is neither a row nor a column</source>
-        <translation>&apos;distortion_coefficients&apos;가 행도 열도 아닙니다</translation>
-    </message>
-    <message>
-        <source>the lens model &apos;%1&apos; is not known (plumb_bob, rational_polynomial, equidistant are)</source>
-        <translation>렌즈 모델 &apos;%1&apos;을(를) 알 수 없습니다 (plumb_bob, rational_polynomial, equidistant는 압니다)</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is left there from before</source>
-        <translation>&apos;%1&apos;이(가) 이전에 남겨져 있습니다</translation>
-    </message>
-    <message>
-        <source>the file holds no task</source>
-        <translation>파일에 과제가 없습니다</translation>
-    </message>
-    <message>
-        <source>an object in braces is expected here</source>
-        <translation>여기에는 중괄호로 묶은 객체가 있어야 합니다</translation>
-    </message>
-    <message>
-        <source>write one with %1</source>
-        <translation>%1(으)로 쓰십시오</translation>
-    </message>
-    <message>
-        <source>the key &apos;%1&apos; is not known</source>
-        <translation>키 &apos;%1&apos;을(를) 알 수 없습니다</translation>
-    </message>
-    <message>
-        <source>use %1</source>
-        <translation>%1을(를) 쓰십시오</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not above zero</source>
-        <translation>&apos;%1&apos;이(가) 0보다 크지 않습니다</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not a point [x, y] in mm</source>
-        <translation>&apos;%1&apos;은(는) mm 단위의 점 [x, y]가 아닙니다</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not a list in brackets</source>
-        <translation>&apos;%1&apos;이(가) 대괄호로 묶은 목록이 아닙니다</translation>
-    </message>
-    <message>
-        <source>the reference path is given by nothing</source>
-        <translation>기준 경로가 주어지지 않았습니다</translation>
-    </message>
-    <message>
-        <source>the reference path is given twice</source>
-        <translation>기준 경로가 두 번 주어졌습니다</translation>
-    </message>
-    <message>
-        <source>give one of points_mm, circle, figure_eight or slalom</source>
-        <translation>points_mm, circle, figure_eight, slalom 중 하나를 주십시오</translation>
-    </message>
-    <message>
-        <source>&apos;closed&apos; is neither true nor false</source>
-        <translation>&apos;closed&apos;가 true도 false도 아닙니다</translation>
-    </message>
-    <message>
-        <source>&apos;poles&apos; is not a whole number from 1 to 100</source>
-        <translation>&apos;poles&apos;가 1에서 100 사이의 정수가 아닙니다</translation>
-    </message>
-    <message>
-        <source>the slalom ends where it starts</source>
-        <translation>슬랄롬의 끝이 시작과 같은 곳입니다</translation>
-    </message>
-    <message>
-        <source>the zone is given twice</source>
-        <translation>구역이 두 번 주어졌습니다</translation>
-    </message>
-    <message>
-        <source>the zone is given by nothing</source>
-        <translation>구역이 주어지지 않았습니다</translation>
-    </message>
-    <message>
-        <source>give corners_mm, all the way round, or two opposite corners as rectangle_mm</source>
-        <translation>둘레를 따라 corners_mm를 주거나 마주 보는 두 모서리를 rectangle_mm로 주십시오</translation>
-    </message>
-    <message>
-        <source>&apos;rectangle_mm&apos; is not two corners</source>
-        <translation>&apos;rectangle_mm&apos;가 두 모서리가 아닙니다</translation>
-    </message>
-    <message>
-        <source>give two opposite corners: [[x, y], [x, y]]</source>
-        <translation>마주 보는 두 모서리를 주십시오: [[x, y], [x, y]]</translation>
-    </message>
-    <message>
-        <source>style &apos;%1&apos; of CSV</source>
-        <translation>CSV 형식 &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>there is no such style</source>
-        <translation>그런 형식이 없습니다</translation>
-    </message>
-    <message>
-        <source>choose analysis, international or continental</source>
-        <translation>analysis, international, continental 중에서 고르십시오</translation>
-    </message>
-    <message>
-        <source>write it with digits, like 12.5, or leave the place blank</source>
-        <translation>12.5처럼 숫자로 쓰거나 비워 두십시오</translation>
-    </message>
-    <message>
-        <source>write it with digits, like 12.5</source>
-        <translation>12.5처럼 숫자로 쓰십시오</translation>
-    </message>
-    <message>
-        <source>its time is that of the line before</source>
-        <translation>시간이 앞 행과 같습니다</translation>
-    </message>
-    <message>
-        <source>its time is before that of the line before</source>
-        <translation>시간이 앞 행보다 이릅니다</translation>
-    </message>
-    <message>
-        <source>put the lines in the order of time, each time once</source>
-        <translation>행을 시간 순으로, 각 시간이 한 번씩만 나오게 하십시오</translation>
-    </message>
-    <message>
-        <source>it is more than a week after the first line</source>
-        <translation>첫 행보다 일주일 넘게 뒤입니다</translation>
-    </message>
-    <message>
-        <source>check the unit of the times, and that all lines are of one run</source>
-        <translation>시간의 단위와 모든 행이 한 주행의 것인지 확인하십시오</translation>
-    </message>
-    <message>
-        <source>its place is more than 100 km away</source>
-        <translation>위치가 100 km 넘게 떨어져 있습니다</translation>
-    </message>
-    <message>
-        <source>check the unit of the places: m, cm or mm</source>
-        <translation>위치의 단위를 확인하십시오: m, cm 또는 mm</translation>
-    </message>
-    <message>
-        <source>the track has %1 position</source>
-        <translation>궤적에 위치가 %1개 있습니다</translation>
-    </message>
-    <message>
-        <source>the track has %1 positions</source>
-        <translation>궤적에 위치가 %1개 있습니다</translation>
-    </message>
-    <message>
-        <source>track &apos;%1&apos; has %2 position</source>
-        <translation>궤적 &apos;%1&apos;에 위치가 %2개 있습니다</translation>
-    </message>
-    <message>
-        <source>track &apos;%1&apos; has %2 positions</source>
-        <translation>궤적 &apos;%1&apos;에 위치가 %2개 있습니다</translation>
-    </message>
-    <message>
-        <source>choose a file with three positions or more</source>
-        <translation>위치가 세 개 이상인 파일을 고르십시오</translation>
-    </message>
-    <message>
-        <source>choose a track with more positions</source>
-        <translation>위치가 더 많은 궤적을 고르십시오</translation>
-    </message>
-    <message>
-        <source>none of its tracks has a position</source>
-        <translation>위치가 있는 궤적이 없습니다</translation>
-    </message>
-    <message>
-        <source>it has %1 entry instead of the 8 of TUM</source>
-        <translation>항목이 TUM의 8개가 아니라 %1개입니다</translation>
-    </message>
-    <message>
-        <source>it has %1 entries instead of the 8 of TUM</source>
-        <translation>항목이 TUM의 8개가 아니라 %1개입니다</translation>
-    </message>
-    <message>
-        <source>write %1, or begin the file with the line %2</source>
-        <translation>%1을(를) 쓰거나 파일을 %2 행으로 시작하십시오</translation>
-    </message>
-    <message>
-        <source>begin the file with the line %1, or write lines of %2</source>
-        <translation>파일을 %1 행으로 시작하거나 %2(으)로 된 행을 쓰십시오</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not a time in seconds</source>
-        <translation>&apos;%1&apos;은(는) 초 단위의 시간이 아닙니다</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not a time</source>
-        <translation>&apos;%1&apos;은(는) 시간이 아닙니다</translation>
-    </message>
-    <message>
-        <source>one of its two places is blank</source>
-        <translation>두 위치 중 하나가 비어 있습니다</translation>
-    </message>
-    <message>
-        <source>one of its two errors is blank</source>
-        <translation>두 오차 중 하나가 비어 있습니다</translation>
-    </message>
-    <message>
-        <source>fill in both or none</source>
-        <translation>둘 다 채우거나 둘 다 비우십시오</translation>
-    </message>
-    <message>
-        <source>it has %1 cell where the header has %2</source>
-        <translation>셀이 %1개인데 머리글에는 %2개입니다</translation>
-    </message>
-    <message>
-        <source>it has %1 cells where the header has %2</source>
-        <translation>셀이 %1개인데 머리글에는 %2개입니다</translation>
-    </message>
-    <message>
-        <source>give each line as many cells as the header</source>
-        <translation>각 행의 셀 수를 머리글과 같게 하십시오</translation>
-    </message>
-    <message>
-        <source>it has no header with a time, x and y, and is no TUM either</source>
-        <translation>시간, x, y가 있는 머리글이 없고 TUM도 아닙니다</translation>
-    </message>
-    <message>
-        <source>it holds more than one document</source>
-        <translation>문서가 둘 이상 들어 있습니다</translation>
-    </message>
-    <message>
-        <source>it is nested more than %1 deep</source>
-        <translation>%1단계 넘게 중첩되어 있습니다</translation>
-    </message>
-    <message>
-        <source>it holds more than %1 values</source>
-        <translation>값이 %1개를 넘습니다</translation>
-    </message>
-    <message>
-        <source>the key &apos;%1&apos; is there twice</source>
-        <translation>키 &apos;%1&apos;이(가) 두 번 있습니다</translation>
-    </message>
-    <message>
-        <source>the archive library refused</source>
-        <translation>압축 라이브러리가 거부했습니다</translation>
-    </message>
-    <message>
-        <source>it has %1</source>
-        <translation>있는 것: %1</translation>
-    </message>
-    <message>
-        <source>give one or more, like --track R=run.csv</source>
-        <translation>--track R=run.csv처럼 하나 이상 주십시오</translation>
-    </message>
-    <message>
-        <source>number &apos;%1&apos;</source>
-        <translation>수 &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>colour &apos;%1&apos;</source>
-        <translation>색 &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>marker</source>
-        <translation>마커</translation>
-    </message>
-    <message>
-        <source>member</source>
-        <translation>팀원</translation>
-    </message>
-    <message>
-        <source>pseudonym</source>
-        <translation>가명</translation>
-    </message>
-    <message>
-        <source>track</source>
-        <translation>궤적</translation>
-    </message>
-    <message>
-        <source>gate</source>
-        <translation>게이트</translation>
-    </message>
-    <message>
-        <source>zone</source>
-        <translation>구역</translation>
-    </message>
-    <message>
-        <source>figure</source>
-        <translation>지표</translation>
-    </message>
-    <message>
-        <source>tag</source>
-        <translation>태그</translation>
-    </message>
-    <message>
-        <source>calibration</source>
-        <translation>보정</translation>
-    </message>
-    <message>
-        <source>registration</source>
-        <translation>정합</translation>
-    </message>
-    <message>
-        <source>lens</source>
-        <translation>렌즈</translation>
-    </message>
-    <message>
-        <source>title of the project</source>
-        <translation>프로젝트의 제목</translation>
-    </message>
-    <message>
-        <source>address of a camera</source>
-        <translation>카메라의 주소</translation>
-    </message>
-    <message>
-        <source>origin of a calibration</source>
-        <translation>보정의 출처</translation>
-    </message>
-    <message>
-        <source>reading of a track</source>
-        <translation>궤적의 해석</translation>
-    </message>
-    <message>
-        <source>words of a change</source>
-        <translation>변경의 설명</translation>
-    </message>
-    <message>
-        <source>notes of a trial</source>
-        <translation>시행의 메모</translation>
-    </message>
-    <message>
-        <source>path of a recording</source>
-        <translation>녹화의 경로</translation>
-    </message>
-    <message>
-        <source>path of a registration&apos;s picture</source>
-        <translation>정합 사진의 경로</translation>
-    </message>
-    <message>
-        <source>path of a calibration picture</source>
-        <translation>보정 사진의 경로</translation>
-    </message>
-    <message>
-        <source>name of a calibration picture</source>
-        <translation>보정 사진의 이름</translation>
-    </message>
-    <message>
-        <source>samples and profile differ in length</source>
-        <translation>샘플과 프로파일의 길이가 다릅니다</translation>
-    </message>
-    <message>
-        <source>it has more than %1 samples</source>
-        <translation>샘플이 %1개를 넘습니다</translation>
-    </message>
-    <message>
-        <source>views and registrations differ in number</source>
-        <translation>뷰와 정합의 수가 다릅니다</translation>
-    </message>
-    <message>
-        <source>metric &apos;%1&apos;</source>
-        <translation>지표 &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>it is not a finite number</source>
-        <translation>유한한 수가 아닙니다</translation>
-    </message>
-    <message>
-        <source>analysis %1 of the project</source>
-        <translation>프로젝트의 분석 %1</translation>
-    </message>
-    <message>
-        <source>its series are missing</source>
-        <translation>데이터 열이 없습니다</translation>
-    </message>
-    <message>
-        <source>a spike refers to a sample that is not there</source>
-        <translation>이상점이 없는 샘플을 가리킵니다</translation>
-    </message>
-    <message>
-        <source>its stored series is not of the expected kind</source>
-        <translation>저장된 데이터 열의 종류가 다릅니다</translation>
-    </message>
-    <message>
-        <source>its stored series has the unknown layout %1</source>
-        <translation>저장된 데이터 열의 구조 %1을(를) 알 수 없습니다</translation>
-    </message>
-    <message>
-        <source>its stored series announces %1 rows but holds %2 bytes</source>
-        <translation>저장된 데이터 열이 %1행이라고 하지만 %2바이트입니다</translation>
-    </message>
-    <message>
-        <source>check the input that it was computed from</source>
-        <translation>계산에 쓰인 입력을 확인하십시오</translation>
-    </message>
-    <message>
-        <source>lens %1 of the project</source>
-        <translation>프로젝트의 렌즈 %1</translation>
-    </message>
-    <message>
-        <source>registration %1 of the project</source>
-        <translation>프로젝트의 정합 %1</translation>
-    </message>
-    <message>
-        <source>it has no %1 with the number %2</source>
-        <translation>번호가 %2인 %1이(가) 없습니다</translation>
-    </message>
-    <message>
-        <source>restore the project from a backup copy</source>
-        <translation>백업 사본에서 프로젝트를 복원하십시오</translation>
-    </message>
-    <message>
-        <source>it has no file</source>
-        <translation>파일이 없습니다</translation>
-    </message>
-    <message>
-        <source>name the video&apos;s file</source>
-        <translation>동영상 파일을 지정하십시오</translation>
-    </message>
-    <message>
-        <source>its relative path leaves the project&apos;s folder</source>
-        <translation>상대 경로가 프로젝트 폴더를 벗어납니다</translation>
-    </message>
-    <message>
-        <source>copy the file beside the project</source>
-        <translation>파일을 프로젝트 옆에 복사하십시오</translation>
-    </message>
-    <message>
-        <source>its stored covariance is not a 6 by 6 matrix</source>
-        <translation>저장된 공분산이 6×6 행렬이 아닙니다</translation>
-    </message>
-    <message>
-        <source>its stored matrix of %1 numbers is not square</source>
-        <translation>저장된 수 %1개의 행렬이 정사각이 아닙니다</translation>
-    </message>
-    <message>
-        <source>track &apos;%1&apos;</source>
-        <translation>궤적 &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>a position or its covariance is no number</source>
-        <translation>위치나 그 공분산이 숫자가 아닙니다</translation>
-    </message>
-    <message>
-        <source>truth of a trial</source>
-        <translation>시행의 참값</translation>
-    </message>
-    <message>
-        <source>its series differ in length</source>
-        <translation>데이터 열의 길이가 서로 다릅니다</translation>
-    </message>
-    <message>
-        <source>give position, velocity and acceleration for each time</source>
-        <translation>각 시간의 위치, 속도, 가속도를 주십시오</translation>
-    </message>
-    <message>
-        <source>its stored setting &apos;%1&apos; is unknown</source>
-        <translation>저장된 설정 &apos;%1&apos;을(를) 알 수 없습니다</translation>
-    </message>
-    <message>
-        <source>its reference path ends within a point</source>
-        <translation>기준 경로가 점의 중간에서 끝납니다</translation>
-    </message>
-    <message>
-        <source>its zone &apos;%1&apos; ends within a point</source>
-        <translation>구역 &apos;%1&apos;이(가) 점의 중간에서 끝납니다</translation>
-    </message>
-    <message>
-        <source>raw times of recording %1</source>
-        <translation>녹화 %1의 원시 시간</translation>
-    </message>
-    <message>
-        <source>its recording has ended, and is kept</source>
-        <translation>녹화가 끝났고 보존되어 있습니다</translation>
-    </message>
-    <message>
-        <source>leave it</source>
-        <translation>그대로 두십시오</translation>
-    </message>
-    <message>
-        <source>look for lost videos</source>
-        <translation>잃어버린 동영상 찾기</translation>
-    </message>
-    <message>
-        <source>demo</source>
-        <translation>데모</translation>
-    </message>
-    <message>
-        <source>the planned camera</source>
-        <translation>계획한 카메라</translation>
-    </message>
-    <message>
-        <source>from there it would see %1 of the layout&apos;s markers (%2), four are needed</source>
-        <translation>그곳에서는 배치의 마커 중 %1개(%2)만 보이며, 네 개가 필요합니다</translation>
-    </message>
-    <message>
-        <source>move it back or up, or choose a wider lens</source>
-        <translation>뒤로 또는 위로 옮기거나 더 넓은 렌즈를 고르십시오</translation>
-    </message>
-    <message>
-        <source>the markers that it would see do not hold it</source>
-        <translation>보이게 될 마커들로는 카메라의 위치가 정해지지 않습니다</translation>
-    </message>
-    <message>
-        <source>it cannot stand %1 m above the floor</source>
-        <translation>바닥 위 %1 m에는 둘 수 없습니다</translation>
-    </message>
-    <message>
-        <source>give a height of 0.05 m to 100 m</source>
-        <translation>높이를 0.05 m에서 100 m 사이로 주십시오</translation>
-    </message>
-    <message>
-        <source>it cannot stand %1 m away</source>
-        <translation>%1 m 떨어진 곳에는 둘 수 없습니다</translation>
-    </message>
-    <message>
-        <source>give a distance of 0 m to 1000 m</source>
-        <translation>거리를 0 m에서 1000 m 사이로 주십시오</translation>
-    </message>
-    <message>
-        <source>its field of view is %1°</source>
-        <translation>화각이 %1°입니다</translation>
-    </message>
-    <message>
-        <source>give 2° to 150°, and the size of its pictures</source>
-        <translation>2°에서 150° 사이로 주고, 영상의 크기도 주십시오</translation>
-    </message>
-    <message>
-        <source>the best place for a camera</source>
-        <translation>카메라의 가장 좋은 위치</translation>
-    </message>
-    <message>
-        <source>the layout has %1 markers, four are needed</source>
-        <translation>배치에 마커가 %1개 있고, 네 개가 필요합니다</translation>
-    </message>
-    <message>
-        <source>make a layout of four markers or more</source>
-        <translation>마커가 네 개 이상인 배치를 만드십시오</translation>
-    </message>
-    <message>
-        <source>from nowhere within %1 m beyond the markers would it see four of them at the height and with the lens given</source>
-        <translation>주어진 높이와 렌즈로는 마커에서 %1 m 이내의 어디서도 마커 네 개가 보이지 않습니다</translation>
-    </message>
-    <message>
-        <source>let it stand higher or farther away, or choose a wider lens</source>
-        <translation>더 높이 또는 더 멀리 두거나 더 넓은 렌즈를 고르십시오</translation>
-    </message>
-    <message>
-        <source>the board is seen too obliquely, at %1 degrees</source>
-        <translation>보드가 %1도로 너무 비스듬히 보입니다</translation>
-    </message>
-    <message>
-        <source>tilt it by 30 to 45 degrees</source>
-        <translation>30도에서 45도로 기울이십시오</translation>
-    </message>
-    <message>
-        <source>the board is too small</source>
-        <translation>보드가 너무 작습니다</translation>
-    </message>
-    <message>
-        <source>it fills %1 % of the picture</source>
-        <translation>사진의 %1 %를 차지합니다</translation>
-    </message>
-    <message>
-        <source>hold it closer to the camera</source>
-        <translation>카메라에 더 가까이 대십시오</translation>
-    </message>
-    <message>
-        <source>it is %1×%2, the first picture %3×%4</source>
-        <translation>%1×%2인데 첫 사진은 %3×%4입니다</translation>
-    </message>
-    <message>
-        <source>use pictures of one camera at one resolution</source>
-        <translation>한 카메라의 같은 해상도 사진을 쓰십시오</translation>
-    </message>
-    <message>
-        <source>the corners do not lie as on a flat board</source>
-        <translation>모서리가 평평한 보드처럼 놓여 있지 않습니다</translation>
-    </message>
-    <message>
-        <source>glue the board onto something stiff and flat</source>
-        <translation>보드를 단단하고 평평한 것에 붙이십시오</translation>
-    </message>
-    <message>
-        <source>the board stands as in %1 already</source>
-        <translation>보드가 이미 %1에서처럼 놓여 있습니다</translation>
-    </message>
-    <message>
-        <source>the board stands as in a picture already taken</source>
-        <translation>보드가 이미 찍은 사진에서처럼 놓여 있습니다</translation>
-    </message>
-    <message>
-        <source>move it elsewhere, turn it or tilt it</source>
-        <translation>다른 곳으로 옮기거나 돌리거나 기울이십시오</translation>
-    </message>
-    <message>
-        <source>the board is not sharp</source>
-        <translation>보드가 선명하지 않습니다</translation>
-    </message>
-    <message>
-        <source>focus the camera, or give more light</source>
-        <translation>카메라의 초점을 맞추거나 더 밝게 하십시오</translation>
-    </message>
-    <message>
-        <source>the pictures ask for two focal lengths</source>
-        <translation>사진들의 초점 거리가 두 가지입니다</translation>
-    </message>
-    <message>
-        <source>%1 for about %2 px, %3 (such as %4) for about %5 px</source>
-        <translation>%1장은 약 %2 px, %3장(예: %4)은 약 %5 px</translation>
-    </message>
-    <message>
-        <source>it has %1 corners of the board, six are needed</source>
-        <translation>보드의 모서리가 %1개 있고, 여섯 개가 필요합니다</translation>
-    </message>
-    <message>
-        <source>show more of it</source>
-        <translation>더 많이 보이게 하십시오</translation>
-    </message>
-    <message>
-        <source>a corner of it is not a number</source>
-        <translation>모서리 하나가 숫자가 아닙니다</translation>
-    </message>
-    <message>
-        <source>let the board be found in it again</source>
-        <translation>그 사진에서 보드를 다시 찾게 하십시오</translation>
-    </message>
-    <message>
-        <source>too few pictures to compare it with others</source>
-        <translation>다른 모델과 비교하기에는 사진이 너무 적습니다</translation>
-    </message>
-    <message>
-        <source>name one like DICT_6X6_250, or leave it out</source>
-        <translation>DICT_6X6_250처럼 지정하거나 비워 두십시오</translation>
-    </message>
-    <message>
-        <source>the markers that were read do not lie as on a ChArUco board</source>
-        <translation>읽은 마커가 ChArUco 보드처럼 놓여 있지 않습니다</translation>
-    </message>
-    <message>
-        <source>the markers that were read do not lie as on a ChArUco board of %1 inner corners</source>
-        <translation>읽은 마커가 내부 모서리 %1의 ChArUco 보드처럼 놓여 있지 않습니다</translation>
-    </message>
-    <message>
-        <source>the pixel of point %1 is not a finite number</source>
-        <translation>점 %1의 픽셀이 유한한 수가 아닙니다</translation>
-    </message>
-    <message>
-        <source>the pixel of marker %1 is not a finite number</source>
-        <translation>마커 %1의 픽셀이 유한한 수가 아닙니다</translation>
-    </message>
-    <message>
-        <source>the place of marker %1 is not a finite number</source>
-        <translation>마커 %1의 위치가 유한한 수가 아닙니다</translation>
-    </message>
-    <message>
-        <source>point %1 lies outside the picture of %2 (%3)</source>
-        <translation>점 %1이(가) %2의 화면(%3) 밖에 있습니다</translation>
-    </message>
-    <message>
-        <source>check which columns belong to which camera</source>
-        <translation>어느 열이 어느 카메라의 것인지 확인하십시오</translation>
-    </message>
-    <message>
-        <source>this camera</source>
-        <translation>이 카메라</translation>
-    </message>
-    <message>
-        <source>camera &apos;%1&apos; is there twice</source>
-        <translation>카메라 &apos;%1&apos;이(가) 두 번 있습니다</translation>
-    </message>
-    <message>
-        <source>name each camera once</source>
-        <translation>각 카메라를 한 번씩만 지정하십시오</translation>
-    </message>
-    <message>
-        <source>the σ of the tape measure is not above 0</source>
-        <translation>줄자의 σ가 0보다 크지 않습니다</translation>
-    </message>
-    <message>
-        <source>give some 2 mm</source>
-        <translation>약 2 mm로 하십시오</translation>
-    </message>
-    <message>
-        <source>no pose</source>
-        <translation>자세를 구할 수 없음</translation>
-    </message>
-    <message>
-        <source>%1 lies where this camera&apos;s lens cannot have put it</source>
-        <translation>%1이(가) 이 카메라의 렌즈로는 나올 수 없는 곳에 있습니다</translation>
-    </message>
-    <message>
-        <source>check its pixel and the camera&apos;s intrinsics</source>
-        <translation>그 픽셀과 카메라의 내부 파라미터를 확인하십시오</translation>
-    </message>
-    <message>
-        <source>spread the points over the floor, not along a line</source>
-        <translation>점을 한 줄이 아니라 바닥에 넓게 잡으십시오</translation>
-    </message>
-    <message>
-        <source>both an angle and a pair of markers were given for X</source>
-        <translation>X축에 각도와 마커 한 쌍이 함께 주어졌습니다</translation>
-    </message>
-    <message>
-        <source>both a marker and a point were given for the origin</source>
-        <translation>원점에 마커와 점이 함께 주어졌습니다</translation>
-    </message>
-    <message>
-        <source>unit &apos;%1&apos;</source>
-        <translation>단위 &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>it is not known</source>
-        <translation>알 수 없습니다</translation>
-    </message>
-    <message>
-        <source>use mm, cm, m or inch</source>
-        <translation>mm, cm, m 또는 inch를 쓰십시오</translation>
-    </message>
-    <message>
-        <source>a length factor of %1 makes no floor</source>
-        <translation>길이 배율 %1로는 바닥을 만들 수 없습니다</translation>
-    </message>
-    <message>
-        <source>give a number above 0</source>
-        <translation>0보다 큰 수를 주십시오</translation>
-    </message>
-    <message>
-        <source>the origin or the angle is not a finite number</source>
-        <translation>원점이나 각도가 유한한 수가 아닙니다</translation>
-    </message>
-    <message>
-        <source>give plain numbers</source>
-        <translation>보통의 수를 주십시오</translation>
-    </message>
-    <message>
-        <source>check the unit of the layout</source>
-        <translation>배치의 단위를 확인하십시오</translation>
-    </message>
-    <message>
-        <source>it is given in mm</source>
-        <translation>mm로 주어집니다</translation>
-    </message>
-    <message>
-        <source>no homography</source>
-        <translation>호모그래피를 구할 수 없음</translation>
-    </message>
-    <message>
-        <source>four points are needed, %1 given</source>
-        <translation>점이 네 개 필요한데 %1개가 주어졌습니다</translation>
-    </message>
-    <message>
-        <source>add points</source>
-        <translation>점을 추가하십시오</translation>
-    </message>
-    <message>
-        <source>a coordinate of %1 is not a finite number</source>
-        <translation>%1의 좌표가 유한한 수가 아닙니다</translation>
-    </message>
-    <message>
-        <source>%1 lie at one place</source>
-        <translation>%1이(가) 한곳에 있습니다</translation>
-    </message>
-    <message>
-        <source>%1 lie at one place in the picture</source>
-        <translation>%1이(가) 화면에서 한곳에 있습니다</translation>
-    </message>
-    <message>
-        <source>%1 lie on one line</source>
-        <translation>%1이(가) 한 줄에 있습니다</translation>
-    </message>
-    <message>
-        <source>%1 lie on one line in the picture</source>
-        <translation>%1이(가) 화면에서 한 줄에 있습니다</translation>
-    </message>
-    <message>
-        <source>use four points of which no three are in line</source>
-        <translation>어느 셋도 한 줄에 있지 않은 점 네 개를 쓰십시오</translation>
-    </message>
-    <message>
-        <source>%1 would lie beyond the horizon</source>
-        <translation>%1이(가) 지평선 너머에 있게 됩니다</translation>
-    </message>
-    <message>
-        <source>the order of the points crosses over like a bow tie</source>
-        <translation>점의 순서가 나비넥타이처럼 엇갈립니다</translation>
-    </message>
-    <message>
-        <source>check which point is which</source>
-        <translation>어느 점이 어느 점인지 확인하십시오</translation>
-    </message>
-    <message>
-        <source>the points do not determine it</source>
-        <translation>점들로 정할 수 없습니다</translation>
-    </message>
-    <message>
-        <source>spread the points</source>
-        <translation>점을 넓게 잡으십시오</translation>
-    </message>
-    <message>
-        <source>the chain has no links</source>
-        <translation>연결 단계가 없습니다</translation>
-    </message>
-    <message>
-        <source>give at least one</source>
-        <translation>하나 이상 주십시오</translation>
-    </message>
-    <message>
-        <source>link %1 of %2 of the chain is singular</source>
-        <translation>연결 %2단계 중 %1번째가 특이합니다</translation>
-    </message>
-    <message>
-        <source>use four points in it of which no three are in line</source>
-        <translation>어느 셋도 한 줄에 있지 않은 점 네 개를 그 단계에 쓰십시오</translation>
-    </message>
-    <message>
-        <source>the picture size %1 is not positive</source>
-        <translation>사진 크기 %1이(가) 양수가 아닙니다</translation>
-    </message>
-    <message>
-        <source>one of the values is not a finite number</source>
-        <translation>값 하나가 유한한 수가 아닙니다</translation>
-    </message>
-    <message>
-        <source>the focal length %1 px is not positive</source>
-        <translation>초점 거리 %1 px가 양수가 아닙니다</translation>
-    </message>
-    <message>
-        <source>%1 distortion coefficients do not belong to this lens model</source>
-        <translation>왜곡 계수 %1개는 이 렌즈 모델에 맞지 않습니다</translation>
-    </message>
-    <message>
-        <source>the covariance has the wrong size</source>
-        <translation>공분산의 크기가 맞지 않습니다</translation>
-    </message>
-    <message>
-        <source>no picture could be read</source>
-        <translation>어떤 사진도 읽지 못했습니다</translation>
-    </message>
-    <message>
-        <source>calibration picture &apos;%1&apos;</source>
-        <translation>보정 사진 &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>intrinsics of camera &apos;%1&apos;</source>
-        <translation>카메라 &apos;%1&apos;의 내부 파라미터</translation>
-    </message>
-    <message>
-        <source>run odograph calibrate, or odograph intrinsics import</source>
-        <translation>보정하거나 내부 파라미터를 가져오십시오</translation>
-    </message>
-    <message>
-        <source>markers for camera &apos;%1&apos;</source>
-        <translation>카메라 &apos;%1&apos;의 마커</translation>
-    </message>
-    <message>
-        <source>give --pixels pixels.csv, --image picture.png or --video clip.mp4</source>
-        <translation>--pixels pixels.csv, --image picture.png 또는 --video clip.mp4를 주십시오</translation>
-    </message>
-    <message>
-        <source>calibrate it, import its intrinsics, or give --image or --video as well</source>
-        <translation>보정하거나 내부 파라미터를 가져오거나 --image나 --video도 주십시오</translation>
-    </message>
-    <message>
-        <source>registration of camera &apos;%1&apos; with the lens in force</source>
-        <translation>적용 중인 렌즈를 쓴 카메라 &apos;%1&apos;의 정합</translation>
-    </message>
-    <message>
-        <source>camera &apos;%1&apos; has none of that number</source>
-        <translation>카메라 &apos;%1&apos;에 그 번호가 없습니다</translation>
-    </message>
-    <message>
-        <source>see its revisions for those there are</source>
-        <translation>있는 것은 버전 목록에서 확인하십시오</translation>
-    </message>
-    <message>
-        <source>calibration %1</source>
-        <translation>보정 %1</translation>
-    </message>
-    <message>
-        <source>registration %1</source>
-        <translation>정합 %1</translation>
-    </message>
-    <message>
-        <source>one view saw the robot in fewer than %1 pictures</source>
-        <translation>한 뷰에서 로봇이 보인 영상이 %1장보다 적습니다</translation>
-    </message>
-    <message>
-        <source>the views hardly ever saw the robot at the same time</source>
-        <translation>뷰들이 동시에 로봇을 본 적이 거의 없습니다</translation>
-    </message>
-    <message>
-        <source>the robot stood still or ran straight at constant speed, so every offset fits</source>
-        <translation>로봇이 서 있었거나 일정한 속력으로 곧게 달려 어떤 오프셋도 맞습니다</translation>
-    </message>
-    <message>
-        <source>the views&apos; tracks do not resemble one another</source>
-        <translation>뷰들의 궤적이 서로 비슷하지 않습니다</translation>
-    </message>
-    <message>
-        <source>the views&apos; tracks do not coincide at any offset looked at</source>
-        <translation>살펴본 어떤 오프셋에서도 뷰들의 궤적이 일치하지 않습니다</translation>
-    </message>
-    <message>
-        <source>the motion repeats itself</source>
-        <translation>움직임이 반복됩니다</translation>
-    </message>
-    <message>
-        <source>offsets of %1 s and %2 s fit alike</source>
-        <translation>오프셋 %1 s와 %2 s가 똑같이 맞습니다</translation>
-    </message>
-    <message>
-        <source>neither view shows a flash of light</source>
-        <translation>어느 뷰에도 빛의 깜박임이 보이지 않습니다</translation>
-    </message>
-    <message>
-        <source>only one of the views shows a flash of light</source>
-        <translation>한 뷰에만 빛의 깜박임이 보입니다</translation>
-    </message>
-    <message>
-        <source>the light flickers</source>
-        <translation>빛이 떨립니다</translation>
-    </message>
-    <message>
-        <source>the flashes of light in the views do not belong together</source>
-        <translation>뷰들의 빛 깜박임이 서로 맞지 않습니다</translation>
-    </message>
-    <message>
-        <source>the flashes of light fit alike at offsets of %1 s and %2 s</source>
-        <translation>빛의 깜박임이 오프셋 %1 s와 %2 s에서 똑같이 맞습니다</translation>
-    </message>
-    <message>
-        <source>%1, and neither view shows a flash of light</source>
-        <translation>%1. 또한 어느 뷰에도 빛의 깜박임이 보이지 않습니다</translation>
-    </message>
-    <message>
-        <source>%1, and only one of the views shows a flash of light</source>
-        <translation>%1. 또한 한 뷰에만 빛의 깜박임이 보입니다</translation>
-    </message>
-    <message>
-        <source>%1, and the light flickers</source>
-        <translation>%1. 또한 빛이 떨립니다</translation>
-    </message>
-    <message>
-        <source>%1, and the flashes of light in the views do not belong together</source>
-        <translation>%1. 또한 뷰들의 빛 깜박임이 서로 맞지 않습니다</translation>
-    </message>
-    <message>
-        <source>%1, and the flashes of light fit alike at offsets of %2 s and %3 s</source>
-        <translation>%1. 또한 빛의 깜박임이 오프셋 %2 s와 %3 s에서 똑같이 맞습니다</translation>
-    </message>
-    <message>
-        <source>%1, so it is taken as begun together</source>
-        <translation>%1. 그래서 함께 시작된 것으로 봅니다</translation>
-    </message>
-    <message>
-        <source>fit of %1</source>
-        <translation>피팅 (%1)</translation>
-    </message>
-    <message>
-        <source>a constant</source>
-        <translation>상수</translation>
-    </message>
-    <message>
-        <source>a straight line</source>
-        <translation>직선</translation>
-    </message>
-    <message>
-        <source>a parabola</source>
-        <translation>포물선</translation>
-    </message>
-    <message>
-        <source>%1 point is too few for it</source>
-        <translation>점 %1개로는 너무 적습니다</translation>
-    </message>
-    <message>
-        <source>the robot does not move in %1</source>
-        <translation>%1에서 로봇이 움직이지 않습니다</translation>
-    </message>
-    <message>
-        <source>the robot hardly moves in %1</source>
-        <translation>%1에서 로봇이 거의 움직이지 않습니다</translation>
-    </message>
-    <message>
-        <source>choose a run with motion</source>
-        <translation>움직임이 있는 주행을 고르십시오</translation>
-    </message>
-    <message>
-        <source>%1 drives the way in the other direction than %2</source>
-        <translation>%1은(는) %2과(와) 반대 방향으로 달립니다</translation>
-    </message>
-    <message>
-        <source>choose runs in the same direction</source>
-        <translation>같은 방향의 주행을 고르십시오</translation>
-    </message>
-    <message>
-        <source>%1 has no stretch of the way in common with the task&apos;s path</source>
-        <translation>%1은(는) 과제의 경로와 겹치는 구간이 없습니다</translation>
-    </message>
-    <message>
-        <source>%1 has no stretch of the way in common with %2</source>
-        <translation>%1은(는) %2과(와) 겹치는 구간이 없습니다</translation>
-    </message>
-    <message>
-        <source>choose runs of the same task</source>
-        <translation>같은 과제의 주행을 고르십시오</translation>
-    </message>
-    <message>
-        <source>%1 does not pass a start gate</source>
-        <translation>%1은(는) 출발 게이트를 지나지 않습니다</translation>
-    </message>
-    <message>
-        <source>align by motion onset or distance</source>
-        <translation>움직임의 시작이나 거리로 정렬하십시오</translation>
-    </message>
-    <message>
-        <source>the robot of %1 drives already when it is first seen</source>
-        <translation>%1의 로봇이 처음 보일 때 이미 달리고 있습니다</translation>
-    </message>
-    <message>
-        <source>align by distance</source>
-        <translation>거리로 정렬하십시오</translation>
-    </message>
-    <message>
-        <source>a moment of each run is needed to align them by hand</source>
-        <translation>직접 정렬하려면 각 주행의 시점이 필요합니다</translation>
-    </message>
-    <message>
-        <source>tell one for each</source>
-        <translation>각각 하나씩 지정하십시오</translation>
-    </message>
-    <message>
-        <source>the moment told for %1 lies outside of it</source>
-        <translation>%1에 지정한 시점이 그 주행 밖에 있습니다</translation>
-    </message>
-    <message>
-        <source>tell one between its first and last frame</source>
-        <translation>첫 프레임과 마지막 프레임 사이로 지정하십시오</translation>
-    </message>
-    <message>
-        <source>%1 was not seen at the place to align by</source>
-        <translation>정렬할 곳에서 %1이(가) 보이지 않았습니다</translation>
-    </message>
-    <message>
-        <source>choose a place that both runs pass</source>
-        <translation>두 주행이 모두 지나는 곳을 고르십시오</translation>
-    </message>
-    <message>
-        <source>there is no such template</source>
-        <translation>그런 템플릿이 없습니다</translation>
-    </message>
-    <message>
-        <source>template &apos;%1&apos;</source>
-        <translation>템플릿 &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>rule &apos;%1&apos;</source>
-        <translation>규칙 &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>use stay_inside or stay_outside</source>
-        <translation>stay_inside나 stay_outside를 쓰십시오</translation>
-    </message>
-    <message>
-        <source>smoother %1</source>
-        <translation>평활기 %1</translation>
-    </message>
-    <message>
-        <source>there is none of that name</source>
-        <translation>그런 이름이 없습니다</translation>
-    </message>
-    <message>
-        <source>use rts, savgol, tracker or none</source>
-        <translation>rts, savgol, tracker, none 중에서 쓰십시오</translation>
-    </message>
-    <message>
-        <source>robot &apos;%1&apos; was not tracked in it, but %2</source>
-        <translation>로봇 &apos;%1&apos;은(는) 추적되지 않았고, 추적된 것은 %2입니다</translation>
-    </message>
-    <message>
-        <source>track it, or choose another</source>
-        <translation>추적하거나 다른 것을 고르십시오</translation>
-    </message>
-    <message>
-        <source>track it, or choose another with --robot</source>
-        <translation>추적하거나 --robot으로 다른 것을 고르십시오</translation>
-    </message>
-    <message>
-        <source>none of its tracks is called &apos;%1&apos;; it has %2</source>
-        <translation>&apos;%1&apos;(이)라는 궤적이 없습니다; 있는 것: %2</translation>
-    </message>
-    <message>
-        <source>run odograph track first</source>
-        <translation>먼저 추적하십시오</translation>
-    </message>
-    <message>
-        <source>run odograph track without --again first</source>
-        <translation>먼저 --again 없이 추적하십시오</translation>
-    </message>
-    <message>
-        <source>analyse them anew with</source>
-        <translation>다음으로 다시 분석하십시오</translation>
-    </message>
-    <message>
-        <source>choose one with --robot</source>
-        <translation>--robot으로 하나를 고르십시오</translation>
-    </message>
-    <message>
-        <source>frame %1 of trial &apos;%2&apos;</source>
-        <translation>시행 &apos;%2&apos;의 프레임 %1</translation>
-    </message>
-    <message>
-        <source>%1 s of trial &apos;%2&apos;</source>
-        <translation>시행 &apos;%2&apos;의 %1 s</translation>
-    </message>
-    <message>
-        <source>the analysis has no sample</source>
-        <translation>분석에 샘플이 없습니다</translation>
-    </message>
-    <message>
-        <source>track the trial again</source>
-        <translation>시행을 다시 추적하십시오</translation>
-    </message>
-    <message>
-        <source>choose a time from %1 s to %2 s</source>
-        <translation>%1 s에서 %2 s 사이의 시간을 고르십시오</translation>
-    </message>
-    <message>
-        <source>choose a frame with a measurement</source>
-        <translation>측정값이 있는 프레임을 고르십시오</translation>
-    </message>
-    <message>
-        <source>nothing was said by hand there</source>
-        <translation>그곳에는 직접 지정한 것이 없습니다</translation>
-    </message>
-    <message>
-        <source>see the flags by_hand in odograph export</source>
-        <translation>odograph export의 by_hand 표시를 보십시오</translation>
-    </message>
-    <message>
-        <source>tracking</source>
-        <translation>추적</translation>
-    </message>
-    <message>
-        <source>add one with</source>
-        <translation>다음으로 추가하십시오</translation>
-    </message>
-    <message>
-        <source>cannot render %1</source>
-        <translation>%1을(를) 렌더링할 수 없습니다</translation>
-    </message>
-    <message>
-        <source>rendering %1</source>
-        <translation>%1 렌더링</translation>
-    </message>
-    <message>
-        <source>camera %1 takes no frame while the scene lasts</source>
-        <translation>장면이 이어지는 동안 카메라 %1이(가) 프레임을 찍지 않습니다</translation>
-    </message>
-    <message>
-        <source>give the scene a longer duration or start the camera earlier</source>
-        <translation>장면을 길게 하거나 카메라를 더 일찍 시작하십시오</translation>
-    </message>
-    <message>
-        <source>a picture cannot be coded</source>
-        <translation>영상을 부호화할 수 없습니다</translation>
-    </message>
-    <message>
-        <source>JPEG does not have its layout of colours</source>
-        <translation>JPEG에는 그 색 배열이 없습니다</translation>
-    </message>
-    <message>
-        <source>let the camera give another format</source>
-        <translation>카메라가 다른 형식을 내보내게 하십시오</translation>
-    </message>
-    <message>
-        <source>cannot decode all of a frame</source>
-        <translation>프레임 전체를 복호화할 수 없습니다</translation>
-    </message>
-    <message>
-        <source>its sound part is used</source>
-        <translation>온전한 부분만 씁니다</translation>
-    </message>
-    <message>
-        <source>its time scale was not found where the muxer should have put it</source>
-        <translation>먹서가 넣어야 할 곳에 시간 단위가 없습니다</translation>
-    </message>
-    <message>
-        <source>report this as a bug</source>
-        <translation>이 문제를 버그로 알려 주십시오</translation>
-    </message>
-    <message>
-        <source>its header could not be rewritten</source>
-        <translation>헤더를 다시 쓰지 못했습니다</translation>
-    </message>
-    <message>
-        <source>check that there is room on the disk</source>
-        <translation>디스크에 여유가 있는지 확인하십시오</translation>
-    </message>
-    <message>
-        <source>a packet there is damaged</source>
-        <translation>그곳의 패킷이 손상되었습니다</translation>
-    </message>
-    <message>
-        <source>its header promises %1</source>
-        <translation>헤더에는 %1(으)로 되어 있습니다</translation>
-    </message>
-    <message>
-        <source>not one whole frame is in it</source>
-        <translation>온전한 프레임이 하나도 없습니다</translation>
-    </message>
-    <message>
-        <source>its time stamps span %1</source>
-        <translation>시간 기록의 폭이 %1입니다</translation>
-    </message>
-    <message>
-        <source>it says that it has %1 pixels</source>
-        <translation>%1픽셀이라고 되어 있습니다</translation>
-    </message>
-    <message>
-        <source>picture</source>
-        <translation>사진</translation>
-    </message>
-    <message>
-        <source>picture &apos;%1&apos;</source>
-        <translation>사진 &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>it could not be packed</source>
-        <translation>압축하지 못했습니다</translation>
-    </message>
-    <message>
-        <source>check the folder, the free space, and that the name ends in .png or .jpg</source>
-        <translation>폴더와 여유 공간, 이름이 .png나 .jpg로 끝나는지 확인하십시오</translation>
-    </message>
-    <message>
-        <source>it could not be written</source>
-        <translation>쓰지 못했습니다</translation>
-    </message>
-    <message>
-        <source>its format is not known</source>
-        <translation>형식을 알 수 없습니다</translation>
-    </message>
-    <message>
-        <source>the size of its pictures could not be found out</source>
-        <translation>영상의 크기를 알아내지 못했습니다</translation>
-    </message>
-    <message>
-        <source>its pixel format %1 is not read</source>
-        <translation>픽셀 형식 %1은(는) 읽지 않습니다</translation>
-    </message>
-    <message>
-        <source>its pixel format (unknown) is not read</source>
-        <translation>(알 수 없는) 픽셀 형식은 읽지 않습니다</translation>
-    </message>
-    <message>
-        <source>convert it to 8-bit YUV, e.g. ffmpeg -i FILE -pix_fmt yuv420p NEW.mp4</source>
-        <translation>8비트 YUV로 변환하십시오. 예: ffmpeg -i FILE -pix_fmt yuv420p NEW.mp4</translation>
-    </message>
-    <message>
-        <source>frames of this size or chroma format cannot be encoded</source>
-        <translation>이 크기나 색차 형식의 프레임은 부호화할 수 없습니다</translation>
-    </message>
-    <message>
-        <source>use 4:2:0, 4:2:2 or 4:4:4</source>
-        <translation>4:2:0, 4:2:2 또는 4:4:4를 쓰십시오</translation>
-    </message>
-    <message>
-        <source>install Debian&apos;s libavcodec with libx264</source>
-        <translation>libx264가 든 Debian의 libavcodec을 설치하십시오</translation>
-    </message>
-    <message>
-        <source>the chroma siting could not be set (%1)</source>
-        <translation>색차 위치를 정하지 못했습니다 (%1)</translation>
-    </message>
-    <message>
-        <source>install Debian&apos;s libavcodec</source>
-        <translation>Debian의 libavcodec을 설치하십시오</translation>
-    </message>
-    <message>
-        <source>FFV1 does not go into MP4</source>
-        <translation>FFV1은 MP4에 넣을 수 없습니다</translation>
-    </message>
-    <message>
-        <source>use the ending .mkv</source>
-        <translation>확장자 .mkv를 쓰십시오</translation>
-    </message>
-    <message>
-        <source>its frame rate is not positive</source>
-        <translation>프레임 속도가 양수가 아닙니다</translation>
-    </message>
-    <message>
-        <source>give the frames per second, e.g. 30</source>
-        <translation>초당 프레임 수를 주십시오. 예: 30</translation>
-    </message>
-    <message>
-        <source>start the video again</source>
-        <translation>동영상을 다시 시작하십시오</translation>
-    </message>
-    <message>
-        <source>its format differs from the video&apos;s</source>
-        <translation>형식이 동영상과 다릅니다</translation>
-    </message>
-    <message>
-        <source>write one format to a file</source>
-        <translation>한 파일에는 한 형식만 쓰십시오</translation>
-    </message>
-    <message>
-        <source>its time is not after the frame&apos;s before it</source>
-        <translation>시간이 앞 프레임보다 뒤가 아닙니다</translation>
-    </message>
-    <message>
-        <source>write the frames in order, at least a microsecond apart</source>
-        <translation>프레임을 순서대로, 1마이크로초 이상 간격으로 쓰십시오</translation>
-    </message>
-    <message>
-        <source>it is finished</source>
-        <translation>이미 마쳤습니다</translation>
-    </message>
-    <message>
-        <source>start it again</source>
-        <translation>다시 시작하십시오</translation>
-    </message>
-    <message>
-        <source>no frame was written to it</source>
-        <translation>프레임이 하나도 쓰이지 않았습니다</translation>
-    </message>
-    <message>
-        <source>write at least one</source>
-        <translation>하나 이상 쓰십시오</translation>
-    </message>
-    <message>
-        <source>give one view or more, like --video A=a.mp4</source>
-        <translation>--video A=a.mp4처럼 뷰를 하나 이상 주십시오</translation>
-    </message>
-    <message>
-        <source>%1 views were given and the offsets of %2</source>
-        <translation>뷰는 %1개, 오프셋은 %2개가 주어졌습니다</translation>
-    </message>
-    <message>
-        <source>give one offset for each view but the first, like --sync 0.1,0.2, or use --sync auto</source>
-        <translation>--sync 0.1,0.2처럼 첫 뷰를 뺀 각 뷰의 오프셋을 주거나 --sync auto를 쓰십시오</translation>
-    </message>
-    <message>
-        <source>frame %1 of &apos;%2&apos;</source>
-        <translation>&apos;%2&apos;의 프레임 %1</translation>
-    </message>
-    <message>
-        <source>choose one from %1 to %2</source>
-        <translation>%1에서 %2 사이에서 고르십시오</translation>
-    </message>
-    <message>
-        <source>its only one is frame 0</source>
-        <translation>프레임 0뿐입니다</translation>
-    </message>
-    <message>
-        <source>there is no such role</source>
-        <translation>그런 역할이 없습니다</translation>
-    </message>
-    <message>
-        <source>role &apos;%1&apos;</source>
-        <translation>역할 &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>from a flash of light, to %1 ms only, for %2</source>
-        <translation>빛의 깜박임에서 구해 %1 ms까지만 맞습니다. 이유는 %2</translation>
-    </message>
-    <message>
-        <source>%1 frames left out</source>
-        <translation>프레임 %1개 제외</translation>
-    </message>
-    <message>
-        <source>their time stamps repeat the frame before</source>
-        <translation>시간 기록이 앞 프레임과 같습니다</translation>
-    </message>
-    <message>
-        <source>ends early at %1</source>
-        <translation>%1에서 일찍 끝납니다</translation>
-    </message>
-    <message>
-        <source>the file has no time stamps</source>
-        <translation>파일에 시간 기록이 없습니다</translation>
-    </message>
-    <message>
-        <source>an even %1 frames/s is assumed</source>
-        <translation>일정한 %1프레임/s로 가정합니다</translation>
-    </message>
-    <message>
-        <source>Simulated camera %1</source>
-        <translation>시뮬레이션 카메라 %1</translation>
-    </message>
-    <message>
-        <source>%1 at %2 frames/s</source>
-        <translation>%1, %2프레임/s</translation>
-    </message>
-    <message>
-        <source>check that all lines are of one run</source>
-        <translation>모든 행이 한 주행의 것인지 확인하십시오</translation>
-    </message>
-    <message>
-        <source>it sends no pictures</source>
-        <translation>영상을 보내지 않습니다</translation>
-    </message>
-    <message>
-        <source>check its cable</source>
-        <translation>케이블을 확인하십시오</translation>
-    </message>
-    <message>
-        <source>it is taken up again by itself</source>
-        <translation>저절로 다시 이어집니다</translation>
-    </message>
-    <message>
-        <source>it has been away</source>
-        <translation>잠시 끊겼습니다</translation>
-    </message>
-    <message>
-        <source>wait: it is taken up again</source>
-        <translation>기다리십시오: 다시 이어집니다</translation>
-    </message>
-    <message>
-        <source>its pictures come incomplete</source>
-        <translation>영상이 불완전하게 들어옵니다</translation>
-    </message>
-    <message>
-        <source>check its cable and the network</source>
-        <translation>케이블과 네트워크를 확인하십시오</translation>
-    </message>
-    <message>
-        <source>ask for a smaller size or rate</source>
-        <translation>더 작은 크기나 낮은 속도를 요청하십시오</translation>
-    </message>
-    <message>
-        <source>it answers, but sends no pictures</source>
-        <translation>응답하지만 영상을 보내지 않습니다</translation>
-    </message>
-    <message>
-        <source>check its trigger and this computer&apos;s firewall</source>
-        <translation>트리거와 이 컴퓨터의 방화벽을 확인하십시오</translation>
-    </message>
-    <message>
-        <source>it failed (%1)</source>
-        <translation>오류가 났습니다 (%1)</translation>
-    </message>
-    <message>
-        <source>unplug it and plug it in again if that lasts</source>
-        <translation>계속되면 뽑았다가 다시 꽂으십시오</translation>
-    </message>
-    <message>
-        <source>no picture has come for %1</source>
-        <translation>%1 동안 영상이 오지 않았습니다</translation>
-    </message>
-    <message>
-        <source>look at its cable</source>
-        <translation>케이블을 살펴보십시오</translation>
-    </message>
-    <message>
-        <source>take it off and put it on again if it stays so</source>
-        <translation>계속 그러면 뽑았다가 다시 꽂으십시오</translation>
-    </message>
-    <message>
-        <source>its disk has only %1 MB left, of which %2 are kept free</source>
-        <translation>디스크에 %1 MB만 남았고, 그중 %2 MB는 비워 둡니다</translation>
-    </message>
-    <message>
-        <source>the disk of %1</source>
-        <translation>%1의 디스크</translation>
-    </message>
-    <message>
-        <source>it is too slow</source>
-        <translation>너무 느립니다</translation>
-    </message>
-    <message>
-        <source>a picture has waited %1 s for it, and %2 % of the room to wait in is taken</source>
-        <translation>영상이 %1 s 기다렸고 대기 공간의 %2 %가 찼습니다</translation>
-    </message>
-    <message>
-        <source>nothing is lost yet</source>
-        <translation>아직 잃은 것은 없습니다</translation>
-    </message>
-    <message>
-        <source>end what else writes to it</source>
-        <translation>그 디스크에 쓰는 다른 것을 끝내십시오</translation>
-    </message>
-    <message>
-        <source>pictures are being lost</source>
-        <translation>영상이 누락되고 있습니다</translation>
-    </message>
-    <message>
-        <source>record to another disk, or fewer cameras</source>
-        <translation>다른 디스크에 녹화하거나 카메라 수를 줄이십시오</translation>
-    </message>
-    <message>
-        <source>Exposure and gain</source>
-        <translation>노출과 게인</translation>
-    </message>
-    <message>
-        <source>line %1 has no team</source>
-        <translation>%1행에 팀이 없습니다</translation>
-    </message>
-    <message>
-        <source>line %1 has no class for team &apos;%2&apos;</source>
-        <translation>%1행에 팀 &apos;%2&apos;의 학급이 없습니다</translation>
-    </message>
-    <message>
-        <source>line %1 names team &apos;%2&apos; again, as line %3</source>
-        <translation>%1행에 팀 &apos;%2&apos;이(가) %3행에 이어 다시 나옵니다</translation>
-    </message>
-    <message>
-        <source>and %1 lines more</source>
-        <translation>외 %1행</translation>
-    </message>
-    <message>
-        <source>line %1</source>
-        <translation>%1행</translation>
-    </message>
-    <message>
-        <source>positions to %1 mm, as the file says</source>
-        <translation>위치의 오차 %1 mm, 파일에 적힌 대로</translation>
-    </message>
-    <message>
-        <source>positions to %1 mm, as estimated from them</source>
-        <translation>위치의 오차 %1 mm, 위치에서 추정</translation>
-    </message>
-    <message>
-        <source>the file&apos;s track &apos;%1&apos;</source>
-        <translation>파일의 궤적 &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>its times count from %1 s</source>
-        <translation>시간은 %1 s부터 셈</translation>
-    </message>
-    <message>
-        <source>a value is too large to be stored</source>
-        <translation>값이 너무 커서 저장할 수 없습니다</translation>
-    </message>
-    <message>
-        <source>split the recording into shorter ones</source>
-        <translation>녹화를 더 짧게 나누십시오</translation>
-    </message>
-    <message>
-        <source>%1 is missing</source>
-        <translation>%1이(가) 없습니다</translation>
-    </message>
-    <message>
-        <source>put the file back in its place, and open the project again</source>
-        <translation>파일을 제자리에 돌려놓고 프로젝트를 다시 여십시오</translation>
-    </message>
-    <message>
-        <source>camera &apos;%1&apos; is not registered to the floor</source>
-        <translation>카메라 &apos;%1&apos;이(가) 바닥에 정합되지 않았습니다</translation>
-    </message>
-    <message>
-        <source>glue the board onto something stiff</source>
-        <translation>보드를 단단한 것에 붙이십시오</translation>
-    </message>
-    <message>
-        <source>its corners do not lie as on a flat board</source>
-        <translation>모서리가 평평한 보드처럼 놓여 있지 않습니다</translation>
-    </message>
-    <message>
-        <source>point %1 lies outside the picture of the camera to register (%2)</source>
-        <translation>점 %1이(가) 정합할 카메라의 화면(%2) 밖에 있습니다</translation>
-    </message>
-    <message>
-        <source>its numbers look like %1, then it would stand %2 m above the floor</source>
-        <translation>수가 %1처럼 보이며, 그러면 바닥 위 %2 m에 있게 됩니다</translation>
-    </message>
-    <message>
-        <source>metres</source>
-        <translation>미터</translation>
-    </message>
-    <message>
-        <source>inches</source>
-        <translation>인치</translation>
-    </message>
-    <message>
-        <source>centimetres</source>
-        <translation>센티미터</translation>
-    </message>
-    <message>
-        <source>thousandths of a mm</source>
-        <translation>1/1000 mm</translation>
-    </message>
-    <message>
-        <source>tenths of a mm</source>
-        <translation>1/10 mm</translation>
-    </message>
-    <message>
-        <source>with %1 and %2 exchanged they fit to %3 px</source>
-        <translation>%1과(와) %2을(를) 바꾸면 %3 px로 맞습니다</translation>
-    </message>
-    <message>
-        <source>%1 % of what was measured is beyond the limits of task &apos;%2&apos;, so that they were left out</source>
-        <translation>측정값의 %1 %가 과제 &apos;%2&apos;의 한계를 넘어 한계를 적용하지 않았습니다</translation>
-    </message>
-    <message>
-        <source>nearly all that was measured is beyond the limits of task &apos;%1&apos;, so that they were left out</source>
-        <translation>측정값이 거의 모두 과제 &apos;%1&apos;의 한계를 넘어 한계를 적용하지 않았습니다</translation>
-    </message>
-    <message>
-        <source>give the task the limits of its fastest robot</source>
-        <translation>과제에 가장 빠른 로봇의 한계를 주십시오</translation>
-    </message>
-    <message>
-        <source>copy &apos;%1&apos;, which is sound, to a new name and open that, and keep the damaged file</source>
-        <translation>온전한 &apos;%1&apos;을(를) 새 이름으로 복사하여 그 사본을 여시고, 손상된 파일은 보관하십시오</translation>
-    </message>
-    <message>
-        <source>the disk could not be read, and nothing was changed</source>
-        <translation>디스크를 읽을 수 없었으며 변경된 것은 없습니다</translation>
-    </message>
-    <message>
-        <source>it lies on a network disk (%1), where a recording can stall and two computers can damage it</source>
-        <translation>네트워크 디스크(%1)에 있어 녹화가 멈추거나 두 컴퓨터가 손상시킬 수 있습니다</translation>
-    </message>
-    <message>
-        <source>it lies in a folder that %1 copies while it changes, so that a copy may have half a change</source>
-        <translation>변경 중에 %1이(가) 복사하는 폴더에 있어 사본에 변경의 절반만 담길 수 있습니다</translation>
-    </message>
-    <message>
-        <source>keep it on a disk of this computer, and pack it to share it</source>
-        <translation>이 컴퓨터의 디스크에 보관하고, 공유하려면 묶으십시오</translation>
-    </message>
-    <message>
-        <source>printing on &apos;%1&apos;</source>
-        <translation>‘%1’에 인쇄</translation>
-    </message>
-    <message>
-        <source>it cannot be reached</source>
-        <translation>연결할 수 없습니다</translation>
-    </message>
-    <message>
-        <source>it takes no further page</source>
-        <translation>더 이상 쪽을 받지 않습니다</translation>
-    </message>
-    <message>
-        <source>it did not take the pages</source>
-        <translation>쪽을 받지 않았습니다</translation>
-    </message>
-    <message>
-        <source>look at the printer and its queue, or save the report as PDF</source>
-        <translation>프린터와 대기열을 확인하거나 보고서를 PDF로 저장하십시오</translation>
-    </message>
-    <message>
-        <source>report &apos;%1&apos;</source>
-        <translation>보고서 ‘%1’</translation>
-    </message>
-    <message>
-        <source>it has no page</source>
-        <translation>쪽이 없습니다</translation>
-    </message>
-    <message>
-        <source>choose a trial or a class</source>
-        <translation>시행이나 학급을 고르십시오</translation>
-    </message>
-    <message>
-        <source>cannot decode the video</source>
-        <translation>동영상을 해독할 수 없습니다</translation>
-    </message>
-    <message>
-        <source>cannot read the picture %1</source>
-        <translation>그림 %1을(를) 읽을 수 없습니다</translation>
-    </message>
-    <message>
-        <source>cannot do this</source>
-        <translation>이 작업을 할 수 없습니다</translation>
-    </message>
-    <message>
-        <source>the cameras</source>
-        <translation>카메라</translation>
-    </message>
-    <message>
-        <source>live tracking</source>
-        <translation>실시간 추적</translation>
-    </message>
-    <message>
-        <source>a picture of camera %1</source>
-        <translation>카메라 %1의 그림</translation>
-    </message>
-    <message>
-        <source>this computer has not enough free memory for it</source>
-        <translation>이 컴퓨터에 남은 메모리가 부족합니다</translation>
-    </message>
-    <message>
-        <source>this computer gives no further thread</source>
-        <translation>이 컴퓨터에서 스레드를 더 만들 수 없습니다</translation>
-    </message>
-    <message>
-        <source>too many files are open</source>
-        <translation>열려 있는 파일이 너무 많습니다</translation>
-    </message>
-    <message>
-        <source>what was saved is safe</source>
-        <translation>저장된 것은 안전합니다</translation>
-    </message>
-    <message>
-        <source>its frame rate varies, pictures are %1 to %2 ms apart</source>
-        <translation>프레임 속도가 일정하지 않아 그림 간격이 %1~%2 ms입니다</translation>
-    </message>
-    <message>
-        <source>each counts at its own time</source>
-        <translation>각 그림은 그 자신의 시각으로 계산됩니다</translation>
-    </message>
-    <message>
-        <source>frame times of &apos;%1&apos;</source>
-        <translation>&apos;%1&apos;의 프레임 시간</translation>
-    </message>
-    <message>
-        <source>calibration %1 of the project</source>
-        <translation>프로젝트의 보정 %1</translation>
-    </message>
-    <message>
-        <source>observations %1 of the project</source>
-        <translation>프로젝트의 관측 %1</translation>
-    </message>
-    <message>
-        <source>truth of trial %1</source>
-        <translation>시행 %1의 참값</translation>
-    </message>
-    <message>
-        <source>the list of changes</source>
-        <translation>변경 내역</translation>
-    </message>
-    <message>
-        <source>registration of camera &apos;%1&apos; through &apos;%2&apos;</source>
-        <translation>&apos;%2&apos;을(를) 통한 카메라 &apos;%1&apos;의 정합</translation>
-    </message>
-    <message>
-        <source>point %1</source>
-        <translation>점 %1</translation>
-    </message>
-    <message>
-        <source>checking halves against one another</source>
-        <translation>절반끼리 서로 검증하는 중</translation>
-    </message>
-    <message>
-        <source>completing a recording that was cut off</source>
-        <translation>중단된 녹화를 완성하는 중</translation>
-    </message>
-    <message>
-        <source>done</source>
-        <translation>완료</translation>
-    </message>
-    <message>
-        <source>fitting the lens to %1 pictures</source>
-        <translation>사진 %1장에 렌즈를 맞추는 중</translation>
-    </message>
-    <message>
-        <source>looking about the best place</source>
-        <translation>가장 좋은 위치의 둘레를 찾는 중</translation>
-    </message>
-    <message>
-        <source>looking for the board in %1</source>
-        <translation>%1에서 보드를 찾는 중</translation>
-    </message>
-    <message>
-        <source>making the hash of %1</source>
-        <translation>%1의 해시를 만드는 중</translation>
-    </message>
-    <message>
-        <source>packing %1</source>
-        <translation>%1 묶는 중</translation>
-    </message>
-    <message>
-        <source>unpacking</source>
-        <translation>푸는 중</translation>
-    </message>
-    <message>
-        <source>reading %1</source>
-        <translation>%1 읽는 중</translation>
-    </message>
-    <message>
-        <source>reading line %1</source>
-        <translation>%1행 읽는 중</translation>
-    </message>
-    <message>
-        <source>removing %1</source>
-        <translation>%1 삭제 중</translation>
-    </message>
-    <message>
-        <source>tracking, picture %1 of %2</source>
-        <translation>추적 중, 영상 %2장 중 %1</translation>
-    </message>
-    <message>
-        <source>The world axes were changed afterwards</source>
-        <translation>이후 월드 축이 바뀌었습니다</translation>
-    </message>
-    <message>
-        <source>The world axes were changed afterwards, and all lengths multiplied by %1</source>
-        <translation>이후 월드 축이 바뀌었고 모든 길이에 %1을(를) 곱했습니다</translation>
-    </message>
-    <message>
-        <source>It was made through registration %1 of the project</source>
-        <translation>프로젝트의 정합 %1을(를) 통해 이루어졌습니다</translation>
-    </message>
-    <message>
-        <source>the video of camera %1 in trial &apos;%2&apos; lies elsewhere and is another file than it was, and not in the packed project</source>
-        <translation>시행 &apos;%2&apos;의 카메라 %1 동영상은 다른 곳에 있고 예전과 다른 파일이어서 묶은 프로젝트에 들어 있지 않습니다</translation>
-    </message>
-    <message>
-        <source>another program uses it (open in %1)</source>
-        <translation>다른 프로그램이 쓰고 있습니다(%1에서 열려 있음)</translation>
-    </message>
-    <message>
-        <source>its USB bus has no room left for its pictures (the bus is full, not the disk)</source>
-        <translation>USB 버스에 영상을 보낼 여유가 없습니다(디스크가 아니라 버스가 가득 찼습니다)</translation>
-    </message>
-    <message>
-        <source>no sound backup lies beside it</source>
-        <translation>곁에 온전한 백업 사본이 없습니다</translation>
-    </message>
-    <message>
-        <source>its file is no longer there</source>
-        <translation>그 파일이 더 이상 없습니다</translation>
-    </message>
-    <message>
-        <source>the project&apos;s file is no longer there</source>
-        <translation>프로젝트 파일이 더 이상 없습니다</translation>
-    </message>
-    <message>
-        <source>put its disk or folder back where it was</source>
-        <translation>디스크나 폴더를 있던 곳에 되돌려 놓으십시오</translation>
-    </message>
-    <message>
-        <source>what was recorded so far is there</source>
-        <translation>지금까지 녹화된 것은 거기에 있습니다</translation>
-    </message>
-    <message>
-        <source>nothing was recorded</source>
-        <translation>아무것도 녹화되지 않았습니다</translation>
-    </message>
-    <message>
-        <source>the disk has become read-only, the change was not saved</source>
-        <translation>디스크가 읽기 전용이 되어 변경이 저장되지 않았습니다</translation>
-    </message>
-    <message>
-        <source>with %1 called %2 they fit to %3 px</source>
-        <translation>%1을(를) %2(으)로 부르면 %3 px로 맞습니다</translation>
-    </message>
-    <message>
-        <source>its pictures have more than 100 megapixels or 32000 pixels a side</source>
-        <translation>영상이 1억 화소 또는 한 변 32000픽셀을 넘습니다</translation>
-    </message>
-    <message>
-        <source>more than 50 megapixels or 32000 pixels a side are not read</source>
-        <translation>5천만 화소 또는 한 변 32000픽셀을 넘으면 읽지 않습니다</translation>
-    </message>
-    <message>
-        <source>its results are not those that its analysis gave</source>
-        <translation>결과가 분석에서 나온 값과 다릅니다</translation>
-    </message>
-    <message>
-        <source>they were changed in the file</source>
-        <translation>파일에서 변경되었습니다</translation>
-    </message>
-    <message>
-        <source>run odograph check, or analyse the trial again</source>
-        <translation>odograph check를 실행하거나 시행을 다시 분석하십시오</translation>
-    </message>
-    <message>
-        <source>it has no name</source>
-        <translation>이름이 없습니다</translation>
-    </message>
-    <message>
-        <source>its folder cannot be used (%1)</source>
-        <translation>그 폴더를 쓸 수 없습니다 (%1)</translation>
-    </message>
-    <message>
-        <source>choose another folder</source>
-        <translation>다른 폴더를 고르십시오</translation>
-    </message>
-    <message>
-        <source>it is a named pipe</source>
-        <translation>이름 있는 파이프입니다</translation>
-    </message>
-    <message>
-        <source>it is a socket</source>
-        <translation>소켓입니다</translation>
-    </message>
-    <message>
-        <source>it is a device</source>
-        <translation>장치입니다</translation>
-    </message>
-    <message>
-        <source>it is the project itself</source>
-        <translation>프로젝트 파일 자체입니다</translation>
-    </message>
-    <message>
-        <source>it is the log, the lock or a backup of a project</source>
-        <translation>프로젝트의 로그, 잠금 또는 백업 파일입니다</translation>
-    </message>
-    <message>
-        <source>it is in the media folder of project &apos;%1&apos;</source>
-        <translation>프로젝트 &apos;%1&apos;의 미디어 폴더에 있습니다</translation>
-    </message>
-    <message>
-        <source>it is an input of the same call</source>
-        <translation>같은 호출의 입력 파일입니다</translation>
-    </message>
-    <message>
-        <source>it is a recording of the project</source>
-        <translation>프로젝트의 녹화입니다</translation>
-    </message>
-    <message>
-        <source>it is another project</source>
-        <translation>다른 프로젝트입니다</translation>
-    </message>
-    <message>
-        <source>it is a database</source>
-        <translation>데이터베이스입니다</translation>
-    </message>
-    <message>
-        <source>a file of another kind has that name</source>
-        <translation>다른 종류의 파일이 그 이름을 쓰고 있습니다</translation>
-    </message>
-    <message>
-        <source>choose another name, or replace it with --force</source>
-        <translation>다른 이름을 고르거나 --force로 바꾸십시오</translation>
-    </message>
-    <message>
-        <source>choose another name or folder</source>
-        <translation>다른 이름이나 폴더를 고르십시오</translation>
-    </message>
-    <message>
-        <source>the file has more than 1.5 million places</source>
-        <translation>파일에 위치가 150만 개보다 많습니다</translation>
-    </message>
-    <message>
-        <source>it is longer than 8 MiB</source>
-        <translation>8 MiB보다 깁니다</translation>
-    </message>
-    <message>
-        <source>folder &apos;%1&apos;</source>
-        <translation>폴더 &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>it holds an invisible character, %1</source>
-        <translation>보이지 않는 문자 %1이(가) 들어 있습니다</translation>
-    </message>
-    <message>
-        <source>it has more than %1 markers</source>
-        <translation>마커가 %1개를 넘습니다</translation>
-    </message>
-    <message>
-        <source>leave out those that no camera sees</source>
-        <translation>어떤 카메라에도 보이지 않는 것은 빼십시오</translation>
-    </message>
-    <message>
-        <source>marker &apos;%1&apos; is not on a floor of 1 km</source>
-        <translation>마커 &apos;%1&apos;이(가) 1 km 바닥 안에 있지 않습니다</translation>
-    </message>
-    <message>
-        <source>it is larger than %1 m</source>
-        <translation>%1 m보다 큽니다</translation>
-    </message>
-    <message>
-        <source>it has %1 views</source>
-        <translation>뷰가 %1개입니다</translation>
-    </message>
-    <message>
-        <source>it has %1 robots</source>
-        <translation>로봇이 %1대입니다</translation>
-    </message>
-    <message>
-        <source>%1: texts of more than %2 characters: %3</source>
-        <translation>%1: %2자를 넘는 글: %3</translation>
-    </message>
-    <message>
-        <source>%1: numbers beyond %2: %3</source>
-        <translation>%1: %2을(를) 넘는 수: %3</translation>
-    </message>
-    <message>
-        <source>%1: more than %2 of one %3: %4</source>
-        <translation>%1: 한 %3에 %2개를 넘음: %4</translation>
-    </message>
-    <message>
-        <source>the rest is not read; change it here, or where the file comes from</source>
-        <translation>나머지는 읽지 않습니다. 여기서 바꾸거나 파일을 만든 곳에서 바꾸십시오</translation>
-    </message>
-    <message>
-        <source>trial %1 of the project</source>
-        <translation>프로젝트의 시행 %1</translation>
-    </message>
-    <message>
-        <source>a value to be stored is not a number of ordinary size</source>
-        <translation>저장할 값이 보통 크기의 수가 아닙니다</translation>
-    </message>
-    <message>
-        <source>look for stray files</source>
-        <translation>소속 없는 파일 찾기</translation>
-    </message>
-    <message>
-        <source>remove stray files</source>
-        <translation>소속 없는 파일 제거</translation>
-    </message>
-    <message>
-        <source>cannot remove &apos;%1&apos;</source>
-        <translation>&apos;%1&apos;을(를) 제거할 수 없습니다</translation>
-    </message>
-    <message>
-        <source>check the rights of the project&apos;s folder</source>
-        <translation>프로젝트 폴더의 권한을 확인하십시오</translation>
-    </message>
-    <message>
-        <source>another program is writing or removing it just now</source>
-        <translation>지금 다른 프로그램이 쓰거나 제거하는 중입니다</translation>
-    </message>
-    <message>
-        <source>its videos are kept in &apos;%1&apos;; put the project back, and run odograph check P.odo --adopt</source>
-        <translation>동영상은 &apos;%1&apos;에 남아 있습니다. 프로젝트를 제자리에 돌려놓고 odograph check P.odo --adopt를 실행하십시오</translation>
-    </message>
-    <message>
-        <source>something unexpected happened (%1)</source>
-        <translation>예기치 않은 일이 일어났습니다(%1)</translation>
-    </message>
-    <message>
-        <source>try again, and report it if it happens again</source>
-        <translation>다시 시도하고, 또 일어나면 알려 주십시오</translation>
-    </message>
-    <message>
-        <source>its frame rate is not between 0.1 and 100,000 frames a second</source>
-        <translation>프레임 속도가 초당 0.1~100,000 프레임이 아닙니다</translation>
-    </message>
-    <message>
-        <source>give the rate at which the camera took the frames</source>
-        <translation>카메라가 프레임을 찍은 속도를 입력하십시오</translation>
-    </message>
-    <message>
-        <source>looking through the media folder</source>
-        <translation>미디어 폴더를 살펴보는 중</translation>
-    </message>
-    <message>
-        <source>it is a project that is open here</source>
-        <translation>여기에서 열려 있는 프로젝트입니다</translation>
-    </message>
-    <message>
-        <source>choose another file</source>
-        <translation>다른 파일을 선택하십시오</translation>
-    </message>
-    <message>
-        <source>put the file back in its place</source>
-        <translation>파일을 제자리에 돌려놓으십시오</translation>
-    </message>
-    <message>
-        <source>its folder is gone, and there is no home folder to rescue it to</source>
-        <translation>폴더가 사라졌고 구조할 홈 폴더도 없습니다</translation>
-    </message>
-    <message>
-        <source>it could not be copied to be read (%1)</source>
-        <translation>읽기 위해 복사할 수 없습니다 (%1)</translation>
-    </message>
-    <message>
-        <source>copy it with the files beside it to a folder that you may write to, and open the copy</source>
-        <translation>옆에 있는 파일과 함께 쓸 수 있는 폴더로 복사한 뒤 그 사본을 여십시오</translation>
-    </message>
-    <message>
-        <source>analysing position %1</source>
-        <translation>위치 %1 분석 중</translation>
-    </message>
-    <message>
-        <source>check of the project</source>
-        <translation>프로젝트 검사</translation>
-    </message>
-    <message>
-        <source>checking the database</source>
-        <translation>데이터베이스 검사 중</translation>
-    </message>
-    <message>
-        <source>checking %1</source>
-        <translation>%1 검사 중</translation>
-    </message>
-    <message>
-        <source>project &apos;%1&apos; beside it may use them, and cannot be read (%2)</source>
-        <translation>옆에 있는 프로젝트 &apos;%1&apos;이(가) 이 파일을 쓸 수 있는데 읽을 수 없습니다 (%2)</translation>
-    </message>
-    <message>
-        <source>open that project, or move it to a folder of its own with its videos</source>
-        <translation>그 프로젝트를 열거나 동영상과 함께 별도 폴더로 옮기십시오</translation>
-    </message>
-    <message>
-        <source>another program wrote over its file while it was open; nothing more was stored</source>
-        <translation>열려 있는 동안 다른 프로그램이 파일을 덮어썼습니다. 그 뒤로는 저장되지 않았습니다</translation>
-    </message>
-    <message>
-        <source>open it again; if you were recording, look for stray files (odograph check --adopt)</source>
-        <translation>다시 여십시오. 녹화 중이었다면 소속 없는 파일을 찾아 보십시오 (odograph check --adopt)</translation>
-    </message>
-    <message>
-        <source>the project&apos;s file was deleted, renamed or replaced; recording goes on, and what is in it is rescued at the end</source>
-        <translation>프로젝트 파일이 삭제되거나 이름이 바뀌거나 교체되었습니다. 녹화는 계속되며 끝날 때 그 내용을 구해 냅니다</translation>
-    </message>
-    <message>
-        <source>the project&apos;s file was deleted, renamed or replaced meanwhile; what was in it is rescued in &apos;%1&apos;, which is the project from now on</source>
-        <translation>그사이 프로젝트 파일이 삭제되거나 이름이 바뀌거나 교체되었습니다. 그 내용은 &apos;%1&apos;에 구해 두었으며 이제부터 이것이 프로젝트입니다</translation>
-    </message>
-    <message>
-        <source>its file was deleted, renamed or replaced while it was open; nothing was stored</source>
-        <translation>열려 있는 동안 파일이 삭제되거나 이름이 바뀌거나 교체되었습니다. 저장된 것이 없습니다</translation>
-    </message>
-    <message>
-        <source>it is in a media folder beside a project</source>
-        <translation>프로젝트 옆의 미디어 폴더 안에 있습니다</translation>
-    </message>
-    <message>
-        <source>Odograph uses such names for temporary files</source>
-        <translation>Odograph가 임시 파일에 쓰는 이름입니다</translation>
-    </message>
-    <message>
-        <source>a name ending in .odo is for a project</source>
-        <translation>.odo로 끝나는 이름은 프로젝트용입니다</translation>
-    </message>
-    <message>
-        <source>give the project a title</source>
-        <translation>프로젝트에 제목을 붙이십시오</translation>
-    </message>
-    <message>
-        <source>put it back in its place and try again</source>
-        <translation>파일을 제자리에 되돌려 놓고 다시 시도하십시오</translation>
-    </message>
-    <message>
-        <source>its folder has &apos;%1&apos;, the log or journal of another file of this name</source>
-        <translation>폴더에 &apos;%1&apos;이(가) 있습니다. 이름이 같은 다른 파일의 로그 또는 저널입니다</translation>
-    </message>
-    <message>
-        <source>choose another name, or move &apos;%1&apos; to another folder first</source>
-        <translation>다른 이름을 선택하거나 먼저 &apos;%1&apos;을(를) 다른 폴더로 옮기십시오</translation>
-    </message>
-    <message>
-        <source>the log beside it (&apos;%1&apos;) belongs to another file or to another state of this one</source>
-        <translation>옆에 있는 로그(&apos;%1&apos;)는 다른 파일 또는 이 파일의 다른 상태에 속합니다</translation>
-    </message>
-    <message>
-        <source>move the log to another folder to open the file without it, or put the file back that the log belongs to</source>
-        <translation>로그를 다른 폴더로 옮겨 로그 없이 파일을 여시거나, 로그가 속한 파일을 제자리에 되돌려 놓으십시오</translation>
-    </message>
-    <message>
-        <source>it is a folder or a device, not a file</source>
-        <translation>파일이 아니라 폴더 또는 장치입니다</translation>
-    </message>
-    <message>
-        <source>put the original file back in its place</source>
-        <translation>원래 파일을 제자리에 되돌려 놓으십시오</translation>
-    </message>
-    <message>
-        <source>add the robot without a colour, so that it is found by how it differs from the floor</source>
-        <translation>색 없이 로봇을 추가하십시오. 그러면 바닥과 다른 점으로 찾습니다</translation>
-    </message>
-    <message>
-        <source>tell no colour, so that it is found by how it differs from the floor</source>
-        <translation>색을 지정하지 마십시오. 그러면 바닥과 다른 점으로 찾습니다</translation>
-    </message>
-    <message>
-        <source>check that the robot moves in the pictures, that a colour that was told is the one it has there, and that the light is sufficient</source>
-        <translation>로봇이 영상에서 움직이는지, 지정한 색이 영상에서의 색과 같은지, 조명이 충분한지 확인하십시오</translation>
-    </message>
-    <message>
-        <source>its reference point is farther from its centre than %1 m</source>
-        <translation>기준점이 중심에서 %1 m보다 멀리 있습니다</translation>
-    </message>
-    <message>
-        <source>a reference point beside its centre takes a heading, which is not known where the height changes</source>
-        <translation>중심을 벗어난 기준점에는 방향이 필요한데, 높이가 변하는 곳에서는 방향을 알 수 없습니다</translation>
-    </message>
-    <message>
-        <source>leave out one of the two</source>
-        <translation>둘 중 하나를 빼십시오</translation>
-    </message>
-    <message>
-        <source>its reference point lies beside its centre, but its outlines do not tell its heading</source>
-        <translation>기준점이 중심을 벗어나 있지만 윤곽으로는 방향을 알 수 없습니다</translation>
-    </message>
-    <message>
-        <source>give it the reference point 0,0 and track again</source>
-        <translation>기준점을 0,0으로 하고 다시 추적하십시오</translation>
-    </message>
-    <message>
-        <source>another sample was judged by hand while this one was analysed</source>
-        <translation>이 표본을 분석하는 동안 다른 표본이 수동으로 판정되었습니다</translation>
-    </message>
-    <message>
-        <source>say it again for frame %1</source>
-        <translation>프레임 %1에 대해 다시 지정하십시오</translation>
-    </message>
-    <message>
-        <source>give each a colour of its own</source>
-        <translation>각 로봇에 고유한 색을 주십시오</translation>
-    </message>
-    <message>
-        <source>track only the robots that are in the pictures (--robot)</source>
-        <translation>영상에 있는 로봇만 추적하십시오 (--robot)</translation>
-    </message>
-    <message>
-        <source>from %1 s to %2 s it is doubtful whether this is %3 or %4</source>
-        <translation>%1초부터 %2초까지 이 로봇이 %3인지 %4인지 확실하지 않습니다</translation>
-    </message>
-    <message>
-        <source>from %1 s to %2 s it is doubtful whether this is %3 or another robot of its look</source>
-        <translation>%1초부터 %2초까지 이 로봇이 %3인지 모습이 같은 다른 로봇인지 확실하지 않습니다</translation>
-    </message>
-    <message>
-        <source>from %1 s to %2 s (the first of %3 times) it is doubtful whether this is %4 or %5</source>
-        <translation>%1초부터 %2초까지(%3번 중 첫 번째) 이 로봇이 %4인지 %5인지 확실하지 않습니다</translation>
-    </message>
-    <message>
-        <source>from %1 s to %2 s (the first of %3 times) it is doubtful whether this is %4 or another robot of its look</source>
-        <translation>%1초부터 %2초까지(%3번 중 첫 번째) 이 로봇이 %4인지 모습이 같은 다른 로봇인지 확실하지 않습니다</translation>
-    </message>
-    <message>
-        <source>in %1 of %2 pictures the views have it at places far apart</source>
-        <translation>영상 %2개 중 %1개에서 뷰들이 서로 멀리 떨어진 곳을 가리킵니다</translation>
-    </message>
-    <message>
-        <source>one of them follows something else, or is not where it was registered</source>
-        <translation>그중 하나가 다른 것을 따라가거나 등록된 자리에 있지 않습니다</translation>
-    </message>
-    <message>
-        <source>look at the outlines, and tell the robot&apos;s colour or keep others out of the pictures</source>
-        <translation>윤곽을 살펴보고, 로봇의 색을 지정하거나 다른 것이 영상에 들어오지 않게 하십시오</translation>
-    </message>
-    <message>
-        <source>robot &apos;%1&apos; in view &apos;%2&apos;</source>
-        <translation>뷰 &apos;%2&apos;의 로봇 &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>robot &apos;%1&apos; pointed out in view &apos;%2&apos;</source>
-        <translation>뷰 &apos;%2&apos;에서 가리킨 로봇 &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>nothing stands out from the floor at %1,%2 at %3 s for some frames</source>
-        <translation>%3초에 %1,%2에는 몇 프레임 동안 바닥과 구별되는 것이 없습니다</translation>
-    </message>
-    <message>
-        <source>point it out where all of it is seen and it moves</source>
-        <translation>로봇 전체가 보이고 움직이는 곳에서 가리키십시오</translation>
-    </message>
-    <message>
-        <source>it is found by its colour</source>
-        <translation>색으로 찾는 로봇입니다</translation>
-    </message>
-    <message>
-        <source>pick its colour again, or take the colour from it</source>
-        <translation>색을 다시 고르거나 색을 없애십시오</translation>
-    </message>
-    <message>
-        <source>the trial has no such view</source>
-        <translation>시행에 그런 뷰가 없습니다</translation>
-    </message>
-    <message>
-        <source>name one of its cameras</source>
-        <translation>시행의 카메라 가운데 하나를 지정하십시오</translation>
-    </message>
-    <message>
-        <source>the view has no picture at that time</source>
-        <translation>그 시각에 뷰의 영상이 없습니다</translation>
-    </message>
-    <message>
-        <source>name a time within the trial, in seconds</source>
-        <translation>시행 안의 시각을 초로 지정하십시오</translation>
-    </message>
-    <message>
-        <source>the place lies outside the picture</source>
-        <translation>그 위치는 영상 밖에 있습니다</translation>
-    </message>
-    <message>
-        <source>name it in pixels from the picture&apos;s top left corner</source>
-        <translation>영상 왼쪽 위 모서리부터 픽셀로 지정하십시오</translation>
-    </message>
-    <message>
-        <source>it is not tracked in trial &apos;%1&apos;</source>
-        <translation>시행 &apos;%1&apos;에서 추적하지 않습니다</translation>
-    </message>
-    <message>
-        <source>name one of its robots</source>
-        <translation>시행의 로봇 가운데 하나를 지정하십시오</translation>
-    </message>
-    <message>
-        <source>hidden behind %1 in view %2</source>
-        <translation>뷰 %2에서 %1에 가려짐</translation>
-    </message>
-    <message>
-        <source>partly hidden behind %1 in view %2</source>
-        <translation>뷰 %2에서 %1에 일부 가려짐</translation>
-    </message>
-    <message>
-        <source>one outline with %1 in view %2</source>
-        <translation>뷰 %2에서 %1과(와) 윤곽이 하나로 합쳐짐</translation>
-    </message>
-    <message>
-        <source>cut by the frame&apos;s edge in view %1</source>
-        <translation>뷰 %1에서 영상 가장자리에서 잘림</translation>
-    </message>
-    <message>
-        <source>not visible in view %1</source>
-        <translation>뷰 %1에서 보이지 않음</translation>
-    </message>
-    <message>
-        <source>outline smaller than usual in view %1</source>
-        <translation>뷰 %1에서 윤곽이 평소보다 작음</translation>
-    </message>
-    <message>
-        <source>outline larger than usual in view %1</source>
-        <translation>뷰 %1에서 윤곽이 평소보다 큼</translation>
-    </message>
-    <message>
-        <source>in %1 of %2 pictures the views contradict one another</source>
-        <translation>영상 %2개 중 %1개에서 뷰들이 서로 모순됩니다</translation>
-    </message>
-    <message>
-        <source>they put it %1 mm apart</source>
-        <translation>위치가 %1 mm 차이 납니다</translation>
-    </message>
-    <message>
-        <source>a camera was moved after it was registered, the views are out of step, or the robot&apos;s height is not what was told</source>
-        <translation>정합 후 카메라가 움직였거나, 뷰가 동기화되지 않았거나, 로봇의 높이가 입력한 값과 다릅니다</translation>
-    </message>
-    <message>
-        <source>register the cameras again</source>
-        <translation>카메라를 다시 정합하십시오</translation>
-    </message>
-    <message>
-        <source>the views put it %1 mm apart</source>
-        <translation>뷰들이 주는 위치가 %1 mm 차이 납니다</translation>
-    </message>
-    <message>
-        <source>a camera was moved after it was registered, the videos belong to other cameras, or one view follows something else</source>
-        <translation>정합 후 카메라가 움직였거나, 동영상이 다른 카메라의 것이거나, 한 뷰가 다른 것을 따라갑니다</translation>
-    </message>
-    <message>
-        <source>look at the outlines, and register the cameras again</source>
-        <translation>윤곽선을 확인하고 카메라를 다시 정합하십시오</translation>
-    </message>
-    <message>
-        <source>a key is no text, or a bracket is not closed</source>
-        <translation>키가 텍스트가 아니거나 괄호가 닫히지 않았습니다</translation>
-    </message>
-    <message>
-        <source>anchors and aliases are not understood</source>
-        <translation>앵커와 별칭은 인식하지 않습니다</translation>
-    </message>
-    <message>
-        <source>it is no valid YAML (%1)</source>
-        <translation>올바른 YAML이 아닙니다(%1)</translation>
-    </message>
-</context>
-<context>
     <name>DoubtfulStretches</name>
     <message>
         <source>Which robot? Until %1</source>
@@ -7371,28 +1068,12 @@ GNU 일반 공중 사용 허가서(GPL) 버전 3 이상을 따르는 자유 소�
 <context>
     <name>OwnChanges</name>
     <message>
-        <source>nothing was changed here</source>
-        <translation>여기서 변경한 것이 없습니다</translation>
-    </message>
-    <message>
-        <source>what was changed before is taken back in the window&apos;s menu Edit</source>
-        <translation>이전에 변경한 것은 창의 편집 메뉴에서 되돌리십시오</translation>
-    </message>
-    <message>
         <source>Done: %1. Ctrl+Z takes it back.</source>
         <translation>완료: %1. Ctrl+Z로 되돌릴 수 있습니다.</translation>
     </message>
     <message>
-        <source>undo</source>
-        <translation>실행 취소</translation>
-    </message>
-    <message>
         <source>Undone: %1.</source>
         <translation>실행 취소함: %1.</translation>
-    </message>
-    <message>
-        <source>redo</source>
-        <translation>다시 실행</translation>
     </message>
     <message>
         <source>Made again: %1.</source>
@@ -7806,6 +1487,42 @@ GNU 일반 공중 사용 허가서(GPL) 버전 3 이상을 따르는 자유 소�
         <source>±: %1.</source>
         <translation>±: %1.</translation>
     </message>
+    <message>
+        <source>jump</source>
+        <translation>도약</translation>
+    </message>
+    <message>
+        <source>speed limit</source>
+        <translation>속력 한계</translation>
+    </message>
+    <message>
+        <source>acceleration limit</source>
+        <translation>가속도 한계</translation>
+    </message>
+    <message>
+        <source>views disagree</source>
+        <translation>뷰 불일치</translation>
+    </message>
+    <message>
+        <source>low score</source>
+        <translation>낮은 점수</translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation>놓침</translation>
+    </message>
+    <message>
+        <source>duplicate frame</source>
+        <translation>중복 프레임</translation>
+    </message>
+    <message>
+        <source>interpolated</source>
+        <translation>보간됨</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>수동</translation>
+    </message>
 </context>
 <context>
     <name>ReportStills</name>
@@ -7966,6 +1683,37 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>%1 points at %2 or more, none at %3 or less</source>
         <translation>%2 이상이면 %1점, %3 이하이면 0점</translation>
+    </message>
+</context>
+<context>
+    <name>ShownMessageWords</name>
+    <message>
+        <source>none</source>
+        <translation>없음</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1 or %2</source>
+        <translation>%1 또는 %2</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 및 %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1; %2</translation>
     </message>
 </context>
 <context>
@@ -8171,18 +1919,6 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>Robot:</source>
         <translation>로봇:</translation>
-    </message>
-    <message>
-        <source>export of %1</source>
-        <translation>%1 내보내기</translation>
-    </message>
-    <message>
-        <source>it has not been tracked yet</source>
-        <translation>아직 추적하지 않았습니다</translation>
-    </message>
-    <message>
-        <source>track it first</source>
-        <translation>먼저 추적하십시오</translation>
     </message>
     <message>
         <source>Export %1</source>
@@ -8480,6 +2216,5963 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>Odograph</source>
         <translation>Odograph</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.a_constant</name>
+    <message>
+        <source>a constant</source>
+        <translation>상수</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.a_parabola</name>
+    <message>
+        <source>a parabola</source>
+        <translation>포물선</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.a_straight_line</name>
+    <message>
+        <source>a straight line</source>
+        <translation>직선</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.align_by_distance</name>
+    <message>
+        <source>align by distance</source>
+        <translation>거리로 정렬하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.align_otherwise</name>
+    <message>
+        <source>align by motion onset or distance</source>
+        <translation>움직임의 시작이나 거리로 정렬하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.check_numbers</name>
+    <message>
+        <source>check the numbers</source>
+        <translation>숫자를 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.choose_another_run</name>
+    <message>
+        <source>choose another run as well</source>
+        <translation>다른 주행도 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.choose_common_place</name>
+    <message>
+        <source>choose a place that both runs pass</source>
+        <translation>두 주행이 모두 지나는 곳을 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.choose_figure</name>
+    <message>
+        <source>choose what is scored</source>
+        <translation>무엇을 채점할지 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.choose_longer_range</name>
+    <message>
+        <source>choose a longer range</source>
+        <translation>더 긴 범위를 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.choose_motion</name>
+    <message>
+        <source>choose a run with motion</source>
+        <translation>움직임이 있는 주행을 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.choose_same_direction</name>
+    <message>
+        <source>choose runs in the same direction</source>
+        <translation>같은 방향의 주행을 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.choose_same_task</name>
+    <message>
+        <source>choose runs of the same task</source>
+        <translation>같은 과제의 주행을 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.comparison</name>
+    <message>
+        <source>comparison</source>
+        <translation>비교</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.comparison_of</name>
+    <message>
+        <source>comparison of %1</source>
+        <translation>%1의 비교</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.corners_in_order</name>
+    <message>
+        <source>give the corners in order, all the way round</source>
+        <translation>꼭짓점을 한 바퀴 차례대로 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.corners_off_floor</name>
+    <message>
+        <source>its corners are not on a floor of 1 km</source>
+        <translation>꼭짓점이 1 km 바닥 안에 있지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.corners_once</name>
+    <message>
+        <source>give each corner once</source>
+        <translation>각 꼭짓점을 한 번씩만 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.corners_too_near</name>
+    <message>
+        <source>two corners are less than 1 mm apart</source>
+        <translation>두 꼭짓점의 간격이 1 mm 미만입니다</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.draw_coarsely</name>
+    <message>
+        <source>draw it more coarsely</source>
+        <translation>더 성기게 그리십시오</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.ends_off_floor</name>
+    <message>
+        <source>its ends are not on a floor of 1 km</source>
+        <translation>두 끝이 1 km 바닥 안에 있지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.ends_too_near</name>
+    <message>
+        <source>its ends are less than 1 mm apart</source>
+        <translation>두 끝의 간격이 1 mm 미만입니다</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.few_corners</name>
+    <message>
+        <source>it has less than three corners</source>
+        <translation>꼭짓점이 세 개보다 적습니다</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.few_points</name>
+    <message>
+        <source>it has too few points</source>
+        <translation>점이 너무 적습니다</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.finish_is_there</name>
+    <message>
+        <source>gate &apos;%1&apos; is the finish already</source>
+        <translation>게이트 &apos;%1&apos;이(가) 이미 도착입니다</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.fit_of</name>
+    <message>
+        <source>fit of %1</source>
+        <translation>피팅 (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.gate</name>
+    <message>
+        <source>gate &apos;%1&apos;</source>
+        <translation>게이트 &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.give_another_number</name>
+    <message>
+        <source>give another number</source>
+        <translation>다른 숫자를 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.give_corners</name>
+    <message>
+        <source>give the corners of its outline, all the way round</source>
+        <translation>윤곽의 꼭짓점을 한 바퀴 빠짐없이 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.give_ends</name>
+    <message>
+        <source>give the two ends of the line that is to be passed</source>
+        <translation>지나야 할 선의 두 끝을 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.give_limits</name>
+    <message>
+        <source>give the largest speed and acceleration that a robot can have in the task</source>
+        <translation>과제에서 로봇이 낼 수 있는 최대 속력과 가속도를 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.give_place</name>
+    <message>
+        <source>give where it lies in millimetres</source>
+        <translation>위치를 밀리미터로 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.give_points</name>
+    <message>
+        <source>give points from 1 to 1000, below zero for a penalty</source>
+        <translation>1에서 1000까지, 벌점은 음수로 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.give_sizes</name>
+    <message>
+        <source>give the sizes in millimetres</source>
+        <translation>크기를 밀리미터로 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.give_three_numbers</name>
+    <message>
+        <source>give three numbers</source>
+        <translation>숫자 세 개를 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.give_two_points</name>
+    <message>
+        <source>give two points or more, three where the path is closed</source>
+        <translation>점을 두 개 이상, 닫힌 경로면 세 개 이상 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.give_two_values</name>
+    <message>
+        <source>give two values, between which the points rise</source>
+        <translation>점수가 그 사이에서 오르는 두 값을 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.join_zones</name>
+    <message>
+        <source>join zones that lie beside one another</source>
+        <translation>나란한 구역을 합치십시오</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.keep_what_matters</name>
+    <message>
+        <source>keep those that matter</source>
+        <translation>중요한 것만 남기십시오</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.limit_not_positive</name>
+    <message>
+        <source>a limit is not above zero</source>
+        <translation>한계가 0보다 크지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.limits</name>
+    <message>
+        <source>limits of a task</source>
+        <translation>과제의 한계</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.line_of_scoring</name>
+    <message>
+        <source>line %1 of the scoring</source>
+        <translation>채점의 %1행</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.little_motion</name>
+    <message>
+        <source>the robot hardly moves in %1</source>
+        <translation>%1에서 로봇이 거의 움직이지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.many_corners</name>
+    <message>
+        <source>it has more than %1 corners</source>
+        <translation>꼭짓점이 %1개를 넘습니다</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.many_lines</name>
+    <message>
+        <source>it has more than %1 lines</source>
+        <translation>%1행을 넘습니다</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.many_points</name>
+    <message>
+        <source>it has more than %1 points</source>
+        <translation>점이 %1개를 넘습니다</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.many_zones</name>
+    <message>
+        <source>the task has %1 zones already</source>
+        <translation>과제에 구역이 이미 %1개 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.moment_outside</name>
+    <message>
+        <source>the moment told for %1 lies outside of it</source>
+        <translation>%1에 지정한 시점이 그 주행 밖에 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.moments_missing</name>
+    <message>
+        <source>a moment of each run is needed to align them by hand</source>
+        <translation>직접 정렬하려면 각 주행의 시점이 필요합니다</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.name_each_gate</name>
+    <message>
+        <source>give each gate a name of its own</source>
+        <translation>게이트마다 다른 이름을 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.name_each_zone</name>
+    <message>
+        <source>give each zone a name of its own</source>
+        <translation>구역마다 다른 이름을 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.name_twice</name>
+    <message>
+        <source>the name is there twice</source>
+        <translation>이름이 두 번 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.no_figure</name>
+    <message>
+        <source>it names no figure</source>
+        <translation>지표가 지정되지 않았습니다</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.no_motion</name>
+    <message>
+        <source>the robot does not move in %1</source>
+        <translation>%1에서 로봇이 움직이지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.no_onset</name>
+    <message>
+        <source>the robot of %1 drives already when it is first seen</source>
+        <translation>%1의 로봇이 처음 보일 때 이미 달리고 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.no_start_gate</name>
+    <message>
+        <source>%1 does not pass a start gate</source>
+        <translation>%1은(는) 출발 게이트를 지나지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.no_such_role</name>
+    <message>
+        <source>there is no such role</source>
+        <translation>그런 역할이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.no_such_rule</name>
+    <message>
+        <source>there is no such rule of a zone</source>
+        <translation>그런 구역 규칙이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.no_such_template</name>
+    <message>
+        <source>there is no such template</source>
+        <translation>그런 템플릿이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.not_on_tasks_path</name>
+    <message>
+        <source>%1 has no stretch of the way in common with the task&apos;s path</source>
+        <translation>%1은(는) 과제의 경로와 겹치는 구간이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.not_seen_there</name>
+    <message>
+        <source>%1 was not seen at the place to align by</source>
+        <translation>정렬할 곳에서 %1이(가) 보이지 않았습니다</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.nothing_in_common</name>
+    <message>
+        <source>%1 has no stretch of the way in common with %2</source>
+        <translation>%1은(는) %2과(와) 겹치는 구간이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.number_is_none</name>
+    <message>
+        <source>a number in it is none</source>
+        <translation>그 안의 숫자가 올바르지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.one_point_too_few</name>
+    <message>
+        <source>%1 point is too few for it</source>
+        <translation>점 %1개로는 너무 적습니다</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.one_start_and_finish</name>
+    <message>
+        <source>keep one start and one finish, or one gate with the role start_finish</source>
+        <translation>출발과 도착을 하나씩만 두거나 둘을 겸하는 게이트 하나를 두십시오</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.other_direction</name>
+    <message>
+        <source>%1 drives the way in the other direction than %2</source>
+        <translation>%1은(는) %2과(와) 반대 방향으로 달립니다</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.outline_crosses</name>
+    <message>
+        <source>its outline crosses itself</source>
+        <translation>윤곽이 스스로 교차합니다</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.path_too_short</name>
+    <message>
+        <source>it is shorter than 1 mm</source>
+        <translation>1 mm보다 짧습니다</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.place_no_number</name>
+    <message>
+        <source>its place is not a number</source>
+        <translation>위치가 숫자가 아닙니다</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.points_off_floor</name>
+    <message>
+        <source>its points are not on a floor of 1 km</source>
+        <translation>점들이 1 km 바닥 안에 있지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.points_out_of_range</name>
+    <message>
+        <source>its points are 0, or beyond 1000</source>
+        <translation>점수가 0이거나 1000을 넘습니다</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.points_too_few</name>
+    <message>
+        <source>%1 points are too few for it</source>
+        <translation>점 %1개로는 부족합니다</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.reference_path</name>
+    <message>
+        <source>reference path</source>
+        <translation>기준 경로</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.role</name>
+    <message>
+        <source>role &apos;%1&apos;</source>
+        <translation>역할 &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.rule</name>
+    <message>
+        <source>rule &apos;%1&apos;</source>
+        <translation>규칙 &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.same_values</name>
+    <message>
+        <source>all points and no points are at the same value</source>
+        <translation>만점과 0점의 값이 같습니다</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.sample_coarsely</name>
+    <message>
+        <source>sample it more coarsely</source>
+        <translation>더 성기게 찍으십시오</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.scoring</name>
+    <message>
+        <source>scoring</source>
+        <translation>채점</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.size_too_small</name>
+    <message>
+        <source>a size is less than 1 mm</source>
+        <translation>크기가 1 mm 미만입니다</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.start_is_there</name>
+    <message>
+        <source>gate &apos;%1&apos; is the start already</source>
+        <translation>게이트 &apos;%1&apos;이(가) 이미 출발입니다</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.takes_two_runs</name>
+    <message>
+        <source>it takes two runs</source>
+        <translation>주행 두 개가 필요합니다</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.tell_moment_inside</name>
+    <message>
+        <source>tell one between its first and last frame</source>
+        <translation>첫 프레임과 마지막 프레임 사이로 지정하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.tell_moments</name>
+    <message>
+        <source>tell one for each</source>
+        <translation>각각 하나씩 지정하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.template</name>
+    <message>
+        <source>template &apos;%1&apos;</source>
+        <translation>템플릿 &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.template_of_task</name>
+    <message>
+        <source>template of a task</source>
+        <translation>과제의 템플릿</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.use_a_rule</name>
+    <message>
+        <source>use stay_inside or stay_outside</source>
+        <translation>stay_inside나 stay_outside를 쓰십시오</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.use_one_of</name>
+    <message>
+        <source>use %1</source>
+        <translation>%1을(를) 쓰십시오</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.wrong_poles</name>
+    <message>
+        <source>a slalom has 1 to 100 poles, not %1</source>
+        <translation>슬라럼의 기둥은 %1개가 아니라 1~100개입니다</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.zone</name>
+    <message>
+        <source>zone &apos;%1&apos;</source>
+        <translation>구역 &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.camera</name>
+    <message>
+        <source>camera &apos;%1&apos;</source>
+        <translation>카메라 &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.cancelled</name>
+    <message>
+        <source>cancelled</source>
+        <translation>취소됨</translation>
+    </message>
+</context>
+<context>
+    <name>base.cannot_do_this</name>
+    <message>
+        <source>cannot do this</source>
+        <translation>이 작업을 할 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>base.class</name>
+    <message>
+        <source>class &apos;%1&apos;</source>
+        <translation>학급 &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.close_other_programs</name>
+    <message>
+        <source>close other programs and try again</source>
+        <translation>다른 프로그램을 닫고 다시 시도하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>base.colon</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>base.colour</name>
+    <message>
+        <source>colour &apos;%1&apos;</source>
+        <translation>색 &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.comma</name>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>base.file</name>
+    <message>
+        <source>file &apos;%1&apos;</source>
+        <translation>파일 &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.foreign</name>
+    <message>
+        <source>%1</source>
+        <translation>%1</translation>
+    </message>
+</context>
+<context>
+    <name>base.is_device</name>
+    <message>
+        <source>it is a device</source>
+        <translation>장치입니다</translation>
+    </message>
+</context>
+<context>
+    <name>base.is_folder</name>
+    <message>
+        <source>it is a folder</source>
+        <translation>폴더입니다</translation>
+    </message>
+</context>
+<context>
+    <name>base.is_pipe</name>
+    <message>
+        <source>it is a named pipe</source>
+        <translation>이름 있는 파이프입니다</translation>
+    </message>
+</context>
+<context>
+    <name>base.is_socket</name>
+    <message>
+        <source>it is a socket</source>
+        <translation>소켓입니다</translation>
+    </message>
+</context>
+<context>
+    <name>base.layout</name>
+    <message>
+        <source>layout &apos;%1&apos;</source>
+        <translation>배치 &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.length</name>
+    <message>
+        <source>length &apos;%1&apos;</source>
+        <translation>길이 &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.marker</name>
+    <message>
+        <source>marker %1</source>
+        <translation>마커 %1</translation>
+    </message>
+</context>
+<context>
+    <name>base.name</name>
+    <message>
+        <source>%1</source>
+        <translation>%1</translation>
+    </message>
+</context>
+<context>
+    <name>base.no_colour</name>
+    <message>
+        <source>not of the form #rrggbb</source>
+        <translation>#rrggbb 형식이 아닙니다</translation>
+    </message>
+</context>
+<context>
+    <name>base.no_files</name>
+    <message>
+        <source>too many files are open</source>
+        <translation>열려 있는 파일이 너무 많습니다</translation>
+    </message>
+</context>
+<context>
+    <name>base.no_length</name>
+    <message>
+        <source>not a number with the unit mm, cm or m</source>
+        <translation>단위 mm, cm 또는 m이 붙은 숫자가 아닙니다</translation>
+    </message>
+</context>
+<context>
+    <name>base.no_memory</name>
+    <message>
+        <source>this computer has not enough free memory for it</source>
+        <translation>이 컴퓨터에 남은 메모리가 부족합니다</translation>
+    </message>
+</context>
+<context>
+    <name>base.no_number</name>
+    <message>
+        <source>not a finite decimal number</source>
+        <translation>유한한 십진수가 아닙니다</translation>
+    </message>
+</context>
+<context>
+    <name>base.no_thread</name>
+    <message>
+        <source>this computer gives no further thread</source>
+        <translation>이 컴퓨터에서 스레드를 더 만들 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>base.none</name>
+    <message>
+        <source>none</source>
+        <translation>없음</translation>
+    </message>
+</context>
+<context>
+    <name>base.nothing_changed</name>
+    <message>
+        <source>nothing was changed</source>
+        <translation>바뀐 것이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>base.number</name>
+    <message>
+        <source>number &apos;%1&apos;</source>
+        <translation>수 &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.quoted_name</name>
+    <message>
+        <source>&apos;%1&apos;</source>
+        <translation>&apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.robot</name>
+    <message>
+        <source>robot &apos;%1&apos;</source>
+        <translation>로봇 &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.robot_in_trial</name>
+    <message>
+        <source>robot &apos;%1&apos; in trial &apos;%2&apos;</source>
+        <translation>시행 &apos;%2&apos;의 로봇 &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.saved_is_safe</name>
+    <message>
+        <source>what was saved is safe</source>
+        <translation>저장된 것은 안전합니다</translation>
+    </message>
+</context>
+<context>
+    <name>base.semicolon</name>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1; %2</translation>
+    </message>
+</context>
+<context>
+    <name>base.space</name>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+</context>
+<context>
+    <name>base.task</name>
+    <message>
+        <source>task &apos;%1&apos;</source>
+        <translation>과제 &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.team</name>
+    <message>
+        <source>team &apos;%1&apos;</source>
+        <translation>팀 &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.trial</name>
+    <message>
+        <source>trial &apos;%1&apos;</source>
+        <translation>시행 &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.try_again_and_report</name>
+    <message>
+        <source>try again, and report it if it happens again</source>
+        <translation>다시 시도하고, 또 일어나면 알려 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>base.unexpected</name>
+    <message>
+        <source>something unexpected happened (%1)</source>
+        <translation>예기치 않은 일이 일어났습니다(%1)</translation>
+    </message>
+</context>
+<context>
+    <name>base.view_in_trial</name>
+    <message>
+        <source>view &apos;%1&apos; in trial &apos;%2&apos;</source>
+        <translation>시행 &apos;%2&apos;의 뷰 &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.wordless_exception</name>
+    <message>
+        <source>an exception without words</source>
+        <translation>설명이 없는 예외</translation>
+    </message>
+</context>
+<context>
+    <name>base.write_colour</name>
+    <message>
+        <source>write it like #d72328</source>
+        <translation>#d72328처럼 쓰십시오</translation>
+    </message>
+</context>
+<context>
+    <name>base.write_length</name>
+    <message>
+        <source>write it like 25mm, 2.5cm or 0.3m</source>
+        <translation>25mm, 2.5cm 또는 0.3m처럼 쓰십시오</translation>
+    </message>
+</context>
+<context>
+    <name>base.write_number</name>
+    <message>
+        <source>write it with digits and a point, like 12.5</source>
+        <translation>12.5처럼 숫자와 점으로 쓰십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.add_floor_points</name>
+    <message>
+        <source>add points of the floor, such as corners of tiles</source>
+        <translation>타일 모서리 같은 바닥의 점을 추가하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.all_agree</name>
+    <message>
+        <source>The markers and the cameras agree with one another.</source>
+        <translation>마커와 카메라가 서로 일치합니다.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.axes_changed</name>
+    <message>
+        <source>The world axes were changed afterwards.</source>
+        <translation>이후 월드 축이 바뀌었습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.axes_changed_and_scaled</name>
+    <message>
+        <source>The world axes were changed afterwards, and all lengths multiplied by %1.</source>
+        <translation>이후 월드 축이 바뀌었고 모든 길이에 %1을(를) 곱했습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.axes_no_number</name>
+    <message>
+        <source>the origin or the angle is not a finite number</source>
+        <translation>원점이나 각도가 유한한 수가 아닙니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.axes_not_changed</name>
+    <message>
+        <source>the axes of layout &apos;%1&apos; cannot be changed</source>
+        <translation>배치 &apos;%1&apos;의 좌표축을 바꿀 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.best_place</name>
+    <message>
+        <source>the best place for a camera</source>
+        <translation>카메라의 가장 좋은 위치</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_blurred</name>
+    <message>
+        <source>the board is blurred</source>
+        <translation>보드가 흐립니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_cut_off</name>
+    <message>
+        <source>the board is cut off</source>
+        <translation>보드가 잘렸습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_fills</name>
+    <message>
+        <source>it fills %1 of the picture</source>
+        <translation>사진의 %1를 차지합니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_in_one_place</name>
+    <message>
+        <source>all %1 pictures show the board in one place, the %2 %3 of the picture</source>
+        <translation>사진 %1장 모두 보드가 한곳에 있습니다 (%2, 영상의 %3)</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_not_flat</name>
+    <message>
+        <source>the corners do not lie as on a flat board</source>
+        <translation>모서리가 평평한 보드처럼 놓여 있지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_not_sharp</name>
+    <message>
+        <source>the board is not sharp</source>
+        <translation>보드가 선명하지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_of_other_size</name>
+    <message>
+        <source>this board has %1 inner corners, %2 was asked for</source>
+        <translation>이 보드의 내부 모서리는 %1, 요청은 %2입니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_part_seen</name>
+    <message>
+        <source>only %1 of its %2 inner corners are seen</source>
+        <translation>내부 모서리 %2 중 %1만 보입니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_stands_as_before</name>
+    <message>
+        <source>the board stands as in a picture already taken</source>
+        <translation>보드가 이미 찍은 사진에서처럼 놓여 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_stands_as_in</name>
+    <message>
+        <source>the board stands as in %1 already</source>
+        <translation>보드가 이미 %1에서처럼 놓여 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_too_oblique</name>
+    <message>
+        <source>the board is seen too obliquely, at %1 degrees</source>
+        <translation>보드가 %1도로 너무 비스듬히 보입니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_too_small</name>
+    <message>
+        <source>the board is too small</source>
+        <translation>보드가 너무 작습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.calibrate_to_rely</name>
+    <message>
+        <source>Calibrate it for positions to rely on.</source>
+        <translation>믿을 만한 위치를 얻으려면 보정하십시오.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.camera_alone_says</name>
+    <message>
+        <source>Camera &apos;%1&apos; alone says %2</source>
+        <translation>카메라 &apos;%1&apos;만으로는 %2입니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.camera_below_floor</name>
+    <message>
+        <source>seen in this order the camera would be below the floor</source>
+        <translation>이 순서라면 카메라가 바닥 아래에 있게 됩니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.camera_moved</name>
+    <message>
+        <source>%1 has moved %2 = %3</source>
+        <translation>%1이(가) %2 = %3 움직였습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.camera_sees_elsewhere</name>
+    <message>
+        <source>%1 sees %2 %3 from where the others do</source>
+        <translation>%1이(가) %2을(를) 다른 카메라보다 %3 떨어진 곳에서 봄</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.camera_sees_too_few</name>
+    <message>
+        <source>camera &apos;%1&apos; sees only %2 of the markers</source>
+        <translation>카메라 &apos;%1&apos;이(가) 마커를 %2개만 봅니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.camera_stands_low</name>
+    <message>
+        <source>The camera would stand only %1 above the floor</source>
+        <translation>카메라가 바닥 위 %1에만 있게 됩니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.camera_still</name>
+    <message>
+        <source>%1 stands where it was registered</source>
+        <translation>%1은(는) 정합한 자리에 그대로 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.camera_too_high</name>
+    <message>
+        <source>the camera would stand %1 above the floor</source>
+        <translation>카메라가 바닥 위 %1에 있게 됩니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.camera_too_low</name>
+    <message>
+        <source>the camera would stand only %1 above the floor</source>
+        <translation>카메라가 바닥 위 %1에만 있게 됩니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.camera_twice</name>
+    <message>
+        <source>camera &apos;%1&apos; is there twice</source>
+        <translation>카메라 &apos;%1&apos;이(가) 두 번 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.cameras_undetermined</name>
+    <message>
+        <source>the markers do not determine where the cameras stand</source>
+        <translation>마커로 카메라의 위치를 정할 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.cannot_be_calibrated</name>
+    <message>
+        <source>the camera cannot be calibrated</source>
+        <translation>카메라를 보정할 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.centimetres</name>
+    <message>
+        <source>centimetres</source>
+        <translation>센티미터</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_all</name>
+    <message>
+        <source>check the layout, the labels and the intrinsics</source>
+        <translation>배치, 이름표, 내부 파라미터를 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_both_lenses</name>
+    <message>
+        <source>check its pixels and the intrinsics of both cameras</source>
+        <translation>픽셀과 두 카메라의 내부 파라미터를 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_both_pixels</name>
+    <message>
+        <source>check its pixels in both pictures</source>
+        <translation>두 영상에서 그 픽셀을 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_columns</name>
+    <message>
+        <source>check which columns belong to which camera</source>
+        <translation>어느 열이 어느 카메라의 것인지 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_labels</name>
+    <message>
+        <source>check these labels</source>
+        <translation>이 이름표들을 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_layout_places</name>
+    <message>
+        <source>check the layout&apos;s places and their unit, cover other round things, or mark the markers by hand</source>
+        <translation>배치의 위치와 단위를 확인하고, 다른 둥근 것을 가리거나 마커를 손으로 표시하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_length</name>
+    <message>
+        <source>Check the length itself, whether it lies on the floor, and the places of the markers.</source>
+        <translation>길이 자체, 바닥에 놓였는지, 마커의 자리를 확인하십시오.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_one_camera</name>
+    <message>
+        <source>check that all are of one camera, at one zoom and focus</source>
+        <translation>모두 한 카메라로 같은 줌과 초점에서 찍었는지 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_pictures</name>
+    <message>
+        <source>check that all pictures are sharp, of one flat board and of one camera at one zoom and focus</source>
+        <translation>모든 사진이 선명하고, 평평한 한 보드를 한 카메라로 같은 줌과 초점에서 찍었는지 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_pixel_and_lens</name>
+    <message>
+        <source>check its pixel and the camera&apos;s intrinsics</source>
+        <translation>그 픽셀과 카메라의 내부 파라미터를 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_place_and_pixel</name>
+    <message>
+        <source>check its place and its pixel</source>
+        <translation>그 자리와 픽셀을 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_point_labels</name>
+    <message>
+        <source>check which label belongs to which point in %1 and in this camera</source>
+        <translation>%1과(와) 이 카메라에서 이름표와 점이 맞는지 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_signs</name>
+    <message>
+        <source>check the signs of the layout</source>
+        <translation>배치의 부호를 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_unit</name>
+    <message>
+        <source>check the unit of the layout</source>
+        <translation>배치의 단위를 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.checking_halves</name>
+    <message>
+        <source>checking halves against one another</source>
+        <translation>절반끼리 서로 검증하는 중</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.choose_floor_points</name>
+    <message>
+        <source>choose points of the floor</source>
+        <translation>바닥의 점을 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.choose_others</name>
+    <message>
+        <source>choose others</source>
+        <translation>다른 것을 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.clear_view</name>
+    <message>
+        <source>clear the view of the markers</source>
+        <translation>마커가 보이게 하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.common_and_unknown_markers</name>
+    <message>
+        <source>there are %1 (%2), and the layout does not know %3</source>
+        <translation>%1개뿐이며(%2) 배치에 %3이(가) 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.common_markers</name>
+    <message>
+        <source>there are %1 (%2)</source>
+        <translation>%1개뿐입니다 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.convert_unit</name>
+    <message>
+        <source>convert its unit.</source>
+        <translation>단위를 변환하십시오.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.corner_left_out</name>
+    <message>
+        <source>1 corner that stands out was left out, in %1.</source>
+        <translation>튀는 모서리 1개를 제외함, %1.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.corner_no_number</name>
+    <message>
+        <source>a corner of it is not a number</source>
+        <translation>모서리 하나가 숫자가 아닙니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.corner_unclear</name>
+    <message>
+        <source>a corner of the board cannot be made out</source>
+        <translation>보드의 모서리 하나를 알아볼 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.corners_disagree</name>
+    <message>
+        <source>%1 of the corners do not agree with the others</source>
+        <translation>모서리의 %1가 나머지와 맞지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.corners_kept_in</name>
+    <message>
+        <source>%1 corners that stand out side by side were kept, in %2</source>
+        <translation>나란히 튀는 모서리 %1개를 그대로 둠, %2</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.corners_kept_most_in</name>
+    <message>
+        <source>%1 corners that stand out side by side were kept, most in %2</source>
+        <translation>나란히 튀는 모서리 %1개를 그대로 둠, 주로 %2</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.corners_left_out_in</name>
+    <message>
+        <source>%1 corners that stand out were left out, in %2.</source>
+        <translation>튀는 모서리 %1개를 제외함, %2.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.corners_left_out_most_in</name>
+    <message>
+        <source>%1 corners that stand out were left out, most in %2.</source>
+        <translation>튀는 모서리 %1개를 제외함, 주로 %2.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.corners_not_flat</name>
+    <message>
+        <source>its corners do not lie as on a flat board</source>
+        <translation>모서리가 평평한 보드처럼 놓여 있지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.correct_layout</name>
+    <message>
+        <source>correct the layout</source>
+        <translation>배치를 고치십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.correct_pixels</name>
+    <message>
+        <source>correct the pixels</source>
+        <translation>픽셀을 고치십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.count_corners</name>
+    <message>
+        <source>count the inner corners, or leave the size out</source>
+        <translation>내부 모서리를 세거나 크기를 비워 두십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.disagree_in</name>
+    <message>
+        <source>%1 of the corners disagree, in %2</source>
+        <translation>모서리의 %1가 맞지 않음, %2</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.disagree_most_in</name>
+    <message>
+        <source>%1 of the corners disagree, most in %2</source>
+        <translation>모서리의 %1가 맞지 않음, 주로 %2</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.done</name>
+    <message>
+        <source>done</source>
+        <translation>완료</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.edges_wide</name>
+    <message>
+        <source>its edges are %1 pixels wide</source>
+        <translation>가장자리의 폭이 %1픽셀입니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.ends_on_one_pixel</name>
+    <message>
+        <source>both ends lie on one pixel of camera &apos;%1&apos;</source>
+        <translation>두 끝이 카메라 &apos;%1&apos;의 같은 픽셀에 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.far_edge</name>
+    <message>
+        <source>at the far edge</source>
+        <translation>먼 쪽 가장자리</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.far_left_corner</name>
+    <message>
+        <source>in the far left corner</source>
+        <translation>먼 쪽 왼쪽 모서리</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.far_right_corner</name>
+    <message>
+        <source>in the far right corner</source>
+        <translation>먼 쪽 오른쪽 모서리</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.few_corners_seen</name>
+    <message>
+        <source>only %1 corners of the board are seen</source>
+        <translation>보드의 모서리가 %1개만 보입니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.fifth_would</name>
+    <message>
+        <source>a fifth would.</source>
+        <translation>다섯 번째가 있으면 됩니다.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.find_board_again</name>
+    <message>
+        <source>let the board be found in it again</source>
+        <translation>그 사진에서 보드를 다시 찾게 하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.first_end_beyond</name>
+    <message>
+        <source>the first end lies at or beyond the horizon of camera &apos;%1&apos;</source>
+        <translation>첫 번째 끝이 카메라 &apos;%1&apos;의 지평선이나 그 너머에 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.fisheye</name>
+    <message>
+        <source>fisheye</source>
+        <translation>어안</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.fisheye_lens</name>
+    <message>
+        <source>Fisheye lens</source>
+        <translation>어안 렌즈</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.fitting_lens</name>
+    <message>
+        <source>fitting the lens to %1 pictures</source>
+        <translation>사진 %1장에 렌즈를 맞추는 중</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.floor_not_registered</name>
+    <message>
+        <source>the floor cannot be registered</source>
+        <translation>바닥에 정합할 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.floor_part_unseen</name>
+    <message>
+        <source>%1 of the floor among the markers is not seen.</source>
+        <translation>마커 사이 바닥의 %1가 보이지 않습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.floor_unseen</name>
+    <message>
+        <source>None of the floor among the markers is seen.</source>
+        <translation>마커 사이 바닥이 전혀 보이지 않습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.floor_unsure</name>
+    <message>
+        <source>the floor among the points is known only to ±%1</source>
+        <translation>점 사이의 바닥이 ±%1로만 알려집니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.focal_length_estimated</name>
+    <message>
+        <source>The camera was taken as free of distortion, its focal length estimated from the markers (%1 ± %2).</source>
+        <translation>카메라는 왜곡이 없는 것으로 보았고 초점 거리는 마커에서 추정했습니다 (%1 ± %2).</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.focal_length_groups</name>
+    <message>
+        <source>%1 for about %2, %3 (such as %4) for about %5</source>
+        <translation>%1장은 약 %2, %3장(예: %4)은 약 %5</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.focal_length_guessed</name>
+    <message>
+        <source>The camera was taken as free of distortion, its focal length guessed (%1), since this view does not determine it.</source>
+        <translation>카메라는 왜곡이 없는 것으로 보았고 이 뷰로는 초점 거리를 정할 수 없어 가정했습니다 (%1).</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.focal_length_taken</name>
+    <message>
+        <source>The camera was taken as free of distortion, its focal length as %1.</source>
+        <translation>카메라는 왜곡이 없고 초점 거리는 %1인 것으로 보았습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.focal_length_unsure</name>
+    <message>
+        <source>the pictures determine the focal length only to %1</source>
+        <translation>사진들로는 초점 거리가 %1까지만 정해집니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.focus_or_light</name>
+    <message>
+        <source>focus the camera, or give more light</source>
+        <translation>카메라의 초점을 맞추거나 더 밝게 하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.foretells_as_well</name>
+    <message>
+        <source>it foretells pictures held out to %1, the %2 one no better (%3)</source>
+        <translation>빼 둔 사진을 %1로 예측, %2 모델도 더 낫지 않음 (%3)</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.foretells_better</name>
+    <message>
+        <source>it foretells pictures held out to %1, the %2 one only to %3</source>
+        <translation>빼 둔 사진을 %1로 예측, %2 모델은 %3에 그침</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.foretells_by_chance</name>
+    <message>
+        <source>it foretells pictures held out to %1, the %2 one to %3, which may be chance</source>
+        <translation>빼 둔 사진을 %1로 예측, %2 모델은 %3로 예측하나 우연일 수 있음</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.four_common_markers</name>
+    <message>
+        <source>four markers are needed that the layout and the picture have in common</source>
+        <translation>배치와 영상에 공통인 마커 네 개가 필요합니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.four_markers_unchecked</name>
+    <message>
+        <source>Four markers hardly check one another</source>
+        <translation>마커 네 개로는 서로를 거의 검증하지 못합니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.four_points_unchecked</name>
+    <message>
+        <source>Four points hardly check one another</source>
+        <translation>점 네 개로는 서로를 거의 검증하지 못합니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.four_shared_points</name>
+    <message>
+        <source>four points are needed that both cameras see</source>
+        <translation>두 카메라가 모두 보는 점 네 개가 필요합니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.give_board_size</name>
+    <message>
+        <source>give 3x3 at least, like 9x6, or leave the size out</source>
+        <translation>9x6처럼 3x3 이상으로 하거나 크기를 비워 두십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.give_distance</name>
+    <message>
+        <source>give a distance of 0 m to 1000 m</source>
+        <translation>거리를 0 m에서 1000 m 사이로 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.give_field_of_view</name>
+    <message>
+        <source>give 2° to 150°, and the size of its pictures</source>
+        <translation>2°에서 150° 사이로 주고, 영상의 크기도 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.give_height</name>
+    <message>
+        <source>give a height of 0.05 m to 100 m</source>
+        <translation>높이를 0.05 m에서 100 m 사이로 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.give_one_of_them</name>
+    <message>
+        <source>give one of them</source>
+        <translation>그중 하나를 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.give_plain_numbers</name>
+    <message>
+        <source>give plain numbers</source>
+        <translation>보통의 수를 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.give_positive_number</name>
+    <message>
+        <source>give a number above 0</source>
+        <translation>0보다 큰 수를 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.give_square_size</name>
+    <message>
+        <source>give it like 25mm</source>
+        <translation>25mm처럼 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.give_tape_sigma</name>
+    <message>
+        <source>give some 2 mm</source>
+        <translation>약 2 mm로 하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.give_taped_length</name>
+    <message>
+        <source>give the length as it was measured with a tape</source>
+        <translation>줄자로 잰 길이를 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.glue_board</name>
+    <message>
+        <source>glue the board onto something stiff</source>
+        <translation>보드를 단단한 것에 붙이십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.glue_board_flat</name>
+    <message>
+        <source>glue the board onto something stiff and flat</source>
+        <translation>보드를 단단하고 평평한 것에 붙이십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.good</name>
+    <message>
+        <source>Good: %1.</source>
+        <translation>양호: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.halves_contradict</name>
+    <message>
+        <source>two halves of the pictures give focal lengths that differ by %1</source>
+        <translation>사진을 둘로 나누면 초점 거리가 %1 다릅니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.halves_foretell</name>
+    <message>
+        <source>each half of them foretells the other to %1</source>
+        <translation>절반이 다른 절반을 %1로 예측</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.halves_foretell_apart</name>
+    <message>
+        <source>each half of them foretells the other to %1, %2 apart at worst on that floor</source>
+        <translation>절반이 다른 절반을 %1로 예측, 그 바닥에서 최대 %2 차이</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.hold_board_closer</name>
+    <message>
+        <source>hold it closer to the camera</source>
+        <translation>카메라에 더 가까이 대십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.hold_board_still</name>
+    <message>
+        <source>hold it still, and focus the camera</source>
+        <translation>움직이지 않게 들고 카메라의 초점을 맞추십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.inches</name>
+    <message>
+        <source>inches</source>
+        <translation>인치</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.inside</name>
+    <message>
+        <source>inside</source>
+        <translation>안쪽</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.inside_expected_error</name>
+    <message>
+        <source>inside the expected error of %1.</source>
+        <translation>예상 오차 %1 이내.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.keep_board_clear</name>
+    <message>
+        <source>keep the board clear and well lit</source>
+        <translation>보드를 가리지 말고 밝게 하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.keep_whole_board</name>
+    <message>
+        <source>keep the whole board in the picture</source>
+        <translation>보드 전체가 영상에 들어오게 하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.label_each_point</name>
+    <message>
+        <source>give each point a label of its own</source>
+        <translation>점마다 다른 이름표를 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.labels_called</name>
+    <message>
+        <source>with %1 called %2 they fit to %3</source>
+        <translation>%1을(를) %2(으)로 부르면 %3로 맞습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.labels_exchanged</name>
+    <message>
+        <source>with %1 and %2 exchanged they fit to %3</source>
+        <translation>%1과(와) %2을(를) 바꾸면 %3로 맞습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.lay_stick_nearer</name>
+    <message>
+        <source>lay the stick on the floor, nearer to the camera</source>
+        <translation>막대를 카메라에 더 가까운 바닥에 놓으십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.layout_in_mm</name>
+    <message>
+        <source>it is given in mm</source>
+        <translation>mm로 주어집니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.layout_not_in_mm</name>
+    <message>
+        <source>if that is wrong, the layout&apos;s numbers are no mm</source>
+        <translation>틀렸다면 배치의 숫자가 mm가 아닙니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.layout_too_small</name>
+    <message>
+        <source>the layout has %1 markers, four are needed</source>
+        <translation>배치에 마커가 %1개 있고, 네 개가 필요합니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.layout_written_mirrored</name>
+    <message>
+        <source>if the layout was written down mirrored, correct its signs and add it anew</source>
+        <translation>배치를 거울상으로 적었다면 부호를 고쳐 새로 추가하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.leave_one_tag</name>
+    <message>
+        <source>leave one of them on the floor</source>
+        <translation>하나만 바닥에 남기십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.leave_out_pictures</name>
+    <message>
+        <source>leave out these pictures if the board is bent, cut or covered there.</source>
+        <translation>그 사진에서 보드가 휘었거나 잘렸거나 가려졌다면 빼십시오.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.left_edge</name>
+    <message>
+        <source>at the left edge</source>
+        <translation>왼쪽 가장자리</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.length_factor</name>
+    <message>
+        <source>a length factor of %1 makes no floor</source>
+        <translation>길이 배율 %1로는 바닥을 만들 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.length_is</name>
+    <message>
+        <source>The length is %1 ± %2.</source>
+        <translation>길이는 %1 ± %2입니다.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.length_longer</name>
+    <message>
+        <source>It is %1 longer than the %2 told</source>
+        <translation>알려 준 %2보다 %1 깁니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.length_shorter</name>
+    <message>
+        <source>It is %1 shorter than the %2 told</source>
+        <translation>알려 준 %2보다 %1 짧습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.length_unmeasured</name>
+    <message>
+        <source>the length cannot be measured</source>
+        <translation>길이를 잴 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.length_unseen</name>
+    <message>
+        <source>no camera was given that sees it</source>
+        <translation>그것을 보는 카메라가 지정되지 않았습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.lens_on_floor</name>
+    <message>
+        <source>±%1 in the middle and ±%2 at worst (%3) on %4, as far as the lens is concerned</source>
+        <translation>렌즈만 고려할 때 %4에서 가운데 ±%1, 최악 ±%2 (%3)</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.lens_told</name>
+    <message>
+        <source>told</source>
+        <translation>지정됨</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.lens_unknown_elsewhere</name>
+    <message>
+        <source>how the lens bends elsewhere stays unknown</source>
+        <translation>다른 곳의 렌즈 왜곡은 알 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.likely_unit</name>
+    <message>
+        <source>its numbers look like %1, then it would stand %2 above the floor</source>
+        <translation>수가 %1처럼 보이며, 그러면 바닥 위 %2에 있게 됩니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.look_at</name>
+    <message>
+        <source>Look at %1</source>
+        <translation>%1을(를) 보십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.look_at_ends</name>
+    <message>
+        <source>look whether the same ends are marked in each picture, and register it again if they are.</source>
+        <translation>각 영상에 같은 끝이 표시되었는지 보고, 그렇다면 다시 정합하십시오.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.look_at_pictures</name>
+    <message>
+        <source>look at these pictures and leave out those that are blurred, bent or of another board.</source>
+        <translation>이 사진들을 보고 흐리거나 휘었거나 다른 보드의 것은 빼십시오.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.looking_about</name>
+    <message>
+        <source>looking about the best place</source>
+        <translation>가장 좋은 위치의 둘레를 찾는 중</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.make_larger_layout</name>
+    <message>
+        <source>make a layout of four markers or more</source>
+        <translation>마커가 네 개 이상인 배치를 만드십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.mark_ends_in_one</name>
+    <message>
+        <source>mark its ends in one picture at least</source>
+        <translation>적어도 한 영상에 두 끝을 표시하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.mark_more</name>
+    <message>
+        <source>mark more of the layout&apos;s markers, under the layout&apos;s names</source>
+        <translation>배치의 마커를 배치의 이름으로 더 표시하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.mark_there_again</name>
+    <message>
+        <source>mark it there again.</source>
+        <translation>거기서 다시 표시하십시오.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.mark_two_ends</name>
+    <message>
+        <source>mark the two ends where they are seen</source>
+        <translation>두 끝을 보이는 곳에 표시하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.mark_where_seen</name>
+    <message>
+        <source>mark each of them where it is seen</source>
+        <translation>각각 보이는 곳에 표시하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.marker_against_lens</name>
+    <message>
+        <source>%1 lies where this camera&apos;s lens cannot have put it</source>
+        <translation>%1이(가) 이 카메라의 렌즈로는 나올 수 없는 곳에 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.marker_beyond_horizon</name>
+    <message>
+        <source>marker %1 would lie at or beyond the horizon</source>
+        <translation>마커 %1이(가) 지평선이나 그 너머에 있게 됩니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.marker_moved</name>
+    <message>
+        <source>Marker %1 has moved %2 = %3, %4 has not</source>
+        <translation>마커 %1이(가) %2 = %3 움직였고 %4은(는) 그대로입니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.marker_off_by_all</name>
+    <message>
+        <source>%1 is %2 off by all cameras</source>
+        <translation>모든 카메라에서 %1이(가) %2 어긋남</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.marker_off_by_one</name>
+    <message>
+        <source>%1 is %2 off by the one camera that sees it</source>
+        <translation>%1을(를) 보는 카메라 한 대에서 %2 어긋남</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.marker_pixel_no_number</name>
+    <message>
+        <source>the pixel of marker %1 is not a finite number</source>
+        <translation>마커 %1의 픽셀이 유한한 수가 아닙니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.marker_place_no_number</name>
+    <message>
+        <source>the place of marker %1 is not a finite number</source>
+        <translation>마커 %1의 위치가 유한한 수가 아닙니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.marker_twice_in_layout</name>
+    <message>
+        <source>marker %1 stands twice in the layout</source>
+        <translation>마커 %1이(가) 배치에 두 번 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.marker_twice_in_picture</name>
+    <message>
+        <source>marker %1 stands twice in the picture</source>
+        <translation>마커 %1이(가) 영상에 두 번 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_at_one_place</name>
+    <message>
+        <source>markers %1 and %2 lie at one place of the floor</source>
+        <translation>마커 %1과(와) %2이(가) 바닥의 같은 곳에 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_fit</name>
+    <message>
+        <source>%1 markers fit to %2 RMS (worst %3, %4), and the floor among them is known to ±%5</source>
+        <translation>마커 %1개가 %2 RMS로 맞으며(최악 %3, %4), 그 사이 바닥은 ±%5로 알려짐</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_fit_many_ways</name>
+    <message>
+        <source>in %1 ways they fit the layout equally well, which looks the same from several sides</source>
+        <translation>여러 방향에서 같아 보이는 배치라 %1가지로 똑같이 맞습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_fit_together</name>
+    <message>
+        <source>with %1 together %2 markers fit to %3 RMS, and the floor among them is known to ±%4</source>
+        <translation>%1과(와) 함께 마커 %2개가 %3 RMS로 맞으며, 그 사이 바닥은 ±%4로 알려짐</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_found</name>
+    <message>
+        <source>%1 of %2 were found, four are needed</source>
+        <translation>%2개 중 %1개를 찾았고 네 개가 필요합니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_in_place</name>
+    <message>
+        <source>%1 markers lie within %2 = %3 of their places.</source>
+        <translation>마커 %1개가 제자리에서 %2 = %3 이내.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_mirrored</name>
+    <message>
+        <source>the markers are mirrored</source>
+        <translation>마커가 거울상입니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_missing</name>
+    <message>
+        <source>missing: %1</source>
+        <translation>없는 것: %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_moved</name>
+    <message>
+        <source>Markers %1 have moved %2 = %3, %4 has not</source>
+        <translation>마커 %1이(가) %2 = %3 움직였고 %4은(는) 그대로입니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_nearly_on_line</name>
+    <message>
+        <source>the markers lie so nearly on one line (%1 the most) that the floor is known only to ±%2</source>
+        <translation>마커가 거의 한 줄에 있어(특히 %1) 바닥이 ±%2로만 알려집니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_not_found</name>
+    <message>
+        <source>the floor markers cannot be found</source>
+        <translation>바닥의 마커를 찾을 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_not_told_apart</name>
+    <message>
+        <source>the markers cannot be told apart</source>
+        <translation>마커를 구별할 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_on_one_pixel</name>
+    <message>
+        <source>markers %1 and %2 lie on one pixel</source>
+        <translation>마커 %1과(와) %2이(가) 같은 픽셀에 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_read</name>
+    <message>
+        <source>%1 of its markers could be read</source>
+        <translation>마커 %1개를 읽었습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_too_close</name>
+    <message>
+        <source>markers %1 and %2 lie only %3 apart, too close for two of four</source>
+        <translation>마커 %1과(와) %2의 간격이 %3뿐이라 넷 중 둘로는 너무 가깝습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.measure_again</name>
+    <message>
+        <source>mark and measure them again, or add another</source>
+        <translation>다시 표시하고 재거나 하나를 더 추가하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.measure_it_again</name>
+    <message>
+        <source>measure it again.</source>
+        <translation>다시 재십시오.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.measure_or_mark_again</name>
+    <message>
+        <source>measure it, or mark it in the picture, again.</source>
+        <translation>다시 재거나 영상에서 다시 표시하십시오.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.metres</name>
+    <message>
+        <source>metres</source>
+        <translation>미터</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.middle_and_corner</name>
+    <message>
+        <source>±%1 in the middle, ±%2 in the corner near %3.</source>
+        <translation>가운데 ±%1, %3 근처 모서리 ±%2.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.middle_and_edge</name>
+    <message>
+        <source>±%1 in the middle, ±%2 at the edge near %3.</source>
+        <translation>가운데 ±%1, %3 근처 가장자리 ±%2.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.middle_and_near</name>
+    <message>
+        <source>±%1 in the middle, ±%2 near %3.</source>
+        <translation>가운데 ±%1, %3 근처 ±%2.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.misfit_most_at</name>
+    <message>
+        <source>%1 RMS, most at %2 (%3)</source>
+        <translation>%1 RMS, %2에서 가장 큼 (%3)</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.misfit_unexplained</name>
+    <message>
+        <source>the %1 markers misfit by %2 (%3) and check one another too little to tell which of them</source>
+        <translation>마커 %1개가 %2 (%3) 어긋나며 서로 검증이 부족해 어느 것인지 알 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.more_pictures</name>
+    <message>
+        <source>More pictures (%1 or more) would make it surer.</source>
+        <translation>사진이 더 있으면(%1장 이상) 더 확실해집니다.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.move_board</name>
+    <message>
+        <source>move it elsewhere, turn it or tilt it</source>
+        <translation>다른 곳으로 옮기거나 돌리거나 기울이십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.move_planned_back</name>
+    <message>
+        <source>move it back or up, or choose a wider lens</source>
+        <translation>뒤로 또는 위로 옮기거나 더 넓은 렌즈를 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.name_dictionary</name>
+    <message>
+        <source>name one like DICT_6X6_250, or leave it out</source>
+        <translation>DICT_6X6_250처럼 지정하거나 비워 두십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.name_each_camera</name>
+    <message>
+        <source>name each camera once</source>
+        <translation>각 카메라를 한 번씩만 지정하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.name_each_marker</name>
+    <message>
+        <source>give each marker a name of its own</source>
+        <translation>마커마다 다른 이름을 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.name_one_marker</name>
+    <message>
+        <source>name one of %1</source>
+        <translation>%1 중 하나를 지정하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.name_two_apart</name>
+    <message>
+        <source>name two that lie apart</source>
+        <translation>떨어져 있는 둘을 지정하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.near_edge</name>
+    <message>
+        <source>at the near edge</source>
+        <translation>가까운 쪽 가장자리</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.near_left_corner</name>
+    <message>
+        <source>in the near left corner</source>
+        <translation>가까운 쪽 왼쪽 모서리</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.near_right_corner</name>
+    <message>
+        <source>in the near right corner</source>
+        <translation>가까운 쪽 오른쪽 모서리</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_board_found</name>
+    <message>
+        <source>no board found</source>
+        <translation>보드를 찾지 못했습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_charuco</name>
+    <message>
+        <source>the markers that were read do not lie as on a ChArUco board</source>
+        <translation>읽은 마커가 ChArUco 보드처럼 놓여 있지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_charuco_of_size</name>
+    <message>
+        <source>the markers that were read do not lie as on a ChArUco board of %1 inner corners</source>
+        <translation>읽은 마커가 내부 모서리 %1의 ChArUco 보드처럼 놓여 있지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_common_marker</name>
+    <message>
+        <source>no two of the cameras see the same marker</source>
+        <translation>같은 마커를 보는 카메라가 두 대도 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_dictionary</name>
+    <message>
+        <source>there is no marker dictionary %1</source>
+        <translation>마커 사전 %1이(가) 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_flat_floor</name>
+    <message>
+        <source>the markers do not fit a flat floor</source>
+        <translation>마커가 평평한 바닥에 맞지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_lens_fits</name>
+    <message>
+        <source>no lens fits these pictures</source>
+        <translation>이 사진들에 맞는 렌즈가 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_millimetres</name>
+    <message>
+        <source>no figure in millimetres, since this lens holds only for a part of the picture</source>
+        <translation>이 렌즈 모델은 영상의 일부에만 유효하므로 밀리미터 값 없음</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_other_lens</name>
+    <message>
+        <source>no other model fits</source>
+        <translation>맞는 다른 모델 없음</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_pose</name>
+    <message>
+        <source>no pose</source>
+        <translation>자세를 구할 수 없음</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_such_marker</name>
+    <message>
+        <source>it has no marker %1</source>
+        <translation>마커 %1이(가) 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.not_all_foretold</name>
+    <message>
+        <source>not all</source>
+        <translation>일부 불가</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.not_found_again</name>
+    <message>
+        <source>Not found again: %1.</source>
+        <translation>다시 찾지 못함: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.not_registered_through</name>
+    <message>
+        <source>the camera cannot be registered through another</source>
+        <translation>다른 카메라를 통해 정합할 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.not_registered_together</name>
+    <message>
+        <source>the cameras cannot be registered together</source>
+        <translation>카메라를 함께 정합할 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.other_order_fits</name>
+    <message>
+        <source>the markers fit only to %1, but %2</source>
+        <translation>마커가 %1로만 맞습니다. 그러나 %2</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.other_picture_size</name>
+    <message>
+        <source>it is %1×%2, the first picture %3×%4</source>
+        <translation>%1×%2인데 첫 사진은 %3×%4입니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.outside_expected_error</name>
+    <message>
+        <source>outside the expected error of %1.</source>
+        <translation>예상 오차 %1 초과.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.picture_covered</name>
+    <message>
+        <source>Only %1 of the picture was covered</source>
+        <translation>영상의 %1만 덮였습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.picture_stands_out</name>
+    <message>
+        <source>its %1 stand out.</source>
+        <translation>%1가 튑니다.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.picture_too_small</name>
+    <message>
+        <source>the picture is too small</source>
+        <translation>영상이 너무 작습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.picture_with_corners</name>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.picture_without_size</name>
+    <message>
+        <source>the picture has no size</source>
+        <translation>영상의 크기가 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pictures_fit</name>
+    <message>
+        <source>%1 pictures fit to %2, focal length %3 ± %4</source>
+        <translation>사진 %1장이 %2로 피팅됨, 초점 거리 %3 ± %4</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pictures_fit_halves_apart</name>
+    <message>
+        <source>%1 pictures fit to %2, focal length %3 ± %4, %5 apart at worst on that floor</source>
+        <translation>사진 %1장이 %2로 피팅됨, 초점 거리 %3 ± %4, 그 바닥에서 최대 %5 차이</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.place_left</name>
+    <message>
+        <source>left</source>
+        <translation>왼쪽</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.place_lower</name>
+    <message>
+        <source>lower</source>
+        <translation>아래쪽</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.place_lower_left</name>
+    <message>
+        <source>lower left</source>
+        <translation>왼쪽 아래</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.place_lower_right</name>
+    <message>
+        <source>lower right</source>
+        <translation>오른쪽 아래</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.place_middle</name>
+    <message>
+        <source>middle</source>
+        <translation>가운데</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.place_right</name>
+    <message>
+        <source>right</source>
+        <translation>오른쪽</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.place_upper</name>
+    <message>
+        <source>upper</source>
+        <translation>위쪽</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.place_upper_left</name>
+    <message>
+        <source>upper left</source>
+        <translation>왼쪽 위</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.place_upper_right</name>
+    <message>
+        <source>upper right</source>
+        <translation>오른쪽 위</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.planned_camera</name>
+    <message>
+        <source>the planned camera</source>
+        <translation>계획한 카메라</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.planned_distance</name>
+    <message>
+        <source>it cannot stand %1 away</source>
+        <translation>%1 떨어진 곳에는 둘 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.planned_field_of_view</name>
+    <message>
+        <source>its field of view is %1</source>
+        <translation>화각이 %1입니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.planned_height</name>
+    <message>
+        <source>it cannot stand %1 above the floor</source>
+        <translation>바닥 위 %1에는 둘 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.planned_not_held</name>
+    <message>
+        <source>the markers that it would see do not hold it</source>
+        <translation>보이게 될 마커들로는 카메라의 위치가 정해지지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.planned_sees_too_few</name>
+    <message>
+        <source>from there it would see %1 of the layout&apos;s markers (%2), four are needed</source>
+        <translation>그곳에서는 배치의 마커 중 %1개(%2)만 보이며, 네 개가 필요합니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.point_against_lens</name>
+    <message>
+        <source>point %1 lies where a lens cannot have put it</source>
+        <translation>점 %1이(가) 렌즈로는 나올 수 없는 곳에 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.point_beyond_horizon</name>
+    <message>
+        <source>point %1 would lie at or beyond the horizon</source>
+        <translation>점 %1이(가) 지평선이나 그 너머에 있게 됩니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.point_beyond_through</name>
+    <message>
+        <source>point %1 lies at or beyond the horizon of %2</source>
+        <translation>점 %1이(가) %2의 지평선이나 그 너머에 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.point_outside_own</name>
+    <message>
+        <source>point %1 lies outside the picture of the camera to register (%2)</source>
+        <translation>점 %1이(가) 정합할 카메라의 화면(%2) 밖에 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.point_outside_through</name>
+    <message>
+        <source>point %1 lies outside the picture of %2 (%3)</source>
+        <translation>점 %1이(가) %2의 화면(%3) 밖에 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.point_pixel_no_number</name>
+    <message>
+        <source>the pixel of point %1 is not a finite number</source>
+        <translation>점 %1의 픽셀이 유한한 수가 아닙니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.point_twice</name>
+    <message>
+        <source>point %1 is there twice</source>
+        <translation>점 %1이(가) 두 번 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.points_fit</name>
+    <message>
+        <source>through %1 %2 points of the floor fit to %3 RMS (worst %4, %5), and the floor among them is known to ±%6, of which ±%7 come from %8</source>
+        <translation>%1을(를) 통해 바닥의 점 %2개가 %3 RMS로 맞으며(최악 %4, %5), 그 사이 바닥은 ±%6로 알려짐, 그중 ±%7는 %8에서 옴</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.points_mirrored</name>
+    <message>
+        <source>the points are mirrored between the pictures of the two cameras</source>
+        <translation>두 카메라의 영상 사이에서 점들이 거울상입니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.points_on_one_pixel</name>
+    <message>
+        <source>points %1 and %2 lie on one pixel</source>
+        <translation>점 %1과(와) %2이(가) 같은 픽셀에 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.points_undetermined</name>
+    <message>
+        <source>the points do not determine where the camera stands</source>
+        <translation>점들로 카메라의 위치를 정할 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.poor</name>
+    <message>
+        <source>Poor: %1.</source>
+        <translation>불량: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.poor_measure_again</name>
+    <message>
+        <source>Poor, measure the markers again: %1.</source>
+        <translation>불량, 마커를 다시 재십시오: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.put_marker_back</name>
+    <message>
+        <source>put it back, or measure again and register all cameras.</source>
+        <translation>제자리에 놓거나, 다시 재어 모든 카메라를 정합하십시오.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.put_markers_back</name>
+    <message>
+        <source>put them back, or measure again and register all cameras.</source>
+        <translation>모두 제자리에 놓거나, 다시 재어 모든 카메라를 정합하십시오.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.rational</name>
+    <message>
+        <source>rational</source>
+        <translation>유리식</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.rational_lens</name>
+    <message>
+        <source>Rational lens</source>
+        <translation>유리식 렌즈</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.register_before_recording</name>
+    <message>
+        <source>register it again before you record.</source>
+        <translation>녹화 전에 다시 정합하십시오.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.register_by_more</name>
+    <message>
+        <source>register it by more of them first</source>
+        <translation>먼저 더 많은 마커로 정합하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.register_if_gone</name>
+    <message>
+        <source>if they are gone or the camera looks elsewhere, register it again</source>
+        <translation>마커가 없거나 카메라가 다른 곳을 보면 다시 정합하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.register_one_by_one</name>
+    <message>
+        <source>register the cameras one by one by this layout first</source>
+        <translation>먼저 이 배치로 카메라를 하나씩 정합하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.reverse_both</name>
+    <message>
+        <source>reverse both (a half turn), or turn the axes</source>
+        <translation>둘 다 뒤집거나(반 바퀴) 축을 돌리십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.reversed_x_alone</name>
+    <message>
+        <source>reversing X alone would mirror the floor, and no camera above it sees it so</source>
+        <translation>X만 뒤집으면 바닥이 거울상이 되며 위의 카메라는 그렇게 보지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.reversed_y_alone</name>
+    <message>
+        <source>reversing Y alone would mirror the floor, and no camera above it sees it so</source>
+        <translation>Y만 뒤집으면 바닥이 거울상이 되며 위의 카메라는 그렇게 보지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.right_edge</name>
+    <message>
+        <source>at the right edge</source>
+        <translation>오른쪽 가장자리</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.same_attitude</name>
+    <message>
+        <source>all %1 pictures show the board in nearly the same attitude, which does not determine the focal length</source>
+        <translation>사진 %1장 모두 보드의 자세가 거의 같아 초점 거리를 정할 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.second_end_beyond</name>
+    <message>
+        <source>the second end lies at or beyond the horizon of camera &apos;%1&apos;</source>
+        <translation>두 번째 끝이 카메라 &apos;%1&apos;의 지평선이나 그 너머에 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.see_same_floor</name>
+    <message>
+        <source>let them see some of the same floor</source>
+        <translation>같은 바닥을 일부 함께 보게 하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.sees_too_few_anywhere</name>
+    <message>
+        <source>from nowhere within %1 beyond the markers would it see four of them at the height and with the lens given</source>
+        <translation>주어진 높이와 렌즈로는 마커에서 %1 이내의 어디서도 마커 네 개가 보이지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.sentence</name>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.shapes_fit_nowhere</name>
+    <message>
+        <source>none of the ways to name the %1 rings and dots fits the layout</source>
+        <translation>고리와 점 %1개의 어떤 배정도 배치에 맞지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.shared_points</name>
+    <message>
+        <source>there are %1</source>
+        <translation>%1개뿐입니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.show_board_larger</name>
+    <message>
+        <source>show the board larger, sharp and well lit</source>
+        <translation>보드를 더 크고 선명하고 밝게 보여 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.show_everywhere</name>
+    <message>
+        <source>show the board in the middle and near each corner of the picture, and closer</source>
+        <translation>보드를 가운데와 각 모서리 가까이, 더 가깝게 보여 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.show_missing_tags</name>
+    <message>
+        <source>show the missing tags (AprilTag 36h11, numbered from 0 in the layout&apos;s order) or rings, or mark the markers by hand</source>
+        <translation>없는 태그(AprilTag 36h11, 배치 순서로 0부터)나 고리를 보여 주거나 마커를 손으로 표시하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.show_more_of_board</name>
+    <message>
+        <source>show more of the board</source>
+        <translation>보드를 더 많이 보여 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.show_more_of_it</name>
+    <message>
+        <source>show more of it</source>
+        <translation>더 많이 보이게 하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.show_more_shapes</name>
+    <message>
+        <source>show more of them, larger or in better light, or mark the markers by hand</source>
+        <translation>더 많이, 더 크게 또는 더 밝게 보여 주거나 마커를 손으로 표시하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.show_near_edges</name>
+    <message>
+        <source>show the board near its edges too.</source>
+        <translation>가장자리 가까이에도 보드를 보여 주십시오.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.show_one_charuco</name>
+    <message>
+        <source>show one ChArUco board</source>
+        <translation>ChArUco 보드 하나를 보여 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.show_whole_board</name>
+    <message>
+        <source>show the whole board, flat, sharp and well lit</source>
+        <translation>보드 전체를 평평하고 선명하고 밝게 보여 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.spread_markers</name>
+    <message>
+        <source>spread the markers over the floor</source>
+        <translation>마커를 바닥에 넓게 놓으십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.spread_or_register_better</name>
+    <message>
+        <source>spread the points over the floor, or register %1 better first</source>
+        <translation>점을 바닥에 넓게 잡거나 먼저 %1을(를) 더 잘 정합하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.spread_points</name>
+    <message>
+        <source>spread the points over the floor, not along a line</source>
+        <translation>점을 한 줄이 아니라 바닥에 넓게 잡으십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.spread_them</name>
+    <message>
+        <source>spread them over the floor</source>
+        <translation>바닥에 넓게 놓으십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.squares_without_size</name>
+    <message>
+        <source>the squares have no size</source>
+        <translation>칸의 크기가 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.stand_higher</name>
+    <message>
+        <source>let it stand higher or farther away, or choose a wider lens</source>
+        <translation>더 높이 또는 더 멀리 두거나 더 넓은 렌즈를 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.standard</name>
+    <message>
+        <source>standard</source>
+        <translation>표준</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.standard_lens</name>
+    <message>
+        <source>Standard lens</source>
+        <translation>표준 렌즈</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.tag_seen_often</name>
+    <message>
+        <source>tag %1 (marker %2) is seen %3 times</source>
+        <translation>태그 %1(마커 %2)이(가) %3번 보입니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.take_ten</name>
+    <message>
+        <source>take ten or more, the board tilted differently in each</source>
+        <translation>보드를 매번 다르게 기울여 열 장 이상 찍으십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.tape_sigma_not_positive</name>
+    <message>
+        <source>the σ of the tape measure is not above 0</source>
+        <translation>줄자의 σ가 0보다 크지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.tell_by_hand</name>
+    <message>
+        <source>tell by hand which of them is %1</source>
+        <translation>어느 것이 %1인지 손으로 지정하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.tenths_of_mm</name>
+    <message>
+        <source>tenths of a mm</source>
+        <translation>1/10 mm</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.thousandths_of_mm</name>
+    <message>
+        <source>thousandths of a mm</source>
+        <translation>1/1000 mm</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.tilt_board</name>
+    <message>
+        <source>take pictures with the board tilted by 30 to 45 degrees, to each side</source>
+        <translation>보드를 각 방향으로 30~45도 기울여 찍으십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.tilt_less</name>
+    <message>
+        <source>tilt it by 30 to 45 degrees</source>
+        <translation>30도에서 45도로 기울이십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.told_board_too_small</name>
+    <message>
+        <source>a board of %1 inner corners is too small</source>
+        <translation>내부 모서리 %1의 보드는 너무 작습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.told_length_not_positive</name>
+    <message>
+        <source>the told length is not above 0</source>
+        <translation>알려 준 길이가 0보다 크지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.too_few_corners</name>
+    <message>
+        <source>it has %1 corners of the board, six are needed</source>
+        <translation>보드의 모서리가 %1개 있고, 여섯 개가 필요합니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.too_few_found_again</name>
+    <message>
+        <source>%1 of its %2 markers were found again, two are needed</source>
+        <translation>마커 %2개 중 %1개를 다시 찾았고 두 개가 필요합니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.too_few_pictures</name>
+    <message>
+        <source>three pictures of the board are needed, %1 can be used</source>
+        <translation>보드 사진 세 장이 필요한데 %1장만 쓸 수 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.too_few_shapes</name>
+    <message>
+        <source>%1 rings or dots were found, four are needed</source>
+        <translation>고리나 점 %1개를 찾았고 네 개가 필요합니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.too_few_to_compare</name>
+    <message>
+        <source>too few pictures to compare it with others</source>
+        <translation>다른 모델과 비교하기에는 사진이 너무 적습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.too_frontal</name>
+    <message>
+        <source>the board is seen too nearly frontal</source>
+        <translation>보드가 너무 정면으로 보입니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.too_small_for_board</name>
+    <message>
+        <source>the picture is too small to hold a board</source>
+        <translation>영상이 너무 작아 보드가 들어갈 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.two_cameras_needed</name>
+    <message>
+        <source>there is %1 camera on layout &apos;%2&apos;, two are needed</source>
+        <translation>배치 &apos;%2&apos;에 카메라가 %1대 있고 두 대가 필요합니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.two_directions</name>
+    <message>
+        <source>both an angle and a pair of markers were given for X</source>
+        <translation>X축에 각도와 마커 한 쌍이 함께 주어졌습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.two_focal_lengths</name>
+    <message>
+        <source>the pictures ask for two focal lengths</source>
+        <translation>사진들의 초점 거리가 두 가지입니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.two_origins</name>
+    <message>
+        <source>both a marker and a point were given for the origin</source>
+        <translation>원점에 마커와 점이 함께 주어졌습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.typical_testbed</name>
+    <message>
+        <source>a %1 × %2 floor seen from %3 above</source>
+        <translation>%3 높이에서 본 %1 × %2 바닥</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.unit</name>
+    <message>
+        <source>unit &apos;%1&apos;</source>
+        <translation>단위 &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.unit_unknown</name>
+    <message>
+        <source>it is not known</source>
+        <translation>알 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.unseen_middle_corner</name>
+    <message>
+        <source>The middle is not seen, ±%1 in the corner near %2.</source>
+        <translation>가운데가 보이지 않음, %2 근처 모서리 ±%1.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.unseen_middle_edge</name>
+    <message>
+        <source>The middle is not seen, ±%1 at the edge near %2.</source>
+        <translation>가운데가 보이지 않음, %2 근처 가장자리 ±%1.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.unseen_middle_near</name>
+    <message>
+        <source>The middle is not seen, ±%1 near %2.</source>
+        <translation>가운데가 보이지 않음, %2 근처 ±%1.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.usable</name>
+    <message>
+        <source>Usable: %1.</source>
+        <translation>사용 가능: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.use_another_picture</name>
+    <message>
+        <source>use another picture</source>
+        <translation>다른 사진을 쓰십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.use_camera_picture</name>
+    <message>
+        <source>use a picture of the camera</source>
+        <translation>카메라의 영상을 쓰십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.use_camera_pictures</name>
+    <message>
+        <source>use pictures of the camera</source>
+        <translation>카메라의 영상을 쓰십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.use_known_unit</name>
+    <message>
+        <source>use mm, cm, m or inch</source>
+        <translation>mm, cm, m 또는 inch를 쓰십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.use_one_camera</name>
+    <message>
+        <source>use pictures of one camera at one zoom and focus</source>
+        <translation>한 카메라로 같은 줌과 초점에서 찍은 사진을 쓰십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.use_one_resolution</name>
+    <message>
+        <source>use pictures of one camera at one resolution</source>
+        <translation>한 카메라의 같은 해상도 사진을 쓰십시오</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.were_kept</name>
+    <message>
+        <source>they were kept</source>
+        <translation>그대로 두었음</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.whether_moved</name>
+    <message>
+        <source>whether %1 has moved cannot be told</source>
+        <translation>%1이(가) 움직였는지 알 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.wrong_by_more</name>
+    <message>
+        <source>it may be wrong by much more</source>
+        <translation>오차가 훨씬 클 수 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.x_without_length</name>
+    <message>
+        <source>the markers that X is to run along lie at one place</source>
+        <translation>X축이 지날 마커들이 같은 곳에 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.y_left_of_x</name>
+    <message>
+        <source>seen from above, Y must point to the left of X</source>
+        <translation>위에서 볼 때 Y는 X의 왼쪽을 향해야 합니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.access_to_cameras</name>
+    <message>
+        <source>Access to cameras</source>
+        <translation>카메라 접근</translation>
+    </message>
+</context>
+<context>
+    <name>capture.all_pictures_damaged</name>
+    <message>
+        <source>all its pictures come damaged</source>
+        <translation>모든 영상이 손상되어 들어옵니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.answers_but_silent</name>
+    <message>
+        <source>it answers, but sends no pictures</source>
+        <translation>응답하지만 영상을 보내지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.answers_but_silent_advice</name>
+    <message>
+        <source>check its trigger and this computer&apos;s firewall</source>
+        <translation>트리거와 이 컴퓨터의 방화벽을 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.aravis_place_missing</name>
+    <message>
+        <source>it says neither an address nor a serial number</source>
+        <translation>주소도 일련번호도 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.aravis_wishes</name>
+    <message>
+        <source>take rate, exposure_ms, gain, format, size, trigger=software, packet_size or packet_delay_us, as in ?rate=30&amp;size=640x480</source>
+        <translation>?rate=30&amp;size=640x480처럼 rate, exposure_ms, gain, format, size, trigger=software, packet_size, packet_delay_us를 쓰십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.ask_for_less</name>
+    <message>
+        <source>ask for a smaller size or rate</source>
+        <translation>더 작은 크기나 낮은 속도를 요청하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.ask_for_other_mode</name>
+    <message>
+        <source>ask for another size or format</source>
+        <translation>다른 크기나 형식을 요청하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.ask_for_something_else</name>
+    <message>
+        <source>ask it for something else, or leave that to the camera</source>
+        <translation>다른 것을 요청하거나 카메라에 맡기십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.ask_for_usable_format</name>
+    <message>
+        <source>ask it for one of %1</source>
+        <translation>%1 중 하나를 요청하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.ask_within_sensor</name>
+    <message>
+        <source>ask it for a size within that</source>
+        <translation>그 안의 크기를 요청하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.automatics_held</name>
+    <message>
+        <source>exposure, gain, white balance and focus are held</source>
+        <translation>노출, 게인, 화이트 밸런스, 초점이 고정됨</translation>
+    </message>
+</context>
+<context>
+    <name>capture.automatics_of_camera</name>
+    <message>
+        <source>Automatics, camera %1</source>
+        <translation>자동 조절, 카메라 %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.buffer_enough</name>
+    <message>
+        <source>up to %1, enough for network cameras</source>
+        <translation>최대 %1, 네트워크 카메라에 충분</translation>
+    </message>
+</context>
+<context>
+    <name>capture.buffer_not_known</name>
+    <message>
+        <source>the system does not say how large it may be (net.core.rmem_max)</source>
+        <translation>시스템이 허용 크기를 알려 주지 않습니다 (net.core.rmem_max)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.buffer_small</name>
+    <message>
+        <source>only %1</source>
+        <translation>%1뿐</translation>
+    </message>
+</context>
+<context>
+    <name>capture.buffer_without_use</name>
+    <message>
+        <source>%1, which only network cameras would find too small</source>
+        <translation>%1, 네트워크 카메라에만 부족</translation>
+    </message>
+</context>
+<context>
+    <name>capture.bus_of_speed_shared</name>
+    <message>
+        <source>cameras %1 share the bus %2, of %3</source>
+        <translation>카메라 %1이(가) %3인 버스 %2을(를) 함께 씁니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.bus_shared</name>
+    <message>
+        <source>cameras %1 share the bus %2</source>
+        <translation>카메라 %1이(가) 버스 %2을(를) 함께 씁니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.came_back_changed</name>
+    <message>
+        <source>it came back with pictures of another size or format</source>
+        <translation>다른 크기나 형식의 영상으로 돌아왔습니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.camera_at_address</name>
+    <message>
+        <source>camera %1</source>
+        <translation>카메라 %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.camera_does_not_deliver</name>
+    <message>
+        <source>a camera does not deliver</source>
+        <translation>영상을 보내지 않는 카메라가 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.cameras_are_listed</name>
+    <message>
+        <source>odograph cameras lists them</source>
+        <translation>odograph cameras로 목록을 볼 수 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.cameras_will_lose</name>
+    <message>
+        <source>%1 will lose pictures</source>
+        <translation>%1에서 영상이 누락됩니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.cannot_be_opened</name>
+    <message>
+        <source>it cannot be opened (%1)</source>
+        <translation>열 수 없습니다 (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.check_cable</name>
+    <message>
+        <source>check its cable</source>
+        <translation>케이블을 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.check_cable_and_address</name>
+    <message>
+        <source>check its cable and address</source>
+        <translation>케이블과 주소를 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.check_cable_and_network</name>
+    <message>
+        <source>check its cable and the network</source>
+        <translation>케이블과 네트워크를 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.check_power_and_cable</name>
+    <message>
+        <source>check its power and cable</source>
+        <translation>전원과 케이블을 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.check_power_and_network</name>
+    <message>
+        <source>check its power and cable, and that this computer has an address in the camera&apos;s network</source>
+        <translation>전원과 케이블, 이 컴퓨터가 카메라 네트워크의 주소를 갖는지 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.check_usb_rights</name>
+    <message>
+        <source>check that you may use it (a udev rule), and that no other program does</source>
+        <translation>사용 권한(udev 규칙)과 다른 프로그램이 쓰지 않는지 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.choose_another_value</name>
+    <message>
+        <source>choose another one</source>
+        <translation>다른 것을 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.choose_listed</name>
+    <message>
+        <source>choose one of those that odograph cameras lists</source>
+        <translation>odograph cameras가 보여 주는 것 중에서 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.choose_of_offer</name>
+    <message>
+        <source>choose of what it offers</source>
+        <translation>제공하는 것 중에서 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.choose_value_between</name>
+    <message>
+        <source>choose a value between</source>
+        <translation>그 사이의 값을 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.close_that_program</name>
+    <message>
+        <source>close that program</source>
+        <translation>그 프로그램을 닫으십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.connect_right_camera</name>
+    <message>
+        <source>connect the one that belongs there, or begin anew with this one</source>
+        <translation>맞는 카메라를 연결하거나 이 카메라로 새로 시작하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.control_automatic</name>
+    <message>
+        <source>%1 cannot be set while it is automatic</source>
+        <translation>%1은(는) 자동일 때 설정할 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.control_goes</name>
+    <message>
+        <source>%1 goes from %2 to %3</source>
+        <translation>%1의 범위는 %2에서 %3까지입니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.control_inactive</name>
+    <message>
+        <source>%1 cannot be set as the camera stands now</source>
+        <translation>카메라의 현재 상태에서는 %1을(를) 설정할 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.control_not_taken</name>
+    <message>
+        <source>it does not take this for %1 (%2)</source>
+        <translation>%1에 이 값을 받아들이지 않습니다 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.control_value_refused</name>
+    <message>
+        <source>it refuses this value of %1</source>
+        <translation>%1의 이 값을 받아들이지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.damaged_advice</name>
+    <message>
+        <source>try another cable or port, or ask for fewer or smaller pictures</source>
+        <translation>다른 케이블이나 포트를 쓰거나, 영상의 수나 크기를 줄이십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.dim_light_halves_rate</name>
+    <message>
+        <source>in dim light a camera halves its rate by itself, unless its automatic exposure is off</source>
+        <translation>어두우면 자동 노출을 끄지 않는 한 카메라가 스스로 속도를 절반으로 낮춥니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.disk_full</name>
+    <message>
+        <source>its disk has only %1 left, of which %2 are kept free</source>
+        <translation>디스크에 %1만 남았고, 그중 %2 MB는 비워 둡니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.disk_of</name>
+    <message>
+        <source>the disk of %1</source>
+        <translation>%1의 디스크</translation>
+    </message>
+</context>
+<context>
+    <name>capture.disk_too_slow</name>
+    <message>
+        <source>it is too slow</source>
+        <translation>너무 느립니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.does_not_answer</name>
+    <message>
+        <source>it does not answer</source>
+        <translation>응답하지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.does_not_start</name>
+    <message>
+        <source>it does not start (%1)</source>
+        <translation>시작되지 않습니다 (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.does_not_start_advice</name>
+    <message>
+        <source>check its cable, and that no other program uses it</source>
+        <translation>케이블과 다른 프로그램이 쓰지 않는지 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.end_other_writers</name>
+    <message>
+        <source>end what else writes to it</source>
+        <translation>그 디스크에 쓰는 다른 것을 끝내십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.enlarge_buffer</name>
+    <message>
+        <source>sudo sysctl -w net.core.rmem_max=%1, and put the same into /etc/sysctl.d/ to keep it</source>
+        <translation>sudo sysctl -w net.core.rmem_max=%1, 유지하려면 /etc/sysctl.d/에도 넣으십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.expose_for_mains</name>
+    <message>
+        <source>expose for 10 or 20 ms with mains of 50 Hz, 8.3 or 16.7 ms with 60 Hz</source>
+        <translation>50 Hz에서는 10 또는 20 ms, 60 Hz에서는 8.3 또는 16.7 ms로 노출하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.exposed_for</name>
+    <message>
+        <source>exposed for %1</source>
+        <translation>%1 노출</translation>
+    </message>
+</context>
+<context>
+    <name>capture.exposure_and_gain</name>
+    <message>
+        <source>Exposure and gain</source>
+        <translation>노출과 게인</translation>
+    </message>
+</context>
+<context>
+    <name>capture.exposure_not_taken</name>
+    <message>
+        <source>it does not take this exposure (%1)</source>
+        <translation>이 노출을 받아들이지 않습니다 (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.exposure_not_told</name>
+    <message>
+        <source>it does not tell its exposure</source>
+        <translation>노출을 알려 주지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.exposure_suits_lamps</name>
+    <message>
+        <source>exposed for %1, which suits lamps</source>
+        <translation>%1 노출, 조명에 맞음</translation>
+    </message>
+</context>
+<context>
+    <name>capture.failed</name>
+    <message>
+        <source>it failed (%1)</source>
+        <translation>오류가 났습니다 (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.failed_advice</name>
+    <message>
+        <source>unplug it and plug it in again if that lasts</source>
+        <translation>계속되면 뽑았다가 다시 꽂으십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.flicker_filter_off</name>
+    <message>
+        <source>its filter is off</source>
+        <translation>필터가 꺼져 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.flicker_filtered</name>
+    <message>
+        <source>filtered by the camera (%1)</source>
+        <translation>카메라가 걸러 냄 (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.flicker_of_camera</name>
+    <message>
+        <source>Lamps&apos; flicker, camera %1</source>
+        <translation>조명 깜박임, 카메라 %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.forbidden</name>
+    <message>
+        <source>you may not use it</source>
+        <translation>쓸 권한이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.forbidden_advice</name>
+    <message>
+        <source>join the group video (sudo usermod -aG video YOUR-NAME) and log in again</source>
+        <translation>video 그룹에 들어간 뒤(sudo usermod -aG video YOUR-NAME) 다시 로그인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.format</name>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1(%2)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.format_not_told</name>
+    <message>
+        <source>it does not tell its pixel format (%1)</source>
+        <translation>픽셀 형식을 알려 주지 않습니다 (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.format_not_understood</name>
+    <message>
+        <source>its pixel format is not understood</source>
+        <translation>픽셀 형식이 지원되지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.free_after_crash</name>
+    <message>
+        <source>a camera whose program has crashed is free again after some seconds</source>
+        <translation>프로그램이 죽은 카메라는 몇 초 뒤 다시 쓸 수 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.gain_not_taken</name>
+    <message>
+        <source>it does not take this gain (%1)</source>
+        <translation>이 게인을 받아들이지 않습니다 (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.give_address</name>
+    <message>
+        <source>give one as v4l2:/dev/video0, aravis:192.168.1.20, sim:A or file:PATH</source>
+        <translation>v4l2:/dev/video0, aravis:192.168.1.20, sim:A 또는 file:PATH처럼 지정하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.give_aravis_place</name>
+    <message>
+        <source>give one as aravis:192.168.1.20 or aravis:SERIAL</source>
+        <translation>aravis:192.168.1.20이나 aravis:SERIAL처럼 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.gives_no_pictures</name>
+    <message>
+        <source>%1 gives no pictures</source>
+        <translation>%1은(는) 영상을 주지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.has_been_away</name>
+    <message>
+        <source>it has been away</source>
+        <translation>잠시 끊겼습니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.held_while_recording</name>
+    <message>
+        <source>they are held while recording</source>
+        <translation>녹화 중에 고정됩니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.in_step</name>
+    <message>
+        <source>in step to %1</source>
+        <translation>동기 오차 %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.in_step_as_way</name>
+    <message>
+        <source>at %1 that is %2</source>
+        <translation>%1에서 %2</translation>
+    </message>
+</context>
+<context>
+    <name>capture.join_video_group</name>
+    <message>
+        <source>add yourself to the group video (sudo usermod -aG video $USER), then log out and in again</source>
+        <translation>video 그룹에 추가한 뒤(sudo usermod -aG video $USER) 로그아웃했다가 다시 로그인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.keep_awake</name>
+    <message>
+        <source>keep it awake while it records</source>
+        <translation>녹화하는 동안 절전에 들지 않게 하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.kept_before_sleep</name>
+    <message>
+        <source>what came before is kept</source>
+        <translation>그 이전 것은 보존됩니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.large_packets</name>
+    <message>
+        <source>large packets are allowed</source>
+        <translation>큰 패킷이 허용됩니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.largest_picture</name>
+    <message>
+        <source>its pictures have %1 pixels at most</source>
+        <translation>영상은 최대 %1픽셀입니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.leave_control_out</name>
+    <message>
+        <source>leave it out</source>
+        <translation>빼십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.look_again</name>
+    <message>
+        <source>wait a few seconds, and look again</source>
+        <translation>몇 초 기다렸다가 다시 보십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.look_at_cable</name>
+    <message>
+        <source>look at its cable</source>
+        <translation>케이블을 살펴보십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.lost_by_slow_machine</name>
+    <message>
+        <source>%1, %2 lost because this machine is too slow</source>
+        <translation>%1, 이 컴퓨터가 너무 느려 %2개 누락</translation>
+    </message>
+</context>
+<context>
+    <name>capture.lost_here</name>
+    <message>
+        <source>%1, %2 lost here</source>
+        <translation>%1, 이 컴퓨터에서 %2개 누락</translation>
+    </message>
+</context>
+<context>
+    <name>capture.lost_on_wire</name>
+    <message>
+        <source>%1, %2 lost on the wire</source>
+        <translation>%1, 전송 중 %2개 누락</translation>
+    </message>
+</context>
+<context>
+    <name>capture.lost_on_wire_and_here</name>
+    <message>
+        <source>%1, %2 lost (%3 on the wire, %4 here)</source>
+        <translation>%1, %2개 누락(전송 중 %3개, 이 컴퓨터에서 %4개)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.machine_slept</name>
+    <message>
+        <source>it slept for %1, and nothing was recorded meanwhile</source>
+        <translation>%1 동안 절전 상태여서 그동안 녹화되지 않았습니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.make_room</name>
+    <message>
+        <source>make room, or move the project to another disk</source>
+        <translation>공간을 확보하거나 프로젝트를 다른 디스크로 옮기십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.mode_not_taken</name>
+    <message>
+        <source>it does not take %1</source>
+        <translation>%1을(를) 받아들이지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_automatics</name>
+    <message>
+        <source>it has none</source>
+        <translation>없음</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_network_camera</name>
+    <message>
+        <source>no network camera is used</source>
+        <translation>네트워크 카메라를 쓰지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_node</name>
+    <message>
+        <source>this machine shows no USB or built-in camera (/dev/video*)</source>
+        <translation>이 컴퓨터에 USB 카메라나 내장 카메라가 보이지 않습니다 (/dev/video*)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_node_advice</name>
+    <message>
+        <source>if one is connected, try another cable and port, without a hub</source>
+        <translation>연결되어 있다면 허브 없이 다른 케이블과 포트를 써 보십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_pair_yet</name>
+    <message>
+        <source>no two pictures have been taken together yet</source>
+        <translation>아직 함께 찍힌 두 영상이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_picture_came</name>
+    <message>
+        <source>no picture came for half a second</source>
+        <translation>0.5초 동안 영상이 오지 않았습니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_picture_for</name>
+    <message>
+        <source>no picture has come for %1</source>
+        <translation>%1 동안 영상이 오지 않았습니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_readable_format</name>
+    <message>
+        <source>it has no format that can be read</source>
+        <translation>읽을 수 있는 형식이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_simulated_camera</name>
+    <message>
+        <source>there is no simulated camera %1</source>
+        <translation>시뮬레이션 카메라 %1이(가) 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_software_trigger</name>
+    <message>
+        <source>it has no software trigger (%1)</source>
+        <translation>소프트웨어 트리거가 없습니다 (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_such_address</name>
+    <message>
+        <source>no camera has such an address</source>
+        <translation>그런 주소의 카메라가 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_such_control</name>
+    <message>
+        <source>it has nothing named &apos;%1&apos; that could be set</source>
+        <translation>설정할 수 있는 &apos;%1&apos;이(가) 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_such_format</name>
+    <message>
+        <source>it has no format %1 (%2)</source>
+        <translation>%1 형식이 없습니다 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_usable_format</name>
+    <message>
+        <source>it has no pixel format that is understood</source>
+        <translation>지원되는 픽셀 형식이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_usb_camera</name>
+    <message>
+        <source>no USB camera is used</source>
+        <translation>USB 카메라를 쓰지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.nodes_forbidden</name>
+    <message>
+        <source>you may not use %1</source>
+        <translation>%1을(를) 쓸 권한이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.nodes_usable</name>
+    <message>
+        <source>you may use all %1 video devices</source>
+        <translation>비디오 장치 %1개를 모두 쓸 수 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.none_lost</name>
+    <message>
+        <source>%1, none lost</source>
+        <translation>%1, 누락 없음</translation>
+    </message>
+</context>
+<context>
+    <name>capture.not_offered</name>
+    <message>
+        <source>it does not offer what was asked for</source>
+        <translation>요청한 것을 제공하지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.not_registered</name>
+    <message>
+        <source>it is not registered to the floor</source>
+        <translation>바닥에 정합되지 않았습니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.not_there</name>
+    <message>
+        <source>it is not there</source>
+        <translation>없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.nothing_lost_yet</name>
+    <message>
+        <source>nothing is lost yet</source>
+        <translation>아직 잃은 것은 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.one_camera_in_step</name>
+    <message>
+        <source>one camera is always in step</source>
+        <translation>카메라 한 대는 항상 동기 상태입니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.one_not_held</name>
+    <message>
+        <source>%1 goes on changing by itself</source>
+        <translation>%1이(가) 계속 저절로 바뀝니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.open_video_again</name>
+    <message>
+        <source>open it again to see it from the start</source>
+        <translation>처음부터 보려면 다시 여십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.other_camera_in_place</name>
+    <message>
+        <source>another camera (%1) is in its place</source>
+        <translation>그 자리에 다른 카메라(%1)가 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.other_serial_in_place</name>
+    <message>
+        <source>another camera (%1) is in the place of camera %2</source>
+        <translation>카메라 %2 자리에 다른 카메라(%1)가 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.own_usb_buses</name>
+    <message>
+        <source>each USB camera has a bus of its own</source>
+        <translation>각 USB 카메라가 자기 버스를 씁니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.packet_delay_not_taken</name>
+    <message>
+        <source>it does not take this packet delay (%1)</source>
+        <translation>이 패킷 지연을 받아들이지 않습니다 (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.packet_size</name>
+    <message>
+        <source>Packet size</source>
+        <translation>패킷 크기</translation>
+    </message>
+</context>
+<context>
+    <name>capture.packet_size_not_taken</name>
+    <message>
+        <source>it does not take this packet size (%1)</source>
+        <translation>이 패킷 크기를 받아들이지 않습니다 (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.part_not_understood</name>
+    <message>
+        <source>&apos;%1&apos; is not understood</source>
+        <translation>&apos;%1&apos;을(를) 이해할 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.payload_not_told</name>
+    <message>
+        <source>it does not tell how large its pictures are (%1)</source>
+        <translation>영상의 크기를 알려 주지 않습니다 (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.picture_of_camera</name>
+    <message>
+        <source>a picture of camera %1</source>
+        <translation>카메라 %1의 그림</translation>
+    </message>
+</context>
+<context>
+    <name>capture.picture_size_of_camera</name>
+    <message>
+        <source>Picture size, camera %1</source>
+        <translation>영상 크기, 카메라 %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.picture_waits_for_disk</name>
+    <message>
+        <source>a picture has waited %1 for it, and %2 of the room to wait in is taken</source>
+        <translation>영상이 %1 기다렸고 대기 공간의 %2가 찼습니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.pictures_being_lost</name>
+    <message>
+        <source>pictures are being lost</source>
+        <translation>영상이 누락되고 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.pictures_incomplete</name>
+    <message>
+        <source>its pictures come incomplete</source>
+        <translation>영상이 불완전하게 들어옵니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.pictures_may_pulse</name>
+    <message>
+        <source>pictures may pulse under lamps</source>
+        <translation>조명 아래에서 영상이 깜박일 수 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.pictures_without_size</name>
+    <message>
+        <source>its pictures have no size</source>
+        <translation>영상의 크기가 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.plug_camera_in_again</name>
+    <message>
+        <source>plug %1 in again</source>
+        <translation>%1을(를) 다시 연결하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.plug_in_again</name>
+    <message>
+        <source>plug it in again</source>
+        <translation>다시 연결하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.plug_in_or_choose</name>
+    <message>
+        <source>plug it in, or choose one of those that odograph cameras lists</source>
+        <translation>연결하거나 odograph cameras가 보여 주는 것 중에서 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.put_disk_back</name>
+    <message>
+        <source>put its disk or folder back where it was</source>
+        <translation>디스크나 폴더를 있던 곳에 되돌려 놓으십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.rate_not_taken</name>
+    <message>
+        <source>it does not take this rate (%1)</source>
+        <translation>이 속도를 받아들이지 않습니다 (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.rate_too_slow</name>
+    <message>
+        <source>%1 (too slow)</source>
+        <translation>%1(너무 느림)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.rates_differ</name>
+    <message>
+        <source>the cameras run at %1 and %2</source>
+        <translation>카메라의 속도가 %1와 %2로 서로 다릅니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.receive_buffer</name>
+    <message>
+        <source>Receive buffer</source>
+        <translation>수신 버퍼</translation>
+    </message>
+</context>
+<context>
+    <name>capture.receive_buffer_granted</name>
+    <message>
+        <source>the system keeps only %1 of the network&apos;s packets</source>
+        <translation>시스템이 네트워크 패킷을 %1까지만 담아 둡니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.record_elsewhere</name>
+    <message>
+        <source>record to another disk, or fewer cameras</source>
+        <translation>다른 디스크에 녹화하거나 카메라 수를 줄이십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.recorded_is_kept</name>
+    <message>
+        <source>what was recorded so far is kept</source>
+        <translation>지금까지 녹화된 것은 보존됩니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.recorded_is_there</name>
+    <message>
+        <source>what was recorded so far is there</source>
+        <translation>지금까지 녹화된 것은 거기에 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.recording_file_gone</name>
+    <message>
+        <source>its file is no longer there</source>
+        <translation>그 파일이 더 이상 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.register_in_testbed</name>
+    <message>
+        <source>register it in Testbed, or its pictures cannot tell where a robot is</source>
+        <translation>테스트베드에서 정합하십시오. 그렇지 않으면 영상에서 로봇의 위치를 알 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.room_for</name>
+    <message>
+        <source>room for %1</source>
+        <translation>%1 녹화 가능</translation>
+    </message>
+</context>
+<context>
+    <name>capture.see_own_line</name>
+    <message>
+        <source>see its own line</source>
+        <translation>해당 줄을 보십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.send_less</name>
+    <message>
+        <source>or let both send MJPEG, or smaller pictures</source>
+        <translation>또는 둘 다 MJPEG이나 더 작은 영상을 보내게 하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.send_registered_size</name>
+    <message>
+        <source>let it send the size it was registered at, or calibrate and register it anew</source>
+        <translation>정합한 크기로 보내게 하거나 새로 보정하고 정합하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.sends_no_pictures</name>
+    <message>
+        <source>it sends no pictures</source>
+        <translation>영상을 보내지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.serial_advice</name>
+    <message>
+        <source>check its power and cable; odograph cameras lists those that answer</source>
+        <translation>전원과 케이블을 확인하십시오. odograph cameras가 응답하는 것을 보여 줍니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.serial_does_not_answer</name>
+    <message>
+        <source>no camera of this serial number answers</source>
+        <translation>이 일련번호의 카메라가 응답하지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.set_as_before</name>
+    <message>
+        <source>set it as before, or begin anew with size and format in its address</source>
+        <translation>이전처럼 설정하거나 주소에 크기와 형식을 넣어 새로 시작하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.set_between</name>
+    <message>
+        <source>set it to something between</source>
+        <translation>그 사이의 값으로 설정하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.set_rate_or_trigger</name>
+    <message>
+        <source>set both to one rate, or trigger them together</source>
+        <translation>둘을 같은 속도로 하거나 함께 트리거하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.set_receive_buffer</name>
+    <message>
+        <source>sysctl -w net.core.rmem_max=%1</source>
+        <translation>sysctl -w net.core.rmem_max=%1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.set_to_mains</name>
+    <message>
+        <source>set &apos;%1&apos; to your mains</source>
+        <translation>&apos;%1&apos;을(를) 전원 주파수에 맞추십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.set_to_one_rate</name>
+    <message>
+        <source>set both to one rate</source>
+        <translation>둘을 같은 속도로 설정하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.set_to_something_else</name>
+    <message>
+        <source>set it to something else</source>
+        <translation>다른 값으로 설정하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.set_width_and_height</name>
+    <message>
+        <source>set its width and height</source>
+        <translation>너비와 높이를 설정하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.several_not_held</name>
+    <message>
+        <source>%1 go on changing by themselves</source>
+        <translation>%1이(가) 계속 저절로 바뀝니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.simulated_camera</name>
+    <message>
+        <source>Simulated camera %1</source>
+        <translation>시뮬레이션 카메라 %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.size_as_registered</name>
+    <message>
+        <source>%1, as it was registered</source>
+        <translation>%1, 정합할 때와 같음</translation>
+    </message>
+</context>
+<context>
+    <name>capture.size_not_as_registered</name>
+    <message>
+        <source>%1, but registered at %2</source>
+        <translation>%1, 그러나 %2에서 정합됨</translation>
+    </message>
+</context>
+<context>
+    <name>capture.size_not_taken</name>
+    <message>
+        <source>it does not take this size (%1)</source>
+        <translation>이 크기를 받아들이지 않습니다 (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.size_not_told</name>
+    <message>
+        <source>it does not tell its size (%1)</source>
+        <translation>크기를 알려 주지 않습니다 (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.slow_camera</name>
+    <message>
+        <source>it takes only %1 pictures a second of the %2 it was asked for</source>
+        <translation>요청한 초당 %2개 중 %1개만 찍습니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.slow_camera_advice</name>
+    <message>
+        <source>give it more light or a shorter exposure, or ask for a lower rate</source>
+        <translation>조명을 늘리거나 노출을 줄이거나 더 낮은 속도를 요청하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.small_packets</name>
+    <message>
+        <source>small packets on %1</source>
+        <translation>%1에서 작은 패킷</translation>
+    </message>
+</context>
+<context>
+    <name>capture.small_packets_advice</name>
+    <message>
+        <source>give the port that the camera is on an MTU of 9000 (sudo ip link set dev NAME mtu 9000), if camera and switch can take it</source>
+        <translation>카메라와 스위치가 지원하면 카메라 포트의 MTU를 9000으로 하십시오 (sudo ip link set dev NAME mtu 9000)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.step</name>
+    <message>
+        <source>Step</source>
+        <translation>동기</translation>
+    </message>
+</context>
+<context>
+    <name>capture.take_another_camera</name>
+    <message>
+        <source>take another camera</source>
+        <translation>다른 카메라를 쓰십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.take_camera_with_format</name>
+    <message>
+        <source>take a camera that has one of %1</source>
+        <translation>%1 중 하나가 있는 카메라를 쓰십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.take_off_and_on</name>
+    <message>
+        <source>take it off and put it on again if it stays so</source>
+        <translation>계속 그러면 뽑았다가 다시 꽂으십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.take_simulated_camera</name>
+    <message>
+        <source>take sim:A or sim:B</source>
+        <translation>sim:A나 sim:B를 쓰십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.taken_up_by_itself</name>
+    <message>
+        <source>it is taken up again by itself</source>
+        <translation>저절로 다시 이어집니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.the_picture</name>
+    <message>
+        <source>the picture</source>
+        <translation>사진</translation>
+    </message>
+</context>
+<context>
+    <name>capture.the_recording</name>
+    <message>
+        <source>the recording %1</source>
+        <translation>녹화 %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.there_but_silent</name>
+    <message>
+        <source>it is there but sends no pictures</source>
+        <translation>연결되어 있지만 영상을 보내지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.there_but_silent_advice</name>
+    <message>
+        <source>look at its cable, or plug it in again if that lasts</source>
+        <translation>케이블을 살펴보고, 계속되면 다시 꽂으십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.these_and_others</name>
+    <message>
+        <source>%1 and others</source>
+        <translation>%1 등</translation>
+    </message>
+</context>
+<context>
+    <name>capture.this_computer</name>
+    <message>
+        <source>this computer</source>
+        <translation>이 컴퓨터</translation>
+    </message>
+</context>
+<context>
+    <name>capture.turn_automatic_off</name>
+    <message>
+        <source>turn the automatic off</source>
+        <translation>자동을 끄십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.turn_off_at_camera</name>
+    <message>
+        <source>turn it off in the camera&apos;s own program, or keep the light steady while robots run</source>
+        <translation>카메라 자체 프로그램에서 끄거나, 로봇이 달리는 동안 조명을 일정하게 유지하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.turn_off_automatic_first</name>
+    <message>
+        <source>turn off the automatic that moves it first</source>
+        <translation>먼저 그것을 움직이는 자동 기능을 끄십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.unplugged</name>
+    <message>
+        <source>it was unplugged</source>
+        <translation>분리되었습니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.usb_bus_full</name>
+    <message>
+        <source>its USB bus has no room left for its pictures (the bus is full, not the disk)</source>
+        <translation>USB 버스에 영상을 보낼 여유가 없습니다(디스크가 아니라 버스가 가득 찼습니다)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.usb_bus_full_advice</name>
+    <message>
+        <source>plug it in where it shares no bus with another camera, or choose MJPEG, a smaller picture or a lower rate (?format=MJPG&amp;size=640x480&amp;rate=30)</source>
+        <translation>다른 카메라와 버스를 나누지 않는 곳에 연결하거나 MJPEG, 더 작은 영상, 더 낮은 속도를 고르십시오 (?format=MJPG&amp;size=640x480&amp;rate=30)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.usb_buses</name>
+    <message>
+        <source>USB buses</source>
+        <translation>USB 버스</translation>
+    </message>
+</context>
+<context>
+    <name>capture.use_daylight</name>
+    <message>
+        <source>or use daylight</source>
+        <translation>또는 자연광을 쓰십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.use_other_port</name>
+    <message>
+        <source>plug one into a port on the other side of the computer, or a card of its own</source>
+        <translation>하나를 컴퓨터 반대쪽 포트나 별도 카드에 꽂으십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.used_by_another_program</name>
+    <message>
+        <source>another program uses it</source>
+        <translation>다른 프로그램이 쓰고 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.used_by_program</name>
+    <message>
+        <source>another program uses it (open in %1)</source>
+        <translation>다른 프로그램이 쓰고 있습니다(%1에서 열려 있음)</translation>
+    </message>
+</context>
+<context>
+    <name>capture.usual_mains</name>
+    <message>
+        <source>50 Hz in most countries, 60 Hz in the Americas</source>
+        <translation>대부분의 나라 50 Hz, 미주와 한국 60 Hz</translation>
+    </message>
+</context>
+<context>
+    <name>capture.v4l2_address_example</name>
+    <message>
+        <source>write for instance v4l2:/dev/video0?size=1280x720&amp;rate=30&amp;format=MJPG</source>
+        <translation>v4l2:/dev/video0?size=1280x720&amp;rate=30&amp;format=MJPG처럼 쓰십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.video_has_ended</name>
+    <message>
+        <source>the video has ended</source>
+        <translation>동영상이 끝났습니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.wait_for_it</name>
+    <message>
+        <source>wait: it is taken up again</source>
+        <translation>기다리십시오: 다시 이어집니다</translation>
+    </message>
+</context>
+<context>
+    <name>capture.wait_or_check_cable</name>
+    <message>
+        <source>wait, or check its cable</source>
+        <translation>기다리거나 케이블을 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>capture.waiting_for_first_picture</name>
+    <message>
+        <source>waiting for the first picture</source>
+        <translation>첫 영상을 기다리는 중</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.and_lines_more</name>
+    <message>
+        <source>and %1 lines more</source>
+        <translation>외 %1행</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.archive_library_refused</name>
+    <message>
+        <source>the archive library refused</source>
+        <translation>압축 라이브러리가 거부했습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.at_line</name>
+    <message>
+        <source>%1:%2</source>
+        <translation>%1:%2</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.begin_roster</name>
+    <message>
+        <source>begin the file with the line class,team or class,team,pseudonym</source>
+        <translation>파일을 class,team 또는 class,team,pseudonym 줄로 시작하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.begin_with_header_or_tum</name>
+    <message>
+        <source>begin the file with the line %1, or write lines of %2</source>
+        <translation>파일을 %1 행으로 시작하거나 %2(으)로 된 행을 쓰십시오</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.begin_with_line</name>
+    <message>
+        <source>begin the file with the line %1</source>
+        <translation>파일을 %1 줄로 시작하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.cannot_be_read</name>
+    <message>
+        <source>it cannot be read</source>
+        <translation>읽을 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.cannot_write_archive</name>
+    <message>
+        <source>cannot write &apos;%1&apos;</source>
+        <translation>&apos;%1&apos;을(를) 쓸 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.cell_not_a_number</name>
+    <message>
+        <source>%1 &apos;%2&apos; is not a finite number</source>
+        <translation>%1 &apos;%2&apos;은(는) 유한한 수가 아닙니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.cell_of_columns</name>
+    <message>
+        <source>it has %1 cell where the header has %2</source>
+        <translation>셀이 %1개인데 머리글에는 %2개입니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.cells_of_columns</name>
+    <message>
+        <source>it has %1 cells where the header has %2</source>
+        <translation>셀이 %1개인데 머리글에는 %2개입니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.check_it_is_there</name>
+    <message>
+        <source>check that it is there and may be read</source>
+        <translation>있고 읽을 수 있는지 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.check_one_run</name>
+    <message>
+        <source>check that all lines are of one run</source>
+        <translation>모든 행이 한 주행의 것인지 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.check_right_file</name>
+    <message>
+        <source>check that it is the right file</source>
+        <translation>맞는 파일인지 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.check_room_and_rights</name>
+    <message>
+        <source>check the free space and the rights of its folder</source>
+        <translation>그 폴더의 여유 공간과 권한을 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.check_unit_of_places</name>
+    <message>
+        <source>check the unit of the places: m, cm or mm</source>
+        <translation>위치의 단위를 확인하십시오: m, cm 또는 mm</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.check_unit_of_times</name>
+    <message>
+        <source>check the unit of the times, and that all lines are of one run</source>
+        <translation>시간의 단위와 모든 행이 한 주행의 것인지 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.choose_longer_track</name>
+    <message>
+        <source>choose a file with three positions or more</source>
+        <translation>위치가 세 개 이상인 파일을 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.choose_new_folder</name>
+    <message>
+        <source>choose a folder that is not there yet</source>
+        <translation>아직 없는 폴더를 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.choose_packed_file</name>
+    <message>
+        <source>choose a file that Odograph has packed, and copy it anew if it is damaged</source>
+        <translation>Odograph가 묶은 파일을 고르고, 손상되었다면 새로 복사하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.choose_style</name>
+    <message>
+        <source>choose analysis, international or continental</source>
+        <translation>analysis, international, continental 중에서 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.close_quotes</name>
+    <message>
+        <source>close the quotes</source>
+        <translation>따옴표를 닫으십시오</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.closed_neither</name>
+    <message>
+        <source>&apos;closed&apos; is neither true nor false</source>
+        <translation>&apos;closed&apos;가 true도 false도 아닙니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.coefficients_no_row</name>
+    <message>
+        <source>&apos;distortion_coefficients&apos; is neither a row nor a column</source>
+        <translation>&apos;distortion_coefficients&apos;가 행도 열도 아닙니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.csv_style</name>
+    <message>
+        <source>style &apos;%1&apos; of CSV</source>
+        <translation>CSV 형식 &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.does_not_belong</name>
+    <message>
+        <source>&apos;%1&apos; does not belong into a packed project</source>
+        <translation>&apos;%1&apos;은(는) 묶은 프로젝트에 속하지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.entry_is_missing</name>
+    <message>
+        <source>the entry &apos;%1&apos; is missing</source>
+        <translation>항목 &apos;%1&apos;이(가) 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.file_is_empty</name>
+    <message>
+        <source>the file is empty</source>
+        <translation>파일이 비어 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.file_too_large</name>
+    <message>
+        <source>it is larger than %1</source>
+        <translation>%1보다 큽니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.fill_in_all_cells</name>
+    <message>
+        <source>give each line as many cells as the header</source>
+        <translation>각 행의 셀 수를 머리글과 같게 하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.fill_in_both</name>
+    <message>
+        <source>fill in both or none</source>
+        <translation>둘 다 채우거나 둘 다 비우십시오</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.give_known_units</name>
+    <message>
+        <source>give times in s or ms and places in m, cm or mm</source>
+        <translation>시간은 s나 ms, 위치는 m, cm, mm로 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.give_marker_label</name>
+    <message>
+        <source>give each marker a label</source>
+        <translation>마커마다 이름표를 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.give_marker_own_label</name>
+    <message>
+        <source>give each marker a label of its own</source>
+        <translation>마커마다 다른 이름표를 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.give_one_path</name>
+    <message>
+        <source>give one of points_mm, circle, figure_eight or slalom</source>
+        <translation>points_mm, circle, figure_eight, slalom 중 하나를 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.give_one_zone</name>
+    <message>
+        <source>give corners_mm, all the way round, or two opposite corners as rectangle_mm</source>
+        <translation>둘레를 따라 corners_mm를 주거나 마주 보는 두 모서리를 rectangle_mm로 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.give_point_label</name>
+    <message>
+        <source>give each point a label</source>
+        <translation>점마다 이름표를 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.give_point_own_label</name>
+    <message>
+        <source>give each point a label of its own</source>
+        <translation>점마다 다른 이름표를 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.give_two_corners</name>
+    <message>
+        <source>give two opposite corners: [[x, y], [x, y]]</source>
+        <translation>마주 보는 두 모서리를 주십시오: [[x, y], [x, y]]</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.has_become_shorter</name>
+    <message>
+        <source>it has become shorter meanwhile</source>
+        <translation>그사이 짧아졌습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.is_in_it_twice</name>
+    <message>
+        <source>&apos;%1&apos; is in it twice</source>
+        <translation>&apos;%1&apos;이(가) 두 번 들어 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.is_no_utf8</name>
+    <message>
+        <source>it is not a UTF-8 text file</source>
+        <translation>UTF-8 텍스트 파일이 아닙니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.is_utf16</name>
+    <message>
+        <source>it is written in UTF-16</source>
+        <translation>UTF-16으로 쓰였습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.key_is_no_text</name>
+    <message>
+        <source>a key is no text, or a bracket is not closed</source>
+        <translation>키가 텍스트가 아니거나 괄호가 닫히지 않았습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.key_is_there_twice</name>
+    <message>
+        <source>the key &apos;%1&apos; is there twice</source>
+        <translation>키 &apos;%1&apos;이(가) 두 번 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.key_not_known</name>
+    <message>
+        <source>the key &apos;%1&apos; is not known</source>
+        <translation>키 &apos;%1&apos;을(를) 알 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.label_is_empty</name>
+    <message>
+        <source>the label is empty</source>
+        <translation>이름표가 비어 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.label_is_there</name>
+    <message>
+        <source>the label &apos;%1&apos; is in line %2 already</source>
+        <translation>이름표 &apos;%1&apos;은(는) 이미 %2행에 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.lacks_column</name>
+    <message>
+        <source>it lacks the column %1</source>
+        <translation>%1 열이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.lacks_header</name>
+    <message>
+        <source>it lacks the expected header line</source>
+        <translation>기대한 머리글 줄이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.lens_model_not_known</name>
+    <message>
+        <source>the lens model &apos;%1&apos; is not known (plumb_bob, rational_polynomial, equidistant are)</source>
+        <translation>렌즈 모델 &apos;%1&apos;을(를) 알 수 없습니다 (plumb_bob, rational_polynomial, equidistant는 압니다)</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.line_too_long</name>
+    <message>
+        <source>it is longer than 8 MiB</source>
+        <translation>8 MiB보다 깁니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.line_without_class</name>
+    <message>
+        <source>line %1 has no class for team &apos;%2&apos;</source>
+        <translation>%1행에 팀 &apos;%2&apos;의 학급이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.line_without_team</name>
+    <message>
+        <source>line %1 has no team</source>
+        <translation>%1행에 팀이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.longer_than_a_week</name>
+    <message>
+        <source>it is more than a week after the first line</source>
+        <translation>첫 행보다 일주일 넘게 뒤입니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.matrix_not_3_by_3</name>
+    <message>
+        <source>&apos;camera_matrix&apos; is not a 3 × 3 matrix</source>
+        <translation>&apos;camera_matrix&apos;가 3 × 3 행렬이 아닙니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.matrix_of_other_form</name>
+    <message>
+        <source>&apos;camera_matrix&apos; is not of the form fx 0 cx, 0 fy cy, 0 0 1</source>
+        <translation>&apos;camera_matrix&apos;가 fx 0 cx, 0 fy cy, 0 0 1 꼴이 아닙니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.mend_lines</name>
+    <message>
+        <source>mend these lines</source>
+        <translation>이 줄들을 고치십시오</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.named_track_has_position</name>
+    <message>
+        <source>track &apos;%1&apos; has %2 position</source>
+        <translation>궤적 &apos;%1&apos;에 위치가 %2개 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.named_track_has_positions</name>
+    <message>
+        <source>track &apos;%1&apos; has %2 positions</source>
+        <translation>궤적 &apos;%1&apos;에 위치가 %2개 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.neither_header_nor_tum</name>
+    <message>
+        <source>it has no header with a time, x and y, and is no TUM either</source>
+        <translation>시간, x, y가 있는 머리글이 없고 TUM도 아닙니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.nested_too_deep</name>
+    <message>
+        <source>it is nested more than %1 deep</source>
+        <translation>%1단계 넘게 중첩되어 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_anchors</name>
+    <message>
+        <source>anchors and aliases are not understood</source>
+        <translation>앵커와 별칭은 인식하지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_markers</name>
+    <message>
+        <source>there are no markers below the header</source>
+        <translation>머리글 아래에 마커가 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_project_inside</name>
+    <message>
+        <source>there is no project in it</source>
+        <translation>프로젝트가 들어 있지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_such_style</name>
+    <message>
+        <source>there is no such style</source>
+        <translation>그런 형식이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_task</name>
+    <message>
+        <source>the file holds no task</source>
+        <translation>파일에 과제가 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_track_has_position</name>
+    <message>
+        <source>none of its tracks has a position</source>
+        <translation>위치가 있는 궤적이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_valid_yaml</name>
+    <message>
+        <source>it is no valid YAML (%1)</source>
+        <translation>올바른 YAML이 아닙니다(%1)</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.not_a_finite_number</name>
+    <message>
+        <source>&apos;%1&apos; is not a finite number</source>
+        <translation>&apos;%1&apos;은(는) 유한한 수가 아닙니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.not_a_list</name>
+    <message>
+        <source>&apos;%1&apos; is not a list in brackets</source>
+        <translation>&apos;%1&apos;이(가) 대괄호로 묶은 목록이 아닙니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.not_a_point</name>
+    <message>
+        <source>&apos;%1&apos; is not a point [x, y] in mm</source>
+        <translation>&apos;%1&apos;은(는) mm 단위의 점 [x, y]가 아닙니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.not_a_time</name>
+    <message>
+        <source>&apos;%1&apos; is not a time</source>
+        <translation>&apos;%1&apos;은(는) 시간이 아닙니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.not_a_time_in_seconds</name>
+    <message>
+        <source>&apos;%1&apos; is not a time in seconds</source>
+        <translation>&apos;%1&apos;은(는) 초 단위의 시간이 아닙니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.not_a_whole_number</name>
+    <message>
+        <source>&apos;%1&apos; is not a whole number from %2 to %3</source>
+        <translation>&apos;%1&apos;은(는) %2에서 %3 사이의 정수가 아닙니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.not_above_zero</name>
+    <message>
+        <source>&apos;%1&apos; is not above zero</source>
+        <translation>&apos;%1&apos;이(가) 0보다 크지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.not_two_corners</name>
+    <message>
+        <source>&apos;rectangle_mm&apos; is not two corners</source>
+        <translation>&apos;rectangle_mm&apos;가 두 모서리가 아닙니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.nothing_imported</name>
+    <message>
+        <source>nothing was imported</source>
+        <translation>가져온 것이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.object_expected</name>
+    <message>
+        <source>an object in braces is expected here</source>
+        <translation>여기에는 중괄호로 묶은 객체가 있어야 합니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.one_error_blank</name>
+    <message>
+        <source>one of its two errors is blank</source>
+        <translation>두 오차 중 하나가 비어 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.one_place_blank</name>
+    <message>
+        <source>one of its two places is blank</source>
+        <translation>두 위치 중 하나가 비어 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.order_lines</name>
+    <message>
+        <source>put the lines in the order of time, each time once</source>
+        <translation>행을 시간 순으로, 각 시간이 한 번씩만 나오게 하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.pack</name>
+    <message>
+        <source>pack &apos;%1&apos;</source>
+        <translation>&apos;%1&apos; 묶기</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.packing</name>
+    <message>
+        <source>packing %1</source>
+        <translation>%1 묶는 중</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.path_given_twice</name>
+    <message>
+        <source>the reference path is given twice</source>
+        <translation>기준 경로가 두 번 주어졌습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.path_not_given</name>
+    <message>
+        <source>the reference path is given by nothing</source>
+        <translation>기준 경로가 주어지지 않았습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.place_too_far</name>
+    <message>
+        <source>its place is more than 100 km away</source>
+        <translation>위치가 100 km 넘게 떨어져 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.quoted_cell_does_not_end</name>
+    <message>
+        <source>a quoted cell does not end</source>
+        <translation>따옴표로 시작한 셀이 끝나지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.reading_line</name>
+    <message>
+        <source>reading line %1</source>
+        <translation>%1행 읽는 중</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.roster</name>
+    <message>
+        <source>roster &apos;%1&apos;</source>
+        <translation>명단 &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.roster_is_empty</name>
+    <message>
+        <source>it has no team</source>
+        <translation>팀이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.save_as_csv_utf8</name>
+    <message>
+        <source>save it again as &quot;CSV UTF-8&quot; or as a UTF-8 text</source>
+        <translation>&quot;CSV UTF-8&quot;이나 UTF-8 텍스트로 다시 저장하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.save_as_utf8</name>
+    <message>
+        <source>save it again as UTF-8 text</source>
+        <translation>UTF-8 텍스트로 다시 저장하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.save_with_commas</name>
+    <message>
+        <source>save it with commas</source>
+        <translation>쉼표로 구분해 저장하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.save_with_commas_and_points</name>
+    <message>
+        <source>save it with commas, and with a point in its numbers</source>
+        <translation>쉼표로 구분하고 숫자에는 점을 써서 저장하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.separated_by_semicolons</name>
+    <message>
+        <source>its columns are separated by semicolons</source>
+        <translation>열이 세미콜론으로 구분되어 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.several_documents</name>
+    <message>
+        <source>it holds more than one document</source>
+        <translation>문서가 둘 이상 들어 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.slalom_without_length</name>
+    <message>
+        <source>the slalom ends where it starts</source>
+        <translation>슬랄롬의 끝이 시작과 같은 곳입니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.team_named_again</name>
+    <message>
+        <source>line %1 names team &apos;%2&apos; again, as line %3</source>
+        <translation>%1행에 팀 &apos;%2&apos;이(가) %3행에 이어 다시 나옵니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.time_goes_back</name>
+    <message>
+        <source>its time is before that of the line before</source>
+        <translation>시간이 앞 행보다 이릅니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.time_repeated</name>
+    <message>
+        <source>its time is that of the line before</source>
+        <translation>시간이 앞 행과 같습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.too_many_files</name>
+    <message>
+        <source>it has too many files</source>
+        <translation>파일이 너무 많습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.too_many_places</name>
+    <message>
+        <source>the file has more than 1.5 million places</source>
+        <translation>파일에 위치가 150만 개보다 많습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.too_many_values</name>
+    <message>
+        <source>it holds more than %1 values</source>
+        <translation>값이 %1개를 넘습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.track_has_position</name>
+    <message>
+        <source>the track has %1 position</source>
+        <translation>궤적에 위치가 %1개 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.track_has_positions</name>
+    <message>
+        <source>the track has %1 positions</source>
+        <translation>궤적에 위치가 %1개 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.tum_entries</name>
+    <message>
+        <source>it has %1 entries instead of the 8 of TUM</source>
+        <translation>항목이 TUM의 8개가 아니라 %1개입니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.tum_entry</name>
+    <message>
+        <source>it has %1 entry instead of the 8 of TUM</source>
+        <translation>항목이 TUM의 8개가 아니라 %1개입니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.unit_not_known</name>
+    <message>
+        <source>its column &apos;%1&apos; is in a unit that is not known</source>
+        <translation>&apos;%1&apos; 열의 단위를 알 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.unpack</name>
+    <message>
+        <source>unpack &apos;%1&apos;</source>
+        <translation>&apos;%1&apos; 풀기</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.unpack_into</name>
+    <message>
+        <source>unpack into &apos;%1&apos;</source>
+        <translation>&apos;%1&apos;에 풀기</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.unpacking</name>
+    <message>
+        <source>unpacking</source>
+        <translation>푸는 중</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.unpacks_too_large</name>
+    <message>
+        <source>it unpacks to more than a hundred times its size</source>
+        <translation>풀면 크기가 백 배 넘게 커집니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.use_calibration_file</name>
+    <message>
+        <source>use a calibration file as ROS or OpenCV writes it</source>
+        <translation>ROS나 OpenCV가 쓰는 형식의 보정 파일을 쓰십시오</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.use_keys</name>
+    <message>
+        <source>use %1</source>
+        <translation>%1을(를) 쓰십시오</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.wait_for_writers</name>
+    <message>
+        <source>wait until nobody writes to it, and try again</source>
+        <translation>아무도 쓰지 않을 때까지 기다린 뒤 다시 시도하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.write_class_and_team</name>
+    <message>
+        <source>write a line with class and team below the header</source>
+        <translation>머리글 아래에 학급과 팀을 한 줄 쓰십시오</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.write_digits</name>
+    <message>
+        <source>write it with digits, like 12.5</source>
+        <translation>12.5처럼 숫자로 쓰십시오</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.write_digits_or_blank</name>
+    <message>
+        <source>write it with digits, like 12.5, or leave the place blank</source>
+        <translation>12.5처럼 숫자로 쓰거나 비워 두십시오</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.write_line_for_marker</name>
+    <message>
+        <source>write one line for each marker</source>
+        <translation>마커마다 한 줄씩 쓰십시오</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.write_object_with</name>
+    <message>
+        <source>write one with %1</source>
+        <translation>%1(으)로 쓰십시오</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.write_task_as_shown</name>
+    <message>
+        <source>write the task as odograph task list --json shows one</source>
+        <translation>odograph task list --json이 보이는 대로 과제를 쓰십시오</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.write_tum_or_header</name>
+    <message>
+        <source>write %1, or begin the file with the line %2</source>
+        <translation>%1을(를) 쓰거나 파일을 %2 행으로 시작하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.write_value_for_each</name>
+    <message>
+        <source>write one value for each of %1</source>
+        <translation>%1마다 값을 하나씩 쓰십시오</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.wrong_number_of_cells</name>
+    <message>
+        <source>it has %1 cells instead of %2</source>
+        <translation>셀이 %2개가 아니라 %1개입니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.wrong_number_of_numbers</name>
+    <message>
+        <source>&apos;%1&apos; has %2 numbers instead of %3 × %4</source>
+        <translation>&apos;%1&apos;에 수가 %3 × %4개가 아니라 %2개 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.wrong_poles</name>
+    <message>
+        <source>&apos;poles&apos; is not a whole number from 1 to 100</source>
+        <translation>&apos;poles&apos;가 1에서 100 사이의 정수가 아닙니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.zone_given_twice</name>
+    <message>
+        <source>the zone is given twice</source>
+        <translation>구역이 두 번 주어졌습니다</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.zone_not_given</name>
+    <message>
+        <source>the zone is given by nothing</source>
+        <translation>구역이 주어지지 않았습니다</translation>
+    </message>
+</context>
+<context>
+    <name>files.cannot_be_looked_at</name>
+    <message>
+        <source>it cannot be looked at (%1)</source>
+        <translation>살펴볼 수 없습니다 (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>files.cannot_be_read</name>
+    <message>
+        <source>it cannot be read (%1)</source>
+        <translation>읽을 수 없습니다 (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>files.cannot_be_written</name>
+    <message>
+        <source>it cannot be written (%1)</source>
+        <translation>쓸 수 없습니다 (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>files.check_file_is_there</name>
+    <message>
+        <source>check that the file is there and may be read</source>
+        <translation>파일이 있고 읽을 수 있는지 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>files.check_may_be_read</name>
+    <message>
+        <source>check that you may read the file</source>
+        <translation>파일을 읽을 권한을 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>files.check_name</name>
+    <message>
+        <source>check the name and the folder</source>
+        <translation>이름과 폴더를 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>files.choose_another_file</name>
+    <message>
+        <source>choose another file</source>
+        <translation>다른 파일을 선택하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>files.choose_another_folder</name>
+    <message>
+        <source>choose another folder</source>
+        <translation>다른 폴더를 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>files.choose_another_name</name>
+    <message>
+        <source>choose another name</source>
+        <translation>다른 이름을 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>files.choose_folder_with_room</name>
+    <message>
+        <source>choose a folder that you may write to and that has room</source>
+        <translation>쓸 수 있고 여유가 있는 폴더를 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>files.choose_name_or_folder</name>
+    <message>
+        <source>choose another name or folder</source>
+        <translation>다른 이름이나 폴더를 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>files.choose_shorter_name</name>
+    <message>
+        <source>choose a shorter name</source>
+        <translation>더 짧은 이름을 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>files.choose_writable_folder</name>
+    <message>
+        <source>choose a folder that you may write to</source>
+        <translation>쓸 수 있는 폴더를 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>files.disk_is_full</name>
+    <message>
+        <source>the disk is full</source>
+        <translation>디스크가 가득 찼습니다</translation>
+    </message>
+</context>
+<context>
+    <name>files.folder_cannot_be_used</name>
+    <message>
+        <source>its folder cannot be used (%1)</source>
+        <translation>그 폴더를 쓸 수 없습니다 (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>files.folder_not_writable</name>
+    <message>
+        <source>the folder &apos;%1&apos; cannot be written to (%2)</source>
+        <translation>폴더 &apos;%1&apos;에 쓸 수 없습니다 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>files.has_no_name</name>
+    <message>
+        <source>it has no name</source>
+        <translation>이름이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>files.is_a_database</name>
+    <message>
+        <source>it is a database</source>
+        <translation>데이터베이스입니다</translation>
+    </message>
+</context>
+<context>
+    <name>files.is_another_project</name>
+    <message>
+        <source>it is another project</source>
+        <translation>다른 프로젝트입니다</translation>
+    </message>
+</context>
+<context>
+    <name>files.is_beside_project</name>
+    <message>
+        <source>it is the log, the lock or a backup of a project</source>
+        <translation>프로젝트의 로그, 잠금 또는 백업 파일입니다</translation>
+    </message>
+</context>
+<context>
+    <name>files.is_in_media_folder</name>
+    <message>
+        <source>it is in the media folder of project &apos;%1&apos;</source>
+        <translation>프로젝트 &apos;%1&apos;의 미디어 폴더에 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>files.is_in_some_media_folder</name>
+    <message>
+        <source>it is in a media folder beside a project</source>
+        <translation>프로젝트 옆의 미디어 폴더 안에 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>files.is_input</name>
+    <message>
+        <source>it is an input of the same call</source>
+        <translation>같은 호출의 입력 파일입니다</translation>
+    </message>
+</context>
+<context>
+    <name>files.is_of_another_kind</name>
+    <message>
+        <source>a file of another kind has that name</source>
+        <translation>다른 종류의 파일이 그 이름을 쓰고 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>files.is_open_project</name>
+    <message>
+        <source>it is a project that is open here</source>
+        <translation>여기에서 열려 있는 프로젝트입니다</translation>
+    </message>
+</context>
+<context>
+    <name>files.is_temporary_name</name>
+    <message>
+        <source>Odograph uses such names for temporary files</source>
+        <translation>Odograph가 임시 파일에 쓰는 이름입니다</translation>
+    </message>
+</context>
+<context>
+    <name>files.is_the_project</name>
+    <message>
+        <source>it is the project itself</source>
+        <translation>프로젝트 파일 자체입니다</translation>
+    </message>
+</context>
+<context>
+    <name>files.is_there_already</name>
+    <message>
+        <source>it is there already</source>
+        <translation>이미 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>files.log_left_beside</name>
+    <message>
+        <source>its folder has &apos;%1&apos;, the log or journal of another file of this name</source>
+        <translation>폴더에 &apos;%1&apos;이(가) 있습니다. 이름이 같은 다른 파일의 로그 또는 저널입니다</translation>
+    </message>
+</context>
+<context>
+    <name>files.make_folder_first</name>
+    <message>
+        <source>make the folder first, or choose another one</source>
+        <translation>먼저 폴더를 만들거나 다른 폴더를 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>files.make_room</name>
+    <message>
+        <source>make room on the disk and try again</source>
+        <translation>디스크 공간을 확보하고 다시 시도하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>files.move_log_away</name>
+    <message>
+        <source>choose another name, or move &apos;%1&apos; to another folder first</source>
+        <translation>다른 이름을 선택하거나 먼저 &apos;%1&apos;을(를) 다른 폴더로 옮기십시오</translation>
+    </message>
+</context>
+<context>
+    <name>files.name_a_file</name>
+    <message>
+        <source>name a file</source>
+        <translation>파일을 지정하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>files.name_too_long</name>
+    <message>
+        <source>its name is too long</source>
+        <translation>이름이 너무 깁니다</translation>
+    </message>
+</context>
+<context>
+    <name>files.names_a_project</name>
+    <message>
+        <source>a name ending in .odo is for a project</source>
+        <translation>.odo로 끝나는 이름은 프로젝트용입니다</translation>
+    </message>
+</context>
+<context>
+    <name>files.no_such_file</name>
+    <message>
+        <source>there is no such file</source>
+        <translation>그런 파일이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>files.no_such_folder</name>
+    <message>
+        <source>there is no folder &apos;%1&apos;</source>
+        <translation>폴더 &apos;%1&apos;이(가) 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>files.replace_by_force</name>
+    <message>
+        <source>choose another name, or replace it with --force</source>
+        <translation>다른 이름을 고르거나 --force로 바꾸십시오</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.add_points</name>
+    <message>
+        <source>add points</source>
+        <translation>점을 추가하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.at_one_place</name>
+    <message>
+        <source>%1 lie at one place</source>
+        <translation>%1이(가) 한곳에 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.at_one_place_in_picture</name>
+    <message>
+        <source>%1 lie at one place in the picture</source>
+        <translation>%1이(가) 화면에서 한곳에 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.beyond_horizon</name>
+    <message>
+        <source>%1 would lie beyond the horizon</source>
+        <translation>%1이(가) 지평선 너머에 있게 됩니다</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.bow_tie</name>
+    <message>
+        <source>the order of the points crosses over like a bow tie</source>
+        <translation>점의 순서가 나비넥타이처럼 엇갈립니다</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.calibrate_again</name>
+    <message>
+        <source>calibrate the camera again, or import another file</source>
+        <translation>카메라를 다시 보정하거나 다른 파일을 가져오십시오</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.check_points</name>
+    <message>
+        <source>check which point is which</source>
+        <translation>어느 점이 어느 점인지 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.coordinate_not_finite</name>
+    <message>
+        <source>a coordinate of %1 is not a finite number</source>
+        <translation>%1의 좌표가 유한한 수가 아닙니다</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.correct_it</name>
+    <message>
+        <source>correct it</source>
+        <translation>고치십시오</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.correct_one</name>
+    <message>
+        <source>correct one of them</source>
+        <translation>그중 하나를 고치십시오</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.empty_chain</name>
+    <message>
+        <source>the chain has no links</source>
+        <translation>연결 단계가 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.focal_not_positive</name>
+    <message>
+        <source>the focal length %1 is not positive</source>
+        <translation>초점 거리 %1가 양수가 아닙니다</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.four_points_needed</name>
+    <message>
+        <source>four points are needed, %1 given</source>
+        <translation>점이 네 개 필요한데 %1개가 주어졌습니다</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.give_one_link</name>
+    <message>
+        <source>give at least one</source>
+        <translation>하나 이상 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.intrinsics_unusable</name>
+    <message>
+        <source>these intrinsics cannot be used</source>
+        <translation>이 내부 파라미터는 쓸 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.no_homography</name>
+    <message>
+        <source>no homography</source>
+        <translation>호모그래피를 구할 수 없음</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.on_one_line</name>
+    <message>
+        <source>%1 lie on one line</source>
+        <translation>%1이(가) 한 줄에 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.on_one_line_in_picture</name>
+    <message>
+        <source>%1 lie on one line in the picture</source>
+        <translation>%1이(가) 화면에서 한 줄에 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.point</name>
+    <message>
+        <source>point %1</source>
+        <translation>점 %1</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.points_do_not_tell</name>
+    <message>
+        <source>the points do not determine it</source>
+        <translation>점들로 정할 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.singular_link</name>
+    <message>
+        <source>link %1 of %2 of the chain is singular</source>
+        <translation>연결 %2단계 중 %1번째가 특이합니다</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.size_not_positive</name>
+    <message>
+        <source>the picture size %1 is not positive</source>
+        <translation>사진 크기 %1이(가) 양수가 아닙니다</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.spread_points</name>
+    <message>
+        <source>spread the points</source>
+        <translation>점을 넓게 잡으십시오</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.use_four_points</name>
+    <message>
+        <source>use four points of which no three are in line</source>
+        <translation>어느 셋도 한 줄에 있지 않은 점 네 개를 쓰십시오</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.use_four_points_in_it</name>
+    <message>
+        <source>use four points in it of which no three are in line</source>
+        <translation>어느 셋도 한 줄에 있지 않은 점 네 개를 그 단계에 쓰십시오</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.value_not_finite</name>
+    <message>
+        <source>one of the values is not a finite number</source>
+        <translation>값 하나가 유한한 수가 아닙니다</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.wrong_coefficients</name>
+    <message>
+        <source>%1 distortion coefficients do not belong to this lens model</source>
+        <translation>왜곡 계수 %1개는 이 렌즈 모델에 맞지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.wrong_covariance_size</name>
+    <message>
+        <source>the covariance has the wrong size</source>
+        <translation>공분산의 크기가 맞지 않습니다</translation>
     </message>
 </context>
 <context>
@@ -9114,60 +8807,12 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>새 학급</translation>
     </message>
     <message>
-        <source>add class %1</source>
-        <translation>학급 %1 추가</translation>
-    </message>
-    <message>
         <source>Rename class</source>
         <translation>학급 이름 변경</translation>
     </message>
     <message>
-        <source>rename class %1 to %2</source>
-        <translation>학급 이름 변경: %1 → %2</translation>
-    </message>
-    <message>
-        <source>take class %1 out of the archive</source>
-        <translation>학급 %1 보관 해제</translation>
-    </message>
-    <message>
-        <source>archive class %1</source>
-        <translation>학급 %1 보관</translation>
-    </message>
-    <message>
-        <source>delete class %1</source>
-        <translation>학급 %1 삭제</translation>
-    </message>
-    <message>
         <source>New team</source>
         <translation>새 팀</translation>
-    </message>
-    <message>
-        <source>add team %1</source>
-        <translation>팀 %1 추가</translation>
-    </message>
-    <message>
-        <source>take team %1 out of its class</source>
-        <translation>팀 %1을(를) 학급에서 빼기</translation>
-    </message>
-    <message>
-        <source>move team %1 to class %2</source>
-        <translation>팀 %1을(를) 학급 %2(으)로 옮기기</translation>
-    </message>
-    <message>
-        <source>delete team %1</source>
-        <translation>팀 %1 삭제</translation>
-    </message>
-    <message>
-        <source>change members and robots of team %1</source>
-        <translation>팀 %1의 팀원과 로봇 변경</translation>
-    </message>
-    <message>
-        <source>rename team %1 to %2</source>
-        <translation>팀 이름 변경: %1 → %2</translation>
-    </message>
-    <message>
-        <source>change the pseudonym of team %1</source>
-        <translation>팀 %1의 가명 변경</translation>
     </message>
 </context>
 <context>
@@ -9710,20 +9355,12 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>Odograph 데모</translation>
     </message>
     <message>
-        <source>Making the demo lesson</source>
-        <translation>데모 수업 만드는 중</translation>
-    </message>
-    <message>
         <source>Copy of %1</source>
         <translation>%1의 사본</translation>
     </message>
     <message>
         <source>Save a copy</source>
         <translation>사본 저장</translation>
-    </message>
-    <message>
-        <source>Saving a copy</source>
-        <translation>사본 저장 중</translation>
     </message>
     <message>
         <source>A copy was saved as %1. Its videos stay where they are.</source>
@@ -9736,10 +9373,6 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>With its cameras, marker layouts, robots and tasks, without people and trials</source>
         <translation>카메라, 마커 배치, 로봇, 과제는 그대로, 사람과 시행은 없이</translation>
-    </message>
-    <message>
-        <source>Taking over the set-up</source>
-        <translation>설정을 가져오는 중</translation>
     </message>
 </context>
 <context>
@@ -10089,39 +9722,11 @@ Much more than expected means that something is not as it was told: the views ar
             <numerusform>시행 %n개 내보내기: 폴더 선택</numerusform>
         </translation>
     </message>
-    <message>
-        <source>Exported trials: %1 of %2.</source>
-        <translation>내보낸 시행: %2개 중 %1개.</translation>
-    </message>
-    <message>
-        <source>Exporting %1 (%2 of %3)</source>
-        <translation>%1 내보내는 중(%2/%3)</translation>
-    </message>
     <message numerus="yes">
         <source>Videos of %n trial(s)</source>
         <translation>
             <numerusform>시행 %n개의 동영상</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Videos made: %1 of %2.</source>
-        <translation>만든 동영상: %2개 중 %1개.</translation>
-    </message>
-    <message>
-        <source>Making the video of %1 (%2 of %3)</source>
-        <translation>%1의 동영상 만드는 중(%2/%3)</translation>
-    </message>
-    <message>
-        <source>Trials measured again: %1 of %2.</source>
-        <translation>다시 측정한 시행: %2개 중 %1개.</translation>
-    </message>
-    <message>
-        <source>Measuring %1 again (%2 of %3)</source>
-        <translation>%1 다시 측정하는 중(%2/%3)</translation>
-    </message>
-    <message>
-        <source>Emptying the bin</source>
-        <translation>휴지통 비우는 중</translation>
     </message>
     <message numerus="yes">
         <source>%n trial(s) removed for good.</source>
@@ -10138,14 +9743,6 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>%1 could not be deleted; delete it by hand.</source>
         <translation>%1을(를) 삭제할 수 없습니다. 직접 삭제하십시오.</translation>
-    </message>
-    <message>
-        <source>and %1 more</source>
-        <translation>외 %1개</translation>
-    </message>
-    <message>
-        <source>mend what stands there, and choose these trials again</source>
-        <translation>위의 문제를 해결한 뒤 이 시행들을 다시 선택하십시오</translation>
     </message>
 </context>
 <context>
@@ -11281,14 +10878,6 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>odo::MainWindow</name>
     <message>
-        <source>no project is open</source>
-        <translation>열린 프로젝트가 없습니다</translation>
-    </message>
-    <message>
-        <source>open the project that it belongs to</source>
-        <translation>해당 프로젝트를 여십시오</translation>
-    </message>
-    <message>
         <source>&amp;File</source>
         <translation>파일(&amp;F)</translation>
     </message>
@@ -11359,54 +10948,6 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>휴지통 비우기(&amp;E)…</translation>
     </message>
     <message>
-        <source>star %1</source>
-        <translation>%1 별표 붙이기</translation>
-    </message>
-    <message>
-        <source>take the star off %1</source>
-        <translation>%1 별표 떼기</translation>
-    </message>
-    <message>
-        <source>star %1 trials</source>
-        <translation>시행 %1개 별표 붙이기</translation>
-    </message>
-    <message>
-        <source>take the star off %1 trials</source>
-        <translation>시행 %1개 별표 떼기</translation>
-    </message>
-    <message>
-        <source>archive %1</source>
-        <translation>%1 보관</translation>
-    </message>
-    <message>
-        <source>take %1 out of the archive</source>
-        <translation>%1 보관 해제</translation>
-    </message>
-    <message>
-        <source>archive %1 trials</source>
-        <translation>시행 %1개 보관</translation>
-    </message>
-    <message>
-        <source>take %1 trials out of the archive</source>
-        <translation>시행 %1개 보관 해제</translation>
-    </message>
-    <message>
-        <source>delete %1</source>
-        <translation>%1 삭제</translation>
-    </message>
-    <message>
-        <source>take %1 out of the bin</source>
-        <translation>%1 휴지통에서 복원</translation>
-    </message>
-    <message>
-        <source>delete %1 trials</source>
-        <translation>시행 %1개 삭제</translation>
-    </message>
-    <message>
-        <source>take %1 trials out of the bin</source>
-        <translation>시행 %1개 휴지통에서 복원</translation>
-    </message>
-    <message>
         <source>Take the &amp;star off</source>
         <translation>별표 떼기(&amp;S)</translation>
     </message>
@@ -11425,10 +10966,6 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>Puts the selected trials into the bin (Del); they can be put back</source>
         <translation>선택한 시행을 휴지통에 넣습니다(Del). 복원할 수 있습니다</translation>
-    </message>
-    <message>
-        <source>change the tags of %1</source>
-        <translation>%1의 태그 변경</translation>
     </message>
     <message>
         <source>Empty the bin</source>
@@ -12096,18 +11633,6 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>시행</translation>
     </message>
     <message>
-        <source>report</source>
-        <translation>보고서</translation>
-    </message>
-    <message>
-        <source>there is no trial yet</source>
-        <translation>아직 시행이 없습니다</translation>
-    </message>
-    <message>
-        <source>import or record one first</source>
-        <translation>먼저 시행을 가져오거나 녹화하십시오</translation>
-    </message>
-    <message>
         <source>Save the report</source>
         <translation>보고서 저장</translation>
     </message>
@@ -12122,10 +11647,6 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>The report is with the printer %1.</source>
         <translation>보고서를 프린터 %1(으)로 보냈습니다.</translation>
-    </message>
-    <message>
-        <source>Making the report</source>
-        <translation>보고서 만드는 중</translation>
     </message>
 </context>
 <context>
@@ -12720,18 +12241,6 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>%1 × %2</translation>
     </message>
     <message>
-        <source>add robot %1</source>
-        <translation>로봇 %1 추가</translation>
-    </message>
-    <message>
-        <source>change robot %1</source>
-        <translation>로봇 %1 변경</translation>
-    </message>
-    <message>
-        <source>delete robot %1</source>
-        <translation>로봇 %1 삭제</translation>
-    </message>
-    <message>
         <source>its silhouette</source>
         <translation>실루엣</translation>
     </message>
@@ -13068,10 +12577,6 @@ Much more than expected means that something is not as it was told: the views ar
         <source>P%1</source>
         <comment>a point</comment>
         <translation>P%1</translation>
-    </message>
-    <message>
-        <source>camera %1</source>
-        <translation>카메라 %1</translation>
     </message>
     <message>
         <source>Click a point of the floor in the left picture, then the same one in the right picture. What lies near a click is taken to the tenth of a pixel; the arrow keys move the chosen point, Space snaps it.</source>
@@ -13756,36 +13261,12 @@ Much more than expected means that something is not as it was told: the views ar
         </translation>
     </message>
     <message>
-        <source>add task %1</source>
-        <translation>과제 %1 추가</translation>
-    </message>
-    <message>
-        <source>change task %1</source>
-        <translation>과제 %1 변경</translation>
-    </message>
-    <message>
         <source>Rename task</source>
         <translation>과제 이름 변경</translation>
     </message>
     <message>
         <source>Name:</source>
         <translation>이름:</translation>
-    </message>
-    <message>
-        <source>rename task %1 to %2</source>
-        <translation>과제 이름 변경: %1 → %2</translation>
-    </message>
-    <message>
-        <source>archive task %1</source>
-        <translation>과제 %1 보관</translation>
-    </message>
-    <message>
-        <source>take task %1 out of the archive</source>
-        <translation>과제 %1 보관 해제</translation>
-    </message>
-    <message>
-        <source>delete task %1</source>
-        <translation>과제 %1 삭제</translation>
     </message>
 </context>
 <context>
@@ -14113,10 +13594,6 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>카메라 %1을(를) 보정했습니다. %2</translation>
     </message>
     <message>
-        <source>register camera %1</source>
-        <translation>카메라 %1 정합</translation>
-    </message>
-    <message>
         <source>Camera %1 is registered. %2</source>
         <translation>카메라 %1을(를) 정합했습니다. %2</translation>
     </message>
@@ -14155,10 +13632,6 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>Tables (*.csv *.txt);;All files (*)</source>
         <translation>표 (*.csv *.txt);;모든 파일 (*)</translation>
-    </message>
-    <message>
-        <source>add layout %1</source>
-        <translation>배치 %1 추가</translation>
     </message>
     <message>
         <source>Layout %1 has %2 markers.</source>
@@ -14402,10 +13875,6 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>묶은 프로젝트 (*%1)</translation>
     </message>
     <message>
-        <source>Packing the project</source>
-        <translation>프로젝트 묶는 중</translation>
-    </message>
-    <message>
         <source>The project is packed into %1. Elsewhere it is unpacked by &quot;Unpack a packed project&quot;.</source>
         <translation>프로젝트를 %1에 묶었습니다. 다른 곳에서는 &quot;묶은 프로젝트 풀기&quot;로 풉니다.</translation>
     </message>
@@ -14426,16 +13895,8 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>프로젝트를 어디에 풀까요?</translation>
     </message>
     <message>
-        <source>Unpacking the project</source>
-        <translation>프로젝트 푸는 중</translation>
-    </message>
-    <message>
         <source>In which folder, or below, may the lost videos lie?</source>
         <translation>잃은 동영상이 어느 폴더나 그 아래에 있습니까?</translation>
-    </message>
-    <message>
-        <source>Looking for lost videos</source>
-        <translation>잃은 동영상 찾는 중</translation>
     </message>
     <message>
         <source>%1 of %2 lost videos were found, by their content.</source>
@@ -14444,10 +13905,6 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>Find &amp;stray files…</source>
         <translation>소속 없는 파일 찾기(&amp;S)…</translation>
-    </message>
-    <message>
-        <source>Looking for stray files</source>
-        <translation>소속 없는 파일 찾는 중</translation>
     </message>
     <message>
         <source>Every file in the media folder belongs to a trial, a lens calibration or a floor registration.</source>
@@ -14475,19 +13932,11 @@ Much more than expected means that something is not as it was told: the views ar
         <source>&amp;Remove files</source>
         <translation>파일 제거(&amp;R)</translation>
     </message>
-    <message>
-        <source>Adding stray videos as trials</source>
-        <translation>소속 없는 동영상을 시행으로 추가하는 중</translation>
-    </message>
     <message numerus="yes">
         <source>%n trial(s) added. Their names begin with &quot;recovered&quot;.</source>
         <translation>
             <numerusform>시행 %n개를 추가했습니다. 이름은 &quot;recovered&quot;로 시작합니다.</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Removing stray files</source>
-        <translation>소속 없는 파일 제거 중</translation>
     </message>
     <message numerus="yes">
         <source>%n stray file(s) removed.</source>
@@ -14564,30 +14013,6 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>로봇 추가(&amp;R)…</translation>
     </message>
     <message>
-        <source>Importing %1</source>
-        <translation>%1 가져오는 중</translation>
-    </message>
-    <message>
-        <source>Tracking %1</source>
-        <translation>%1 추적 중</translation>
-    </message>
-    <message>
-        <source>the sample</source>
-        <translation>샘플</translation>
-    </message>
-    <message>
-        <source>this project can only be read</source>
-        <translation>이 프로젝트는 읽기만 할 수 있습니다</translation>
-    </message>
-    <message>
-        <source>save a copy and work on that</source>
-        <translation>사본을 저장하여 그것으로 작업하십시오</translation>
-    </message>
-    <message>
-        <source>Measuring %1 again</source>
-        <translation>%1 다시 측정하는 중</translation>
-    </message>
-    <message>
         <source>The sample at %1 of %2 is not used. Undo takes it back.</source>
         <translation>%2의 %1 샘플을 사용하지 않습니다. 실행 취소로 되돌릴 수 있습니다.</translation>
     </message>
@@ -14604,39 +14029,12 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>MP4 동영상 (*.mp4)</translation>
     </message>
     <message>
-        <source>Making the video of %1</source>
-        <translation>%1의 동영상 만드는 중</translation>
-    </message>
-    <message>
         <source>The video of %1 is there: %2</source>
         <translation>%1의 동영상을 만들었습니다: %2</translation>
     </message>
     <message>
-        <source>add robot %1</source>
-        <translation>로봇 %1 추가</translation>
-    </message>
-    <message>
         <source>Robot %1 is known now.</source>
         <translation>로봇 %1을(를) 추가했습니다.</translation>
-    </message>
-    <message>
-        <source>the trial</source>
-        <translation>시행</translation>
-    </message>
-</context>
-<context>
-    <name>odo::TrialBatch</name>
-    <message>
-        <source>many trials</source>
-        <translation>여러 시행</translation>
-    </message>
-    <message>
-        <source>another job is running</source>
-        <translation>다른 작업이 실행 중입니다</translation>
-    </message>
-    <message>
-        <source>wait until it is done, or cancel it</source>
-        <translation>끝날 때까지 기다리거나 취소하십시오</translation>
     </message>
 </context>
 <context>
@@ -14731,10 +14129,6 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>No trial selected</source>
         <translation>선택한 시행이 없습니다</translation>
-    </message>
-    <message>
-        <source>write notes of %1</source>
-        <translation>%1의 메모 쓰기</translation>
     </message>
 </context>
 <context>
@@ -14951,18 +14345,6 @@ Much more than expected means that something is not as it was told: the views ar
         <source>&amp;Redo: %1</source>
         <translation>다시 실행(&amp;R): %1</translation>
     </message>
-    <message>
-        <source>undo</source>
-        <translation>실행 취소</translation>
-    </message>
-    <message>
-        <source>a job is running on the project</source>
-        <translation>프로젝트에서 작업이 실행 중입니다</translation>
-    </message>
-    <message>
-        <source>wait until it is done, or cancel it</source>
-        <translation>끝날 때까지 기다리거나 취소하십시오</translation>
-    </message>
 </context>
 <context>
     <name>odo::VideoDialog</name>
@@ -15095,52 +14477,8 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>odo::Workspace</name>
     <message>
-        <source>another job is running</source>
-        <translation>다른 작업이 실행 중입니다</translation>
-    </message>
-    <message>
-        <source>wait until it is done, or cancel it</source>
-        <translation>끝날 때까지 기다리거나 취소하십시오</translation>
-    </message>
-    <message>
-        <source>cannot open another project</source>
-        <translation>다른 프로젝트를 열 수 없습니다</translation>
-    </message>
-    <message>
-        <source>Opening %1</source>
-        <translation>%1 여는 중</translation>
-    </message>
-    <message>
         <source>%1: %2. Here it can only be looked at; to change it, close it there and open it here again.</source>
         <translation>%1: %2. 여기서는 보기만 할 수 있습니다. 변경하려면 그쪽에서 닫고 여기서 다시 여십시오.</translation>
-    </message>
-    <message>
-        <source>Completing a recording that was cut off</source>
-        <translation>중간에 끊긴 녹화를 마무리하는 중</translation>
-    </message>
-    <message>
-        <source>Making the hashes of new recordings</source>
-        <translation>새 녹화의 해시를 만드는 중</translation>
-    </message>
-    <message>
-        <source>cannot make another project</source>
-        <translation>다른 프로젝트를 만들 수 없습니다</translation>
-    </message>
-    <message>
-        <source>no project is open</source>
-        <translation>열린 프로젝트가 없습니다</translation>
-    </message>
-    <message>
-        <source>open or make a project first</source>
-        <translation>먼저 프로젝트를 열거나 만드십시오</translation>
-    </message>
-    <message>
-        <source>its backup of %1 is sound; what was done since is not in it</source>
-        <translation>%1의 백업 사본은 온전합니다. 그 뒤에 한 일은 들어 있지 않습니다</translation>
-    </message>
-    <message>
-        <source>Restoring the backup</source>
-        <translation>백업 복원 중</translation>
     </message>
     <message>
         <source>The backup was restored. The damaged file is kept as “%1”.</source>
@@ -15200,6 +14538,6733 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>Zone %1</source>
         <translation>구역 %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.add_another_layout</name>
+    <message>
+        <source>add another layout for other markers</source>
+        <translation>다른 마커는 다른 배치로 추가하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.add_one_first</name>
+    <message>
+        <source>add one first</source>
+        <translation>먼저 추가하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.add_what_it_refers_to</name>
+    <message>
+        <source>add what it refers to first</source>
+        <translation>먼저 가리키는 것을 추가하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.adopt_or_remove</name>
+    <message>
+        <source>make a trial of it with odograph check P.odo --adopt, or remove it with --remove-strays; the window offers both under &apos;Find stray files…&apos;</source>
+        <translation>odograph check P.odo --adopt로 시행으로 추가하거나 --remove-strays로 제거하십시오. 창에서는 소속 없는 파일 찾기…에서 둘 다 할 수 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.an_analysis</name>
+    <message>
+        <source>analysis of a trial</source>
+        <translation>시행의 분석</translation>
+    </message>
+</context>
+<context>
+    <name>project.analyse_again</name>
+    <message>
+        <source>analyse the trial again</source>
+        <translation>시행을 다시 분석하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.analysis_number</name>
+    <message>
+        <source>analysis %1</source>
+        <translation>분석 %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.analysis_of_project</name>
+    <message>
+        <source>analysis %1 of the project</source>
+        <translation>프로젝트의 분석 %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.another_program_writes</name>
+    <message>
+        <source>another program is writing to it</source>
+        <translation>다른 프로그램이 쓰고 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.being_recorded</name>
+    <message>
+        <source>it is being recorded</source>
+        <translation>녹화 중입니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.calibration_of_project</name>
+    <message>
+        <source>calibration %1 of the project</source>
+        <translation>프로젝트의 보정 %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.calibration_origin</name>
+    <message>
+        <source>origin of a calibration</source>
+        <translation>보정의 출처</translation>
+    </message>
+</context>
+<context>
+    <name>project.calibration_picture_of</name>
+    <message>
+        <source>the calibration picture &apos;%1&apos; of camera &apos;%2&apos;</source>
+        <translation>카메라 &apos;%2&apos;의 보정 사진 &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.camera_address</name>
+    <message>
+        <source>address of a camera</source>
+        <translation>카메라의 주소</translation>
+    </message>
+</context>
+<context>
+    <name>project.cannot_be_looked_at</name>
+    <message>
+        <source>it cannot be looked at (%1)</source>
+        <translation>살펴볼 수 없습니다 (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>project.cannot_be_read</name>
+    <message>
+        <source>it cannot be read</source>
+        <translation>읽을 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.cannot_be_written_to</name>
+    <message>
+        <source>it cannot be written to</source>
+        <translation>쓸 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.cannot_hold</name>
+    <message>
+        <source>cannot hold %1</source>
+        <translation>%1을(를) 잠글 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.cannot_record_into</name>
+    <message>
+        <source>cannot record into %1</source>
+        <translation>%1에 녹화할 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.cannot_remove</name>
+    <message>
+        <source>cannot remove &apos;%1&apos;</source>
+        <translation>&apos;%1&apos;을(를) 제거할 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.change_list</name>
+    <message>
+        <source>the list of changes</source>
+        <translation>변경 내역</translation>
+    </message>
+</context>
+<context>
+    <name>project.change_not_noted</name>
+    <message>
+        <source>the change could not be noted (%1)</source>
+        <translation>변경을 기록하지 못했습니다 (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>project.change_something_first</name>
+    <message>
+        <source>change something first</source>
+        <translation>먼저 무언가를 바꾸십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.change_words</name>
+    <message>
+        <source>words of a change</source>
+        <translation>변경의 설명</translation>
+    </message>
+</context>
+<context>
+    <name>project.changed_since</name>
+    <message>
+        <source>what it concerns has been changed or used since</source>
+        <translation>그 뒤 대상이 바뀌었거나 쓰였습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.check</name>
+    <message>
+        <source>check of the project</source>
+        <translation>프로젝트 검사</translation>
+    </message>
+</context>
+<context>
+    <name>project.check_disk</name>
+    <message>
+        <source>check the disk</source>
+        <translation>디스크를 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.check_disk_and_retry</name>
+    <message>
+        <source>check the disk and try again</source>
+        <translation>디스크를 확인하고 다시 시도하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.check_folder_is_there</name>
+    <message>
+        <source>check that the folder is there and may be read</source>
+        <translation>폴더가 있고 읽을 수 있는지 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.check_its_folder</name>
+    <message>
+        <source>check the free space and the rights of its folder</source>
+        <translation>그 폴더의 여유 공간과 권한을 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.check_its_input</name>
+    <message>
+        <source>check the input that it was computed from</source>
+        <translation>계산에 쓰인 입력을 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.check_name_or_make</name>
+    <message>
+        <source>check the name, or make a new project</source>
+        <translation>이름을 확인하거나 새 프로젝트를 만드십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.check_numbers</name>
+    <message>
+        <source>check the numbers</source>
+        <translation>숫자를 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.check_project_folder</name>
+    <message>
+        <source>check the free space and the rights of the project&apos;s folder</source>
+        <translation>프로젝트 폴더의 여유 공간과 권한을 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.check_rights</name>
+    <message>
+        <source>check the rights of the project&apos;s folder</source>
+        <translation>프로젝트 폴더의 권한을 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.checking</name>
+    <message>
+        <source>checking %1</source>
+        <translation>%1 검사 중</translation>
+    </message>
+</context>
+<context>
+    <name>project.checking_database</name>
+    <message>
+        <source>checking the database</source>
+        <translation>데이터베이스 검사 중</translation>
+    </message>
+</context>
+<context>
+    <name>project.choose_its_own</name>
+    <message>
+        <source>choose one of its own (odograph revisions P.odo CAMERA --use), or restore the project from a backup copy</source>
+        <translation>이 카메라의 것을 고르거나(odograph revisions P.odo CAMERA --use) 백업 사본에서 프로젝트를 복원하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.choose_our_file</name>
+    <message>
+        <source>choose a file that Odograph has written</source>
+        <translation>Odograph가 쓴 파일을 선택하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.choose_shorter_name</name>
+    <message>
+        <source>choose a shorter name</source>
+        <translation>더 짧은 이름을 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.choose_writable_folder</name>
+    <message>
+        <source>choose a folder that can be written to and has room</source>
+        <translation>쓸 수 있고 여유가 있는 폴더를 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.class_has_team</name>
+    <message>
+        <source>a team belongs to it</source>
+        <translation>팀 하나가 속해 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.class_has_teams</name>
+    <message>
+        <source>%1 teams belong to it</source>
+        <translation>팀 %1개가 속해 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.close_it_there</name>
+    <message>
+        <source>close it there first</source>
+        <translation>먼저 거기서 닫으십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.close_other_program</name>
+    <message>
+        <source>close the other program and try again</source>
+        <translation>다른 프로그램을 닫고 다시 시도하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.complete_recording</name>
+    <message>
+        <source>open the project to write, which completes it: odograph record P.odo --recover</source>
+        <translation>프로젝트를 쓰기용으로 열면 녹화가 마무리됩니다: odograph record P.odo --recover</translation>
+    </message>
+</context>
+<context>
+    <name>project.copy</name>
+    <message>
+        <source>copy &apos;%1&apos;</source>
+        <translation>사본 &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.copy_again</name>
+    <message>
+        <source>copy it again from where it came, or restore a backup copy</source>
+        <translation>원본에서 다시 복사하거나 백업을 복원하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.copy_differs</name>
+    <message>
+        <source>the copy differs from what was written</source>
+        <translation>사본이 쓴 것과 다릅니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.copy_file_beside</name>
+    <message>
+        <source>copy the file beside the project</source>
+        <translation>파일을 프로젝트 옆에 복사하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.copy_of_project</name>
+    <message>
+        <source>copy of project &apos;%1&apos;</source>
+        <translation>프로젝트 &apos;%1&apos;의 사본</translation>
+    </message>
+</context>
+<context>
+    <name>project.copy_sound_backup</name>
+    <message>
+        <source>copy &apos;%1&apos;, which is sound, to a new name and open that, and keep the damaged file</source>
+        <translation>온전한 &apos;%1&apos;을(를) 새 이름으로 복사하여 그 사본을 여시고, 손상된 파일은 보관하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.copy_to_another_disk</name>
+    <message>
+        <source>check the disk, and copy the project to another one</source>
+        <translation>디스크를 확인하고 프로젝트를 다른 곳에 복사하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.copy_to_writable_folder</name>
+    <message>
+        <source>copy it to a folder that you may write to, and open the copy</source>
+        <translation>쓸 수 있는 폴더로 복사한 뒤 사본을 여십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.copy_with_side_files</name>
+    <message>
+        <source>copy it with the files beside it to a folder that you may write to, and open the copy</source>
+        <translation>옆에 있는 파일과 함께 쓸 수 있는 폴더로 복사한 뒤 그 사본을 여십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.copy_with_videos</name>
+    <message>
+        <source>copy it with its videos to a folder that you may write to, and open the copy</source>
+        <translation>동영상과 함께 쓸 수 있는 폴더로 복사한 뒤 사본을 여십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.corners_of</name>
+    <message>
+        <source>corners of &apos;%1&apos;</source>
+        <translation>&apos;%1&apos;의 모서리</translation>
+    </message>
+</context>
+<context>
+    <name>project.covariance_not_6_by_6</name>
+    <message>
+        <source>its stored covariance is not a 6 by 6 matrix</source>
+        <translation>저장된 공분산이 6×6 행렬이 아닙니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.database_refused</name>
+    <message>
+        <source>the database refused</source>
+        <translation>데이터베이스가 거부했습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.database_refused_because</name>
+    <message>
+        <source>the database refused (%1)</source>
+        <translation>데이터베이스가 거부했습니다 (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>project.delete_its_trials</name>
+    <message>
+        <source>delete them for good first, or archive its class</source>
+        <translation>먼저 영구 삭제하거나 학급을 보관하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.disk_error</name>
+    <message>
+        <source>the disk reported an error, the change was not saved</source>
+        <translation>디스크 오류로 변경이 저장되지 않았습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.disk_full</name>
+    <message>
+        <source>the disk is full, the change was not saved</source>
+        <translation>디스크가 가득 차 변경이 저장되지 않았습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.disk_read_only</name>
+    <message>
+        <source>the disk has become read-only, the change was not saved</source>
+        <translation>디스크가 읽기 전용이 되어 변경이 저장되지 않았습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.disk_unreadable</name>
+    <message>
+        <source>the disk could not be read, and nothing was changed</source>
+        <translation>디스크를 읽을 수 없었으며 변경된 것은 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.duration_of_recordings_differs</name>
+    <message>
+        <source>its duration is stored as %1, its recordings last %2</source>
+        <translation>저장된 길이는 %1인데 녹화의 길이는 %2입니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.duration_of_tracks_differs</name>
+    <message>
+        <source>its duration is stored as %1, its imported tracks last %2</source>
+        <translation>저장된 길이는 %1인데 가져온 궤적의 길이는 %2입니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.earlier_step_failed</name>
+    <message>
+        <source>an earlier step of this change failed</source>
+        <translation>이 변경의 앞 단계가 실패했습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.end_recording_first</name>
+    <message>
+        <source>end its recording first</source>
+        <translation>먼저 녹화를 끝내십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.figures_without_task</name>
+    <message>
+        <source>their figures would not say any more what they were measured by</source>
+        <translation>지표가 무엇으로 측정되었는지 알 수 없게 됩니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.file_changed</name>
+    <message>
+        <source>%1 was changed since it was made</source>
+        <translation>%1이(가) 만들어진 뒤 바뀌었습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.file_cut_off</name>
+    <message>
+        <source>the file is cut off</source>
+        <translation>파일이 잘렸습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.file_damaged</name>
+    <message>
+        <source>the file is damaged</source>
+        <translation>파일이 손상되었습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.file_empty</name>
+    <message>
+        <source>the file is empty</source>
+        <translation>파일이 비어 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.file_lost</name>
+    <message>
+        <source>its file was deleted, renamed or replaced while it was open; nothing was stored</source>
+        <translation>열려 있는 동안 파일이 삭제되거나 이름이 바뀌거나 교체되었습니다. 저장된 것이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.file_there_already</name>
+    <message>
+        <source>a file of that name is there already</source>
+        <translation>같은 이름의 파일이 이미 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.file_unused</name>
+    <message>
+        <source>no trial, lens calibration or floor registration uses this file</source>
+        <translation>이 파일을 쓰는 시행, 렌즈 보정, 바닥 정합이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.find_or_put_back</name>
+    <message>
+        <source>take it from there with odograph check P.odo --find FOLDER or Find lost videos… in the window, or put it back in its place</source>
+        <translation>odograph check P.odo --find FOLDER나 창의 잃은 동영상 찾기…로 거기서 가져오거나 제자리에 되돌려 놓으십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.folder_read_only</name>
+    <message>
+        <source>its folder cannot be written to</source>
+        <translation>폴더에 쓸 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.foreign_log</name>
+    <message>
+        <source>the log beside it (&apos;%1&apos;) belongs to another file or to another state of this one</source>
+        <translation>옆에 있는 로그(&apos;%1&apos;)는 다른 파일 또는 이 파일의 다른 상태에 속합니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_1</name>
+    <message>
+        <source>the first schema</source>
+        <translation>첫 스키마</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_10</name>
+    <message>
+        <source>what a school year needs: stars, tags, archive, bin, pseudonyms, scoring and the list of changes</source>
+        <translation>한 학년도에 필요한 것: 별표, 태그, 보관함, 휴지통, 가명, 채점, 변경 내역</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_11</name>
+    <message>
+        <source>members and robots of teams, zones and the archive of tasks, and imported tracks</source>
+        <translation>팀의 팀원과 로봇, 구역과 과제 보관함, 가져온 궤적</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_12</name>
+    <message>
+        <source>digests of analyses, and long series in chunks</source>
+        <translation>분석의 다이제스트, 나누어 저장한 긴 데이터 열</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_13</name>
+    <message>
+        <source>the point of a robot that is measured</source>
+        <translation>로봇의 측정점</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_14</name>
+    <message>
+        <source>when robots of one look could not be told apart</source>
+        <translation>겉모습이 같은 로봇을 구별할 수 없었던 때</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_15</name>
+    <message>
+        <source>robots that a person pointed out in a picture</source>
+        <translation>사람이 영상에서 가리킨 로봇</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_16</name>
+    <message>
+        <source>sentences as codes with their arguments</source>
+        <translation>코드와 인수로 된 문장</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_2</name>
+    <message>
+        <source>samples overruled by hand</source>
+        <translation>직접 판정을 바꾼 샘플</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_3</name>
+    <message>
+        <source>rates of the cameras&apos; clocks</source>
+        <translation>카메라 시계의 속도</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_4</name>
+    <message>
+        <source>tasks with gates, a reference path and limits</source>
+        <translation>게이트, 기준 경로, 한계가 있는 과제</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_5</name>
+    <message>
+        <source>how each view was put in step</source>
+        <translation>각 뷰를 동기화한 방법</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_6</name>
+    <message>
+        <source>calibrations with their boards, corners and pictures</source>
+        <translation>보드, 모서리, 사진이 있는 보정</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_7</name>
+    <message>
+        <source>revisions that are chosen, and checks of registrations</source>
+        <translation>선택한 버전과 정합 점검</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_8</name>
+    <message>
+        <source>trials while they are being recorded, and the raw times of their pictures</source>
+        <translation>녹화 중인 시행과 그 영상의 원시 시간</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_9</name>
+    <message>
+        <source>pictures of registrations</source>
+        <translation>정합 사진</translation>
+    </message>
+</context>
+<context>
+    <name>project.frame_times_of</name>
+    <message>
+        <source>frame times of &apos;%1&apos;</source>
+        <translation>&apos;%1&apos;의 프레임 시간</translation>
+    </message>
+</context>
+<context>
+    <name>project.gate</name>
+    <message>
+        <source>gate &apos;%1&apos;</source>
+        <translation>게이트 &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.give_a_height</name>
+    <message>
+        <source>give a height, or let it be estimated</source>
+        <translation>높이를 주거나 추정하게 하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.give_a_name</name>
+    <message>
+        <source>give the %1 a name</source>
+        <translation>%1에 이름을 붙이십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.give_a_title</name>
+    <message>
+        <source>give the project a title</source>
+        <translation>프로젝트에 제목을 붙이십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.give_another_task</name>
+    <message>
+        <source>give them another task first</source>
+        <translation>먼저 다른 과제를 지정하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.give_file_a_name</name>
+    <message>
+        <source>give the file a name</source>
+        <translation>파일 이름을 지정하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.give_members</name>
+    <message>
+        <source>give the names of the people in the team</source>
+        <translation>팀원의 이름을 적으십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.give_robot_size</name>
+    <message>
+        <source>give length and width in millimetres, like 260x190</source>
+        <translation>길이와 너비를 밀리미터로 주십시오 (예: 260x190)</translation>
+    </message>
+</context>
+<context>
+    <name>project.give_whole_truth</name>
+    <message>
+        <source>give position, velocity and acceleration for each time</source>
+        <translation>각 시간의 위치, 속도, 가속도를 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.has_bytes_of</name>
+    <message>
+        <source>it has %1 of %2 bytes</source>
+        <translation>%2바이트 중 %1바이트만 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.has_characters</name>
+    <message>
+        <source>it has %1 characters</source>
+        <translation>%1자입니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.has_names</name>
+    <message>
+        <source>it has %1</source>
+        <translation>있는 것: %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.has_none_yet</name>
+    <message>
+        <source>it has no %1 yet</source>
+        <translation>아직 %1이(가) 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.has_other_size</name>
+    <message>
+        <source>%1 has %2 bytes instead of %3</source>
+        <translation>%1이(가) %3바이트가 아니라 %2바이트입니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.has_robots</name>
+    <message>
+        <source>it has %1 robots</source>
+        <translation>로봇이 %1대입니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.has_views</name>
+    <message>
+        <source>it has %1 views</source>
+        <translation>뷰가 %1개입니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.height_below_floor</name>
+    <message>
+        <source>its height is below the floor</source>
+        <translation>높이가 바닥보다 낮습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.height_from_0</name>
+    <message>
+        <source>give a height of 0 or more</source>
+        <translation>0 이상의 높이를 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.height_not_given</name>
+    <message>
+        <source>its height is to be told, but none is given</source>
+        <translation>높이를 지정해야 하는데 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.holds_invisible</name>
+    <message>
+        <source>it holds an invisible character, %1</source>
+        <translation>보이지 않는 문자 %1이(가) 들어 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.holds_line_break</name>
+    <message>
+        <source>it holds a line break or another control character</source>
+        <translation>줄바꿈이나 다른 제어 문자가 들어 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.import_another_file</name>
+    <message>
+        <source>import another file</source>
+        <translation>다른 파일을 가져오십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.impossible_format</name>
+    <message>
+        <source>it says of itself to have the format %1</source>
+        <translation>스스로 형식 %1이라고 합니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.in_synced_folder</name>
+    <message>
+        <source>it lies in a folder that %1 copies while it changes, so that a copy may have half a change</source>
+        <translation>변경 중에 %1이(가) 복사하는 폴더에 있어 사본에 변경의 절반만 담길 수 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.is_missing</name>
+    <message>
+        <source>%1 is missing</source>
+        <translation>%1이(가) 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.is_missing_recording</name>
+    <message>
+        <source>this is a missing recording</source>
+        <translation>없어진 녹화입니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.journal_of_another</name>
+    <message>
+        <source>the journal beside it names another file</source>
+        <translation>옆에 있는 저널이 다른 파일을 가리킵니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.keep_it</name>
+    <message>
+        <source>keep it</source>
+        <translation>그대로 두십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.keep_on_own_disk</name>
+    <message>
+        <source>keep it on a disk of this computer, and pack it to share it</source>
+        <translation>이 컴퓨터의 디스크에 보관하고, 공유하려면 묶으십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_calibration</name>
+    <message>
+        <source>calibration</source>
+        <translation>보정</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_camera</name>
+    <message>
+        <source>camera</source>
+        <translation>카메라</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_class</name>
+    <message>
+        <source>class</source>
+        <translation>학급</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_figure</name>
+    <message>
+        <source>figure</source>
+        <translation>지표</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_gate</name>
+    <message>
+        <source>gate</source>
+        <translation>게이트</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_layout</name>
+    <message>
+        <source>layout</source>
+        <translation>배치</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_lens</name>
+    <message>
+        <source>lens</source>
+        <translation>렌즈</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_marker</name>
+    <message>
+        <source>marker</source>
+        <translation>마커</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_member</name>
+    <message>
+        <source>member</source>
+        <translation>팀원</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_pseudonym</name>
+    <message>
+        <source>pseudonym</source>
+        <translation>가명</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_registration</name>
+    <message>
+        <source>registration</source>
+        <translation>정합</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_robot</name>
+    <message>
+        <source>robot</source>
+        <translation>로봇</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_tag</name>
+    <message>
+        <source>tag</source>
+        <translation>태그</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_task</name>
+    <message>
+        <source>task</source>
+        <translation>과제</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_team</name>
+    <message>
+        <source>team</source>
+        <translation>팀</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_track</name>
+    <message>
+        <source>track</source>
+        <translation>궤적</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_trial</name>
+    <message>
+        <source>trial</source>
+        <translation>시행</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_zone</name>
+    <message>
+        <source>zone</source>
+        <translation>구역</translation>
+    </message>
+</context>
+<context>
+    <name>project.label_twice</name>
+    <message>
+        <source>the label &apos;%1&apos; is there twice</source>
+        <translation>이름표 &apos;%1&apos;이(가) 두 번 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.leave_it</name>
+    <message>
+        <source>leave it</source>
+        <translation>그대로 두십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.leave_one_out</name>
+    <message>
+        <source>leave out one of the two</source>
+        <translation>둘 중 하나를 빼십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.leave_out_unseen_markers</name>
+    <message>
+        <source>leave out those that no camera sees</source>
+        <translation>어떤 카메라에도 보이지 않는 것은 빼십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.lengths_differ</name>
+    <message>
+        <source>samples and profile differ in length</source>
+        <translation>샘플과 프로파일의 길이가 다릅니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.lens_kept</name>
+    <message>
+        <source>the lens is kept without it</source>
+        <translation>이것이 없어도 렌즈는 유지됩니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.lens_of_project</name>
+    <message>
+        <source>lens %1 of the project</source>
+        <translation>프로젝트의 렌즈 %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.lies_in_media</name>
+    <message>
+        <source>a project lies in the media folder of another one</source>
+        <translation>다른 프로젝트의 미디어 폴더에 프로젝트가 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.lists_too_long</name>
+    <message>
+        <source>%1: more than %2 of one %3: %4</source>
+        <translation>%1: 한 %3에 %2개를 넘음: %4</translation>
+    </message>
+</context>
+<context>
+    <name>project.look_for_strays</name>
+    <message>
+        <source>look for stray files</source>
+        <translation>소속 없는 파일 찾기</translation>
+    </message>
+</context>
+<context>
+    <name>project.look_in</name>
+    <message>
+        <source>look in &apos;%1&apos;</source>
+        <translation>&apos;%1&apos;에서 찾기</translation>
+    </message>
+</context>
+<context>
+    <name>project.make_room</name>
+    <message>
+        <source>make room on the disk and try again</source>
+        <translation>디스크 공간을 확보하고 다시 시도하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.marker_errors_differ</name>
+    <message>
+        <source>the marker errors of registration %1 are not those that its markers give</source>
+        <translation>정합 %1의 마커 오차가 그 마커에서 나온 값과 다릅니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.marker_off_floor</name>
+    <message>
+        <source>marker &apos;%1&apos; is not on a floor of 1 km</source>
+        <translation>마커 &apos;%1&apos;이(가) 1 km 바닥 안에 있지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.matrix_not_square</name>
+    <message>
+        <source>its stored matrix of %1 numbers is not square</source>
+        <translation>저장된 수 %1개의 행렬이 정사각이 아닙니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.may_be_used_beside</name>
+    <message>
+        <source>project &apos;%1&apos; beside it may use them, and cannot be read (%2)</source>
+        <translation>옆에 있는 프로젝트 &apos;%1&apos;이(가) 이 파일을 쓸 수 있는데 읽을 수 없습니다 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>project.measured_by_task</name>
+    <message>
+        <source>trials were measured by it</source>
+        <translation>이것으로 측정한 시행이 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.measurements_changed</name>
+    <message>
+        <source>the measurements have changed since robot &apos;%1&apos; was analysed</source>
+        <translation>로봇 &apos;%1&apos;을(를) 분석한 뒤 측정값이 바뀌었습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.metric</name>
+    <message>
+        <source>metric &apos;%1&apos;</source>
+        <translation>지표 &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.metric_differs</name>
+    <message>
+        <source>metric &apos;%1&apos; of robot &apos;%2&apos; is stored as %3, its positions give %4</source>
+        <translation>로봇 &apos;%2&apos;의 지표 &apos;%1&apos;이(가) %3(으)로 저장되어 있는데 위치에서는 %4입니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.metric_missing</name>
+    <message>
+        <source>metric &apos;%1&apos; of robot &apos;%2&apos; is missing, its positions give %3</source>
+        <translation>로봇 &apos;%2&apos;의 지표 &apos;%1&apos;이(가) 없는데 위치에서는 %3입니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.metric_sigma_differs</name>
+    <message>
+        <source>the standard deviation of metric &apos;%1&apos; of robot &apos;%2&apos; is stored as %3, its positions give %4</source>
+        <translation>로봇 &apos;%2&apos;의 지표 &apos;%1&apos;의 표준 편차가 %3(으)로 저장되어 있는데 위치에서는 %4입니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.metric_without_source</name>
+    <message>
+        <source>metric &apos;%1&apos; of robot &apos;%2&apos; is stored, but its positions give none</source>
+        <translation>로봇 &apos;%2&apos;의 지표 &apos;%1&apos;이(가) 저장되어 있는데 위치에서는 나오지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.more_names</name>
+    <message>
+        <source>%1 more</source>
+        <translation>외 %1개</translation>
+    </message>
+</context>
+<context>
+    <name>project.move_file_away</name>
+    <message>
+        <source>move it to another folder</source>
+        <translation>다른 폴더로 옮기십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.move_log_away</name>
+    <message>
+        <source>move the log to another folder to open the file without it, or put the file back that the log belongs to</source>
+        <translation>로그를 다른 폴더로 옮겨 로그 없이 파일을 여시거나, 로그가 속한 파일을 제자리에 되돌려 놓으십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.move_project_away</name>
+    <message>
+        <source>move it with its videos to a folder of its own</source>
+        <translation>동영상과 함께 별도 폴더로 옮기십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.move_teams_first</name>
+    <message>
+        <source>move its teams to another class first, or archive it</source>
+        <translation>먼저 팀을 다른 학급으로 옮기거나 보관하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.name_empty</name>
+    <message>
+        <source>it is empty</source>
+        <translation>비어 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.name_of</name>
+    <message>
+        <source>name of a %1</source>
+        <translation>%1의 이름</translation>
+    </message>
+</context>
+<context>
+    <name>project.name_robots_once</name>
+    <message>
+        <source>name each of its robots once</source>
+        <translation>각 로봇을 한 번씩만 적으십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.name_taken</name>
+    <message>
+        <source>the project has a %1 of that name already</source>
+        <translation>프로젝트에 같은 이름의 %1이(가) 이미 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.name_too_long</name>
+    <message>
+        <source>its name is too long</source>
+        <translation>이름이 너무 깁니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.name_video_file</name>
+    <message>
+        <source>name the video&apos;s file</source>
+        <translation>동영상 파일을 지정하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.newer_format</name>
+    <message>
+        <source>it was written by a newer Odograph (format %1, this one knows formats up to %2)</source>
+        <translation>더 새로운 Odograph가 썼습니다 (형식 %1, 이 프로그램은 %2까지)</translation>
+    </message>
+</context>
+<context>
+    <name>project.no_file_but_other</name>
+    <message>
+        <source>it is a folder or a device, not a file</source>
+        <translation>파일이 아니라 폴더 또는 장치입니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.no_file_name</name>
+    <message>
+        <source>it has no file name</source>
+        <translation>파일 이름이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.no_ordinary_number</name>
+    <message>
+        <source>a value to be stored is not a number of ordinary size</source>
+        <translation>저장할 값이 보통 크기의 수가 아닙니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.no_place_to_rescue_to</name>
+    <message>
+        <source>its folder is gone, and there is no home folder to rescue it to</source>
+        <translation>폴더가 사라졌고 구조할 홈 폴더도 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.no_samples</name>
+    <message>
+        <source>it has no samples</source>
+        <translation>샘플이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.no_sound_backup</name>
+    <message>
+        <source>no sound backup lies beside it</source>
+        <translation>곁에 온전한 백업 사본이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.no_such_name</name>
+    <message>
+        <source>there is no such %1 in the project</source>
+        <translation>프로젝트에 그런 %1이(가) 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.no_such_number</name>
+    <message>
+        <source>it has no %1 with the number %2</source>
+        <translation>번호가 %2인 %1이(가) 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.not_a_project</name>
+    <message>
+        <source>it is not a project file</source>
+        <translation>프로젝트 파일이 아닙니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.not_brought_to_format</name>
+    <message>
+        <source>it could not be brought to format %1 (%2)</source>
+        <translation>형식 %1(으)로 갱신하지 못했습니다 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>project.not_complete_yet</name>
+    <message>
+        <source>it is not complete yet</source>
+        <translation>아직 완전하지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.not_copied</name>
+    <message>
+        <source>it could not be copied to be read (%1)</source>
+        <translation>읽기 위해 복사할 수 없습니다 (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>project.not_finite</name>
+    <message>
+        <source>it is not a finite number</source>
+        <translation>유한한 수가 아닙니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.not_in_bin</name>
+    <message>
+        <source>it is not in the bin</source>
+        <translation>휴지통에 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.not_utf8</name>
+    <message>
+        <source>it is not valid UTF-8 text</source>
+        <translation>올바른 UTF-8 텍스트가 아닙니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.nothing_to_redo</name>
+    <message>
+        <source>nothing has been undone</source>
+        <translation>되돌린 것이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.nothing_to_undo</name>
+    <message>
+        <source>nothing has been changed since the project was opened</source>
+        <translation>프로젝트를 연 뒤 바뀐 것이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.numbers_too_large</name>
+    <message>
+        <source>%1: numbers beyond %2: %3</source>
+        <translation>%1: %2을(를) 넘는 수: %3</translation>
+    </message>
+</context>
+<context>
+    <name>project.observations_do_not_fit</name>
+    <message>
+        <source>view &apos;%1&apos; has %2 frames, but the observations of &apos;%3&apos; (%4) do not fit them</source>
+        <translation>뷰 &apos;%1&apos;의 프레임은 %2개인데 &apos;%3&apos;의 관측(%4개)이 이에 맞지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.observations_of_project</name>
+    <message>
+        <source>observations %1 of the project</source>
+        <translation>프로젝트의 관측 %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.older_format</name>
+    <message>
+        <source>it has the older format %1 and must be brought up to date before it can be read, but %2</source>
+        <translation>옛 형식 %1이라 읽기 전에 갱신해야 하는데, %2</translation>
+    </message>
+</context>
+<context>
+    <name>project.on_network_disk</name>
+    <message>
+        <source>it lies on a network disk (%1), where a recording can stall and two computers can damage it</source>
+        <translation>네트워크 디스크(%1)에 있어 녹화가 멈추거나 두 컴퓨터가 손상시킬 수 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.open_again</name>
+    <message>
+        <source>open it again; if you were recording, look for stray files (odograph check --adopt)</source>
+        <translation>다시 여십시오. 녹화 중이었다면 소속 없는 파일을 찾아 보십시오 (odograph check --adopt)</translation>
+    </message>
+</context>
+<context>
+    <name>project.open_elsewhere</name>
+    <message>
+        <source>it is open in another window</source>
+        <translation>다른 창에서 열려 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.open_elsewhere_by</name>
+    <message>
+        <source>it is open in another window (%1)</source>
+        <translation>다른 창에서 열려 있습니다 (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>project.open_or_move_that</name>
+    <message>
+        <source>open that project, or move it to a folder of its own with its videos</source>
+        <translation>그 프로젝트를 열거나 동영상과 함께 별도 폴더로 옮기십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.open_with_newer_odograph</name>
+    <message>
+        <source>open the project with a newer Odograph</source>
+        <translation>더 새로운 Odograph로 프로젝트를 여십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.open_with_that_odograph</name>
+    <message>
+        <source>open it with that Odograph, or update this one</source>
+        <translation>그 Odograph로 열거나 이 프로그램을 업데이트하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.other_database</name>
+    <message>
+        <source>it is a database of another program</source>
+        <translation>다른 프로그램의 데이터베이스입니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.other_labels</name>
+    <message>
+        <source>the labels are not those that it has</source>
+        <translation>이름표가 원래의 것과 다릅니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.other_tables</name>
+    <message>
+        <source>its tables are not those of a project</source>
+        <translation>테이블이 프로젝트의 것이 아닙니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.others_calibration_chosen</name>
+    <message>
+        <source>calibration %1 was chosen for it, which is camera &apos;%2&apos;s; its newest own one is used</source>
+        <translation>선택된 보정 %1은(는) 카메라 &apos;%2&apos;의 것입니다. 이 카메라의 최신 보정을 씁니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.others_registration_chosen</name>
+    <message>
+        <source>registration %1 was chosen for it, which is camera &apos;%2&apos;s; its newest own one is used</source>
+        <translation>선택된 정합 %1은(는) 카메라 &apos;%2&apos;의 것입니다. 이 카메라의 최신 정합을 씁니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.overrides_changed</name>
+    <message>
+        <source>the manual overrides have changed since robot &apos;%1&apos; was analysed</source>
+        <translation>로봇 &apos;%1&apos;을(를) 분석한 뒤 직접 한 판정이 바뀌었습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.own_labels</name>
+    <message>
+        <source>give each marker a label of its own</source>
+        <translation>마커마다 다른 이름표를 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.path_cut_off</name>
+    <message>
+        <source>its reference path ends within a point</source>
+        <translation>기준 경로가 점의 중간에서 끝납니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.path_leaves_folder</name>
+    <message>
+        <source>its relative path leaves the project&apos;s folder</source>
+        <translation>상대 경로가 프로젝트 폴더를 벗어납니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.picture_name</name>
+    <message>
+        <source>name of a calibration picture</source>
+        <translation>보정 사진의 이름</translation>
+    </message>
+</context>
+<context>
+    <name>project.picture_path</name>
+    <message>
+        <source>path of a calibration picture</source>
+        <translation>보정 사진의 경로</translation>
+    </message>
+</context>
+<context>
+    <name>project.position_no_number</name>
+    <message>
+        <source>a position or its covariance is no number</source>
+        <translation>위치나 그 공분산이 숫자가 아닙니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.positions_changed</name>
+    <message>
+        <source>the positions of robot &apos;%1&apos; are not those that its analysis gave</source>
+        <translation>로봇 &apos;%1&apos;의 위치가 분석에서 나온 값과 다릅니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.project</name>
+    <message>
+        <source>project &apos;%1&apos;</source>
+        <translation>프로젝트 &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.project_file_damaged</name>
+    <message>
+        <source>the project file is damaged</source>
+        <translation>프로젝트 파일이 손상되었습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.put_back_and_open</name>
+    <message>
+        <source>put the file back in its place, and open the project again</source>
+        <translation>파일을 제자리에 돌려놓고 프로젝트를 다시 여십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.put_back_and_retry</name>
+    <message>
+        <source>put it back in its place and try again</source>
+        <translation>파일을 제자리에 되돌려 놓고 다시 시도하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.put_back_or_find</name>
+    <message>
+        <source>put the file back in its place, or find it by its content with odograph check P.odo --find FOLDER or Find lost videos… in the window</source>
+        <translation>파일을 제자리에 돌려놓거나 odograph check P.odo --find FOLDER나 창의 잃은 동영상 찾기…를 써서 내용으로 찾으십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.put_file_back</name>
+    <message>
+        <source>put the file back in its place</source>
+        <translation>파일을 제자리에 돌려놓으십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.put_into_bin_first</name>
+    <message>
+        <source>put it into the bin first</source>
+        <translation>먼저 휴지통에 넣으십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.put_original_back</name>
+    <message>
+        <source>put the original file back in its place</source>
+        <translation>원래 파일을 제자리에 되돌려 놓으십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.raw_times_of</name>
+    <message>
+        <source>raw times of recording %1</source>
+        <translation>녹화 %1의 원시 시간</translation>
+    </message>
+</context>
+<context>
+    <name>project.reading</name>
+    <message>
+        <source>reading %1</source>
+        <translation>%1 읽는 중</translation>
+    </message>
+</context>
+<context>
+    <name>project.reading_failed</name>
+    <message>
+        <source>reading it failed (%1)</source>
+        <translation>읽지 못했습니다 (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>project.record_another</name>
+    <message>
+        <source>record another trial</source>
+        <translation>다른 시행을 녹화하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.recorded_into_now</name>
+    <message>
+        <source>a trial is being recorded into it just now</source>
+        <translation>지금 시행을 녹화하는 중입니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.recording</name>
+    <message>
+        <source>recording</source>
+        <translation>녹화 중</translation>
+    </message>
+</context>
+<context>
+    <name>project.recording_at</name>
+    <message>
+        <source>recording &apos;%1&apos;</source>
+        <translation>녹화 &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.recording_cut_off</name>
+    <message>
+        <source>its recording was cut off</source>
+        <translation>녹화가 중간에 끊겼습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.recording_ended</name>
+    <message>
+        <source>its recording has ended already</source>
+        <translation>녹화가 이미 끝났습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.recording_kept</name>
+    <message>
+        <source>its recording has ended, and is kept</source>
+        <translation>녹화가 끝났고 보존되어 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.recording_of_view</name>
+    <message>
+        <source>the recording of view &apos;%1&apos;</source>
+        <translation>뷰 &apos;%1&apos;의 녹화</translation>
+    </message>
+</context>
+<context>
+    <name>project.recording_path</name>
+    <message>
+        <source>path of a recording</source>
+        <translation>녹화의 경로</translation>
+    </message>
+</context>
+<context>
+    <name>project.recording_without_file</name>
+    <message>
+        <source>it has no file</source>
+        <translation>파일이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.recordings_changed</name>
+    <message>
+        <source>the recordings or their synchronisation have changed since robot &apos;%1&apos; was analysed</source>
+        <translation>로봇 &apos;%1&apos;을(를) 분석한 뒤 녹화나 그 동기화가 바뀌었습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.redo</name>
+    <message>
+        <source>redo</source>
+        <translation>다시 실행</translation>
+    </message>
+</context>
+<context>
+    <name>project.redo_of</name>
+    <message>
+        <source>redo &apos;%1&apos;</source>
+        <translation>다시 실행: &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.reference_too_far</name>
+    <message>
+        <source>its reference point is farther from its centre than %1</source>
+        <translation>기준점이 중심에서 %1보다 멀리 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.reference_without_heading</name>
+    <message>
+        <source>a reference point beside its centre takes a heading, which is not known where the height changes</source>
+        <translation>중심을 벗어난 기준점에는 방향이 필요한데, 높이가 변하는 곳에서는 방향을 알 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.refers_to_nothing</name>
+    <message>
+        <source>it refers to something that is not in the project, or a value is missing</source>
+        <translation>프로젝트에 없는 것을 가리키거나 값이 빠졌습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.registration_kept</name>
+    <message>
+        <source>the registration is kept without it</source>
+        <translation>이것이 없어도 정합은 유지됩니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.registration_of_project</name>
+    <message>
+        <source>registration %1 of the project</source>
+        <translation>프로젝트의 정합 %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.registration_picture_of</name>
+    <message>
+        <source>the picture of registration %1 of camera &apos;%2&apos;</source>
+        <translation>카메라 &apos;%2&apos;의 정합 %1의 사진</translation>
+    </message>
+</context>
+<context>
+    <name>project.registration_picture_path</name>
+    <message>
+        <source>path of a registration&apos;s picture</source>
+        <translation>정합 사진의 경로</translation>
+    </message>
+</context>
+<context>
+    <name>project.registrations_changed</name>
+    <message>
+        <source>the registrations have changed since robot &apos;%1&apos; was analysed</source>
+        <translation>로봇 &apos;%1&apos;을(를) 분석한 뒤 정합이 바뀌었습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.remove_file_first</name>
+    <message>
+        <source>choose another name, or remove that file first</source>
+        <translation>다른 이름을 고르거나 그 파일을 먼저 지우십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.rest_not_read</name>
+    <message>
+        <source>the rest is not read; change it here, or where the file comes from</source>
+        <translation>나머지는 읽지 않습니다. 여기서 바꾸거나 파일을 만든 곳에서 바꾸십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.restore_file</name>
+    <message>
+        <source>restore it from a backup copy</source>
+        <translation>백업 사본에서 복원하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.restore_or_register_again</name>
+    <message>
+        <source>restore the project from a backup copy, or register the camera again</source>
+        <translation>백업 사본에서 프로젝트를 복원하거나 카메라를 다시 정합하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.restore_or_track_again</name>
+    <message>
+        <source>restore the project from a backup copy, or track the trial again</source>
+        <translation>백업 사본에서 프로젝트를 복원하거나 시행을 다시 추적하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.restore_project</name>
+    <message>
+        <source>restore the project from a backup copy</source>
+        <translation>백업 사본에서 프로젝트를 복원하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.results_changed</name>
+    <message>
+        <source>the metrics, spikes or settings of robot &apos;%1&apos; are not those that its analysis gave</source>
+        <translation>로봇 &apos;%1&apos;의 지표, 이상점 또는 설정이 분석에서 나온 것과 다릅니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.robot_can_be_renamed</name>
+    <message>
+        <source>it can be given another name</source>
+        <translation>다른 이름을 줄 수 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.robot_drove</name>
+    <message>
+        <source>it drove in a trial</source>
+        <translation>시행에서 달린 적이 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.robot_too_large</name>
+    <message>
+        <source>it is larger than %1</source>
+        <translation>%1보다 큽니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.robot_twice</name>
+    <message>
+        <source>a robot belongs to it twice</source>
+        <translation>같은 로봇이 두 번 속해 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.row_refers_to_nothing</name>
+    <message>
+        <source>row %1 of &apos;%2&apos; refers to a row of &apos;%3&apos; that is not there</source>
+        <translation>&apos;%2&apos;의 행 %1이(가) &apos;%3&apos;에 없는 행을 가리킵니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.run_check</name>
+    <message>
+        <source>run a check of the project</source>
+        <translation>프로젝트 검사를 실행하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.series_differ</name>
+    <message>
+        <source>its series differ in length</source>
+        <translation>데이터 열의 길이가 서로 다릅니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.series_missing</name>
+    <message>
+        <source>its series are missing</source>
+        <translation>데이터 열이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.series_of_other_kind</name>
+    <message>
+        <source>its stored series is not of the expected kind</source>
+        <translation>저장된 데이터 열의 종류가 다릅니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.series_of_other_length</name>
+    <message>
+        <source>its stored series announces %1 rows but holds %2 bytes</source>
+        <translation>저장된 데이터 열이 %1행이라고 하지만 %2바이트입니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.size_not_above_0</name>
+    <message>
+        <source>its size is not above 0</source>
+        <translation>크기가 0보다 크지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.spike_without_sample</name>
+    <message>
+        <source>a spike refers to a sample that is not there</source>
+        <translation>이상점이 없는 샘플을 가리킵니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.split_recording</name>
+    <message>
+        <source>split the recording into shorter ones</source>
+        <translation>녹화를 더 짧게 나누십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.strays_unknown</name>
+    <message>
+        <source>it cannot be told which files belong to no trial</source>
+        <translation>어느 파일이 시행에 속하지 않는지 알 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.synchronisation_differs</name>
+    <message>
+        <source>its stored synchronisation is not that of its second view</source>
+        <translation>저장된 동기화가 둘째 뷰의 동기화와 다릅니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.synchronisation_of_one_view</name>
+    <message>
+        <source>a synchronisation is stored, but it has no second view</source>
+        <translation>동기화가 저장되어 있는데 둘째 뷰가 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.take_later_back</name>
+    <message>
+        <source>take the later change back first, or leave it</source>
+        <translation>먼저 나중 변경을 되돌리거나 그대로 두십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.task_changed</name>
+    <message>
+        <source>the task has changed since robot &apos;%1&apos; was analysed</source>
+        <translation>로봇 &apos;%1&apos;을(를) 분석한 뒤 과제가 바뀌었습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.task_has_trial</name>
+    <message>
+        <source>a trial has it</source>
+        <translation>시행 하나가 씁니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.task_has_trials</name>
+    <message>
+        <source>%1 trials have it</source>
+        <translation>시행 %1개가 씁니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.team_has_trial</name>
+    <message>
+        <source>a trial is its</source>
+        <translation>시행 하나가 이 팀의 것입니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.team_has_trials</name>
+    <message>
+        <source>%1 trials are its</source>
+        <translation>시행 %1개가 이 팀의 것입니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.texts_too_long</name>
+    <message>
+        <source>%1: texts of more than %2 characters: %3</source>
+        <translation>%1: %2자를 넘는 글: %3</translation>
+    </message>
+</context>
+<context>
+    <name>project.times_do_not_rise</name>
+    <message>
+        <source>its times do not rise</source>
+        <translation>시간이 증가하지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.title</name>
+    <message>
+        <source>title of the project</source>
+        <translation>프로젝트의 제목</translation>
+    </message>
+</context>
+<context>
+    <name>project.too_many_markers</name>
+    <message>
+        <source>it has more than %1 markers</source>
+        <translation>마커가 %1개를 넘습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.too_many_members</name>
+    <message>
+        <source>it has more than %1 members</source>
+        <translation>팀원이 %1명을 넘습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.too_many_samples</name>
+    <message>
+        <source>it has more than %1 samples</source>
+        <translation>샘플이 %1개를 넘습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.track</name>
+    <message>
+        <source>track &apos;%1&apos;</source>
+        <translation>궤적 &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.track_again</name>
+    <message>
+        <source>track the trial again</source>
+        <translation>시행을 다시 추적하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.track_kept</name>
+    <message>
+        <source>the measured track is kept without it</source>
+        <translation>이것이 없어도 측정한 궤적은 유지됩니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.track_reading</name>
+    <message>
+        <source>reading of a track</source>
+        <translation>궤적의 해석</translation>
+    </message>
+</context>
+<context>
+    <name>project.trial_notes</name>
+    <message>
+        <source>notes of a trial</source>
+        <translation>시행의 메모</translation>
+    </message>
+</context>
+<context>
+    <name>project.trial_of_project</name>
+    <message>
+        <source>trial %1 of the project</source>
+        <translation>프로젝트의 시행 %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.truth</name>
+    <message>
+        <source>truth of a trial</source>
+        <translation>시행의 참값</translation>
+    </message>
+</context>
+<context>
+    <name>project.truth_of_trial</name>
+    <message>
+        <source>truth of trial %1</source>
+        <translation>시행 %1의 참값</translation>
+    </message>
+</context>
+<context>
+    <name>project.try_again</name>
+    <message>
+        <source>try it again</source>
+        <translation>다시 시도하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.try_change_again</name>
+    <message>
+        <source>try the whole change again</source>
+        <translation>변경 전체를 다시 시도하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.type_name_anew</name>
+    <message>
+        <source>type the name anew</source>
+        <translation>이름을 다시 입력하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.type_text_anew</name>
+    <message>
+        <source>type the text anew</source>
+        <translation>텍스트를 다시 입력하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.undo</name>
+    <message>
+        <source>undo</source>
+        <translation>실행 취소</translation>
+    </message>
+</context>
+<context>
+    <name>project.undo_of</name>
+    <message>
+        <source>undo &apos;%1&apos;</source>
+        <translation>실행 취소: &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.undo_something_first</name>
+    <message>
+        <source>undo something first</source>
+        <translation>먼저 무언가를 되돌리십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.unknown_series_layout</name>
+    <message>
+        <source>its stored series has the unknown layout %1</source>
+        <translation>저장된 데이터 열의 구조 %1을(를) 알 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.unknown_setting</name>
+    <message>
+        <source>its stored setting &apos;%1&apos; is unknown</source>
+        <translation>저장된 설정 &apos;%1&apos;을(를) 알 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.use_at_most</name>
+    <message>
+        <source>use at most %1</source>
+        <translation>최대 %1자까지 쓰십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.use_one_line</name>
+    <message>
+        <source>use a name of one line</source>
+        <translation>한 줄 이름을 쓰십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.value_too_large</name>
+    <message>
+        <source>a value is too large to be stored</source>
+        <translation>값이 너무 커서 저장할 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.views_differ</name>
+    <message>
+        <source>views and registrations differ in number</source>
+        <translation>뷰와 정합의 수가 다릅니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.wait_until_ended</name>
+    <message>
+        <source>wait until that has ended</source>
+        <translation>끝날 때까지 기다리십시오</translation>
+    </message>
+</context>
+<context>
+    <name>project.writing_failed</name>
+    <message>
+        <source>writing it failed (%1)</source>
+        <translation>쓰지 못했습니다 (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>project.written_over</name>
+    <message>
+        <source>another program wrote over its file while it was open; nothing more was stored</source>
+        <translation>열려 있는 동안 다른 프로그램이 파일을 덮어썼습니다. 그 뒤로는 저장되지 않았습니다</translation>
+    </message>
+</context>
+<context>
+    <name>project.zone</name>
+    <message>
+        <source>zone &apos;%1&apos;</source>
+        <translation>구역 &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>project.zone_cut_off</name>
+    <message>
+        <source>its zone &apos;%1&apos; ends within a point</source>
+        <translation>구역 &apos;%1&apos;이(가) 점의 중간에서 끝납니다</translation>
+    </message>
+</context>
+<context>
+    <name>simulation.cannot_render</name>
+    <message>
+        <source>cannot render %1</source>
+        <translation>%1을(를) 렌더링할 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>simulation.lengthen_scene</name>
+    <message>
+        <source>give the scene a longer duration or start the camera earlier</source>
+        <translation>장면을 길게 하거나 카메라를 더 일찍 시작하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>simulation.no_frame</name>
+    <message>
+        <source>camera %1 takes no frame while the scene lasts</source>
+        <translation>장면이 이어지는 동안 카메라 %1이(가) 프레임을 찍지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>simulation.rendering</name>
+    <message>
+        <source>rendering %1</source>
+        <translation>%1 렌더링</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.every_offset_fits</name>
+    <message>
+        <source>the robot stood still or ran straight at constant speed, so every offset fits</source>
+        <translation>로봇이 서 있었거나 일정한 속력으로 곧게 달려 어떤 오프셋도 맞습니다</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.flash_disagrees</name>
+    <message>
+        <source>the motion tells an offset of %1, which was taken, and the flash of light %2</source>
+        <translation>움직임의 오프셋 %1을(를) 택했고, 빛의 번쩍임은 %2입니다</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.flash_lights</name>
+    <message>
+        <source>flash the room lights once while both cameras record, or give --sync SECONDS</source>
+        <translation>두 카메라가 녹화하는 동안 실내 조명을 한 번 깜박이거나 오프셋을 지정하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.flashes_fit_alike</name>
+    <message>
+        <source>the flashes of light fit alike at offsets of %1 and %2</source>
+        <translation>빛의 깜박임이 오프셋 %1와 %2에서 똑같이 맞습니다</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.from_flash</name>
+    <message>
+        <source>from a flash of light, to %1 only, for %2</source>
+        <translation>빛의 깜박임에서 구해 %1까지만 맞습니다. 이유는 %2</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.light_flickers</name>
+    <message>
+        <source>the light flickers</source>
+        <translation>빛이 떨립니다</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.motion_repeats</name>
+    <message>
+        <source>the motion repeats itself</source>
+        <translation>움직임이 반복됩니다</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.neither_tells</name>
+    <message>
+        <source>%1, and %2</source>
+        <translation>%1. 또한 %2</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.no_flash</name>
+    <message>
+        <source>neither view shows a flash of light</source>
+        <translation>어느 뷰에도 빛의 깜박임이 보이지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.no_offset_fits</name>
+    <message>
+        <source>the views&apos; tracks do not coincide at any offset looked at</source>
+        <translation>살펴본 어떤 오프셋에서도 뷰들의 궤적이 일치하지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.of_clips</name>
+    <message>
+        <source>synchronisation of the clips</source>
+        <translation>동영상의 동기화</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.offset</name>
+    <message>
+        <source>%1 ±%2</source>
+        <translation>%1 ±%2</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.offsets_fit_alike</name>
+    <message>
+        <source>offsets of %1 and %2 fit alike</source>
+        <translation>오프셋 %1와 %2가 똑같이 맞습니다</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.one_flash</name>
+    <message>
+        <source>only one of the views shows a flash of light</source>
+        <translation>한 뷰에만 빛의 깜박임이 보입니다</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.other_flashes</name>
+    <message>
+        <source>the flashes of light in the views do not belong together</source>
+        <translation>뷰들의 빛 깜박임이 서로 맞지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.robots_disagree</name>
+    <message>
+        <source>robot %1 tells an offset of %2, robot %3 %4, which was taken</source>
+        <translation>로봇 %1의 오프셋은 %2, 로봇 %3은(는) %4이며 후자를 택했습니다</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.seldom_seen</name>
+    <message>
+        <source>one view saw the robot in fewer than %1 pictures</source>
+        <translation>한 뷰에서 로봇이 보인 영상이 %1장보다 적습니다</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.seldom_together</name>
+    <message>
+        <source>the views hardly ever saw the robot at the same time</source>
+        <translation>뷰들이 동시에 로봇을 본 적이 거의 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.tracks_differ</name>
+    <message>
+        <source>the views&apos; tracks do not resemble one another</source>
+        <translation>뷰들의 궤적이 서로 비슷하지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.add_robot</name>
+    <message>
+        <source>add a robot with its colour first</source>
+        <translation>먼저 로봇과 그 색을 추가하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.add_without_colour</name>
+    <message>
+        <source>add the robot without a colour, so that it is found by how it differs from the floor</source>
+        <translation>색 없이 로봇을 추가하십시오. 그러면 바닥과 다른 점으로 찾습니다</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.box_is_grey</name>
+    <message>
+        <source>what differs from the floor around it is grey, black or white</source>
+        <translation>주변 바닥과 다른 부분이 회색, 검정 또는 흰색입니다</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.box_leaves_nothing</name>
+    <message>
+        <source>the box leaves nothing of the floor to compare with</source>
+        <translation>비교할 바닥이 상자 밖에 남지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.box_too_small</name>
+    <message>
+        <source>the box is too small, or outside the picture</source>
+        <translation>상자가 너무 작거나 영상 밖에 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.box_without_colour</name>
+    <message>
+        <source>it holds no colour that differs from the floor around it</source>
+        <translation>주변 바닥과 다른 색이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.cannot_track</name>
+    <message>
+        <source>Cannot track</source>
+        <translation>추적할 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.cannot_track_robot</name>
+    <message>
+        <source>Cannot track robot %1</source>
+        <translation>로봇 %1을(를) 추적할 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.colour_in_box</name>
+    <message>
+        <source>colour in the box</source>
+        <translation>상자 안의 색</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.colour_is_grey</name>
+    <message>
+        <source>its colour %1 is grey, and only hue tells a robot from the floor</source>
+        <translation>색 %1이(가) 회색인데, 로봇은 색상으로만 바닥과 구별됩니다</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.draw_box_closely</name>
+    <message>
+        <source>draw it closely round the robot</source>
+        <translation>로봇에 바짝 붙여 그리십시오</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.draw_box_larger</name>
+    <message>
+        <source>draw it round the robot, at least 8 pixels wide and high</source>
+        <translation>로봇 둘레에 가로세로 8픽셀 이상으로 그리십시오</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.no_robot_given</name>
+    <message>
+        <source>no robot is given</source>
+        <translation>로봇이 지정되지 않았습니다</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.put_plate_on_it</name>
+    <message>
+        <source>draw it closely round the robot, or put a plate of another colour on it</source>
+        <translation>로봇에 바짝 붙여 그리거나 다른 색 판을 얹으십시오</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.tell_no_colour</name>
+    <message>
+        <source>tell no colour, so that it is found by how it differs from the floor</source>
+        <translation>색을 지정하지 마십시오. 그러면 바닥과 다른 점으로 찾습니다</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.add_view</name>
+    <message>
+        <source>add a second view, or give the robot one height</source>
+        <translation>두 번째 뷰를 추가하거나 로봇의 높이를 지정하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.analysing_position</name>
+    <message>
+        <source>analysing position %1</source>
+        <translation>위치 %1 분석 중</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.camera_not_registered</name>
+    <message>
+        <source>camera %1 is not registered to the floor</source>
+        <translation>카메라 %1이(가) 바닥에 정합되지 않았습니다</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.cameras_not_registered</name>
+    <message>
+        <source>cameras %1 are not registered to the floor</source>
+        <translation>카메라 %1이(가) 바닥에 정합되지 않았습니다</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.centre_reference</name>
+    <message>
+        <source>give it the reference point 0,0 and track again</source>
+        <translation>기준점을 0,0으로 하고 다시 추적하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.check_robot_and_light</name>
+    <message>
+        <source>check that the robot moves in the pictures, that a colour that was told is the one it has there, and that the light is sufficient</source>
+        <translation>로봇이 영상에서 움직이는지, 지정한 색이 영상에서의 색과 같은지, 조명이 충분한지 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.choose_longer_track</name>
+    <message>
+        <source>choose a track with more positions</source>
+        <translation>위치가 더 많은 궤적을 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.choose_longer_video</name>
+    <message>
+        <source>choose a longer video, or check the robot&apos;s colour and the light</source>
+        <translation>더 긴 동영상을 고르거나 로봇의 색과 조명을 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.cut_by_edge</name>
+    <message>
+        <source>cut by the picture&apos;s edge</source>
+        <translation>영상 가장자리에서 잘림</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.cut_by_frames_edge</name>
+    <message>
+        <source>cut by the frame&apos;s edge in view %1</source>
+        <translation>뷰 %1에서 영상 가장자리에서 잘림</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.faster_than_limit</name>
+    <message>
+        <source>faster than the limit</source>
+        <translation>한계보다 빠름</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.figures_of_seen</name>
+    <message>
+        <source>the figures are of the part that was seen</source>
+        <translation>지표는 보인 부분에 대한 것입니다</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.frames_that_tell</name>
+    <message>
+        <source>of %1 frames %2 give a position that can be used</source>
+        <translation>프레임 %1개 중 %2개만 쓸 수 있는 위치를 줍니다</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.harder_than_limit</name>
+    <message>
+        <source>harder than the limit of acceleration</source>
+        <translation>가속도 한계 초과</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.heading_unknown</name>
+    <message>
+        <source>its reference point lies beside its centre, but its outlines do not tell its heading</source>
+        <translation>기준점이 중심을 벗어나 있지만 윤곽으로는 방향을 알 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.hidden_behind</name>
+    <message>
+        <source>hidden behind %1 in view %2</source>
+        <translation>뷰 %2에서 %1에 가려짐</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.import_video</name>
+    <message>
+        <source>import at least one video for it</source>
+        <translation>동영상을 적어도 하나 가져오십시오</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.jump</name>
+    <message>
+        <source>jump</source>
+        <translation>도약</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.jump_of</name>
+    <message>
+        <source>jump of %1</source>
+        <translation>%1 도약</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.look_and_register</name>
+    <message>
+        <source>look at the outlines, and register the cameras again</source>
+        <translation>윤곽선을 확인하고 카메라를 다시 정합하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.move_camera</name>
+    <message>
+        <source>move or add a camera so that the whole task is seen</source>
+        <translation>과제 전체가 보이도록 카메라를 옮기거나 추가하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.no_such_smoother</name>
+    <message>
+        <source>there is none of that name</source>
+        <translation>그런 이름이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.no_view</name>
+    <message>
+        <source>the trial has no view</source>
+        <translation>시행에 뷰가 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.no_view_trusted</name>
+    <message>
+        <source>none could be trusted</source>
+        <translation>신뢰할 수 있는 뷰 없음</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.not_enough_data</name>
+    <message>
+        <source>not enough data</source>
+        <translation>데이터 부족</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.not_visible</name>
+    <message>
+        <source>not visible in view %1</source>
+        <translation>뷰 %1에서 보이지 않음</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.occlusion_span</name>
+    <message>
+        <source>%1 (%2 to %3)</source>
+        <translation>%1(%2~%3)</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.one_outline</name>
+    <message>
+        <source>one outline with %1 in view %2</source>
+        <translation>뷰 %2에서 %1과(와) 윤곽이 하나로 합쳐짐</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.only_unregistered</name>
+    <message>
+        <source>only cameras that are not registered to the floor saw the robot</source>
+        <translation>바닥에 정합되지 않은 카메라만 로봇을 보았습니다</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.outline_larger</name>
+    <message>
+        <source>outline larger than usual in view %1</source>
+        <translation>뷰 %1에서 윤곽이 평소보다 큼</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.outline_smaller</name>
+    <message>
+        <source>outline smaller than usual in view %1</source>
+        <translation>뷰 %1에서 윤곽이 평소보다 작음</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.partly_hidden_behind</name>
+    <message>
+        <source>partly hidden behind %1 in view %2</source>
+        <translation>뷰 %2에서 %1에 일부 가려짐</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.path_not_measured</name>
+    <message>
+        <source>the robot&apos;s path cannot be measured</source>
+        <translation>로봇의 경로를 측정할 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.register_one</name>
+    <message>
+        <source>run odograph register for at least one of them</source>
+        <translation>그중 적어도 하나를 정합하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.register_them</name>
+    <message>
+        <source>run odograph register for them</source>
+        <translation>그것들을 정합하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.robot_not_found</name>
+    <message>
+        <source>the robot was not found in any picture of %1</source>
+        <translation>%1의 어느 영상에서도 로봇을 찾지 못했습니다</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.seldom_together</name>
+    <message>
+        <source>its height is to be triangulated, but two registered views hardly ever saw it together</source>
+        <translation>높이를 삼각 측량해야 하는데 정합된 두 뷰가 함께 본 적이 거의 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.smoother</name>
+    <message>
+        <source>smoother %1</source>
+        <translation>평활기 %1</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.spike_by_hand</name>
+    <message>
+        <source>called a spike by hand</source>
+        <translation>수동으로 이상점 지정됨</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.stands_out_in_both</name>
+    <message>
+        <source>stands out in position and speed</source>
+        <translation>위치와 속력이 튐</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.stands_out_in_position</name>
+    <message>
+        <source>stands out in position</source>
+        <translation>위치가 튐</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.stands_out_in_speed</name>
+    <message>
+        <source>stands out in speed</source>
+        <translation>속력이 튐</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.track_first</name>
+    <message>
+        <source>track the trial&apos;s videos first</source>
+        <translation>먼저 시행의 동영상을 추적하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.tracker_unsure</name>
+    <message>
+        <source>the tracker was not sure (score %1)</source>
+        <translation>추적기가 확신하지 못함 (점수 %1)</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.unseen_after</name>
+    <message>
+        <source>no view sees it after %1 (it was at X %2, Y %3)</source>
+        <translation>%1 이후 어느 뷰에도 보이지 않음 (X %2, Y %3에 있었음)</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.unseen_between</name>
+    <message>
+        <source>no view sees it from %1 to %2 (it was at X %3, Y %4)</source>
+        <translation>%1부터 %2까지 어느 뷰에도 보이지 않음 (X %3, Y %4에 있었음)</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.use_smoother</name>
+    <message>
+        <source>use rts, savgol, tracker or none</source>
+        <translation>rts, savgol, tracker, none 중에서 쓰십시오</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.view_left_out</name>
+    <message>
+        <source>one left out</source>
+        <translation>한 뷰 제외됨</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.view_without_frame</name>
+    <message>
+        <source>view %1 has no frame</source>
+        <translation>뷰 %1에 프레임이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.views_apart</name>
+    <message>
+        <source>the views put it %1 apart</source>
+        <translation>뷰들이 주는 위치가 %1 차이 납니다</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.views_disagree</name>
+    <message>
+        <source>views disagree by %1</source>
+        <translation>뷰 간 불일치 %1</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.why_views_apart</name>
+    <message>
+        <source>a camera was moved after it was registered, the videos belong to other cameras, or one view follows something else</source>
+        <translation>정합 후 카메라가 움직였거나, 동영상이 다른 카메라의 것이거나, 한 뷰가 다른 것을 따라갑니다</translation>
+    </message>
+</context>
+<context>
+    <name>ui.add_camera</name>
+    <message>
+        <source>add camera %1</source>
+        <translation>카메라 %1 추가</translation>
+    </message>
+</context>
+<context>
+    <name>ui.add_class</name>
+    <message>
+        <source>add class %1</source>
+        <translation>학급 %1 추가</translation>
+    </message>
+</context>
+<context>
+    <name>ui.add_layout</name>
+    <message>
+        <source>add layout %1</source>
+        <translation>배치 %1 추가</translation>
+    </message>
+</context>
+<context>
+    <name>ui.add_robot</name>
+    <message>
+        <source>add robot %1</source>
+        <translation>로봇 %1 추가</translation>
+    </message>
+</context>
+<context>
+    <name>ui.add_task</name>
+    <message>
+        <source>add task %1</source>
+        <translation>과제 %1 추가</translation>
+    </message>
+</context>
+<context>
+    <name>ui.add_team</name>
+    <message>
+        <source>add team %1</source>
+        <translation>팀 %1 추가</translation>
+    </message>
+</context>
+<context>
+    <name>ui.adding_strays</name>
+    <message>
+        <source>Adding stray videos as trials</source>
+        <translation>소속 없는 동영상을 시행으로 추가하는 중</translation>
+    </message>
+</context>
+<context>
+    <name>ui.and_more</name>
+    <message>
+        <source>and %1 more</source>
+        <translation>외 %1개</translation>
+    </message>
+</context>
+<context>
+    <name>ui.annotated_video</name>
+    <message>
+        <source>annotated video of &apos;%1&apos;</source>
+        <translation>&apos;%1&apos;의 주석 동영상</translation>
+    </message>
+</context>
+<context>
+    <name>ui.another_job_runs</name>
+    <message>
+        <source>another job is running</source>
+        <translation>다른 작업이 실행 중입니다</translation>
+    </message>
+</context>
+<context>
+    <name>ui.archive_class</name>
+    <message>
+        <source>archive class %1</source>
+        <translation>학급 %1 보관</translation>
+    </message>
+</context>
+<context>
+    <name>ui.archive_task</name>
+    <message>
+        <source>archive task %1</source>
+        <translation>과제 %1 보관</translation>
+    </message>
+</context>
+<context>
+    <name>ui.archive_trial</name>
+    <message>
+        <source>archive %1</source>
+        <translation>%1 보관</translation>
+    </message>
+</context>
+<context>
+    <name>ui.archive_trials</name>
+    <message>
+        <source>archive %1 trials</source>
+        <translation>시행 %1개 보관</translation>
+    </message>
+</context>
+<context>
+    <name>ui.backup_is_sound</name>
+    <message>
+        <source>its backup of %1 is sound; what was done since is not in it</source>
+        <translation>%1의 백업 사본은 온전합니다. 그 뒤에 한 일은 들어 있지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>ui.board_has_corners</name>
+    <message>
+        <source>a board has 3 to 30 inner corners each way</source>
+        <translation>보드의 내부 모서리는 가로세로 각각 3개에서 30개입니다</translation>
+    </message>
+</context>
+<context>
+    <name>ui.bring_file_back</name>
+    <message>
+        <source>bring the file back to its place</source>
+        <translation>파일을 제자리에 돌려놓으십시오</translation>
+    </message>
+</context>
+<context>
+    <name>ui.calibrate_other_first</name>
+    <message>
+        <source>calibrate the other one, or import a trial with it, first</source>
+        <translation>먼저 다른 카메라를 보정하거나 그 카메라의 시행을 가져오십시오</translation>
+    </message>
+</context>
+<context>
+    <name>ui.camera_named</name>
+    <message>
+        <source>camera %1</source>
+        <translation>카메라 %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.cameras</name>
+    <message>
+        <source>the cameras</source>
+        <translation>카메라</translation>
+    </message>
+</context>
+<context>
+    <name>ui.cannot_make_another</name>
+    <message>
+        <source>cannot make another project</source>
+        <translation>다른 프로젝트를 만들 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>ui.cannot_open_another</name>
+    <message>
+        <source>cannot open another project</source>
+        <translation>다른 프로젝트를 열 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>ui.change_pseudonym</name>
+    <message>
+        <source>change the pseudonym of team %1</source>
+        <translation>팀 %1의 가명 변경</translation>
+    </message>
+</context>
+<context>
+    <name>ui.change_robot</name>
+    <message>
+        <source>change robot %1</source>
+        <translation>로봇 %1 변경</translation>
+    </message>
+</context>
+<context>
+    <name>ui.change_tags</name>
+    <message>
+        <source>change the tags of %1</source>
+        <translation>%1의 태그 변경</translation>
+    </message>
+</context>
+<context>
+    <name>ui.change_task</name>
+    <message>
+        <source>change task %1</source>
+        <translation>과제 %1 변경</translation>
+    </message>
+</context>
+<context>
+    <name>ui.change_team</name>
+    <message>
+        <source>change members and robots of team %1</source>
+        <translation>팀 %1의 팀원과 로봇 변경</translation>
+    </message>
+</context>
+<context>
+    <name>ui.charuco_numbered_in_two_ways</name>
+    <message>
+        <source>a ChArUco board of %1 rows of squares is numbered in two ways by different programs</source>
+        <translation>정사각형이 %1행인 ChArUco 보드는 프로그램에 따라 번호가 두 가지로 매겨집니다</translation>
+    </message>
+</context>
+<context>
+    <name>ui.choose_logo</name>
+    <message>
+        <source>choose a PNG, JPEG or SVG picture</source>
+        <translation>PNG, JPEG 또는 SVG 그림을 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>ui.choose_or_make_class</name>
+    <message>
+        <source>choose one of them, or make it in the workbench</source>
+        <translation>그중 하나를 고르거나 창에서 학급을 만드십시오</translation>
+    </message>
+</context>
+<context>
+    <name>ui.choose_recorded</name>
+    <message>
+        <source>choose one that was recorded</source>
+        <translation>녹화된 시행을 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>ui.choose_trial_or_class</name>
+    <message>
+        <source>choose a trial or a class</source>
+        <translation>시행이나 학급을 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>ui.choose_video_size</name>
+    <message>
+        <source>choose another, such as 1920x1080</source>
+        <translation>1920x1080처럼 다른 크기를 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>ui.choose_video_speed</name>
+    <message>
+        <source>choose another, such as 0.25</source>
+        <translation>0.25처럼 다른 속도를 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>ui.comparison</name>
+    <message>
+        <source>comparison</source>
+        <translation>비교</translation>
+    </message>
+</context>
+<context>
+    <name>ui.completing_recording</name>
+    <message>
+        <source>Completing a recording that was cut off</source>
+        <translation>중간에 끊긴 녹화를 마무리하는 중</translation>
+    </message>
+</context>
+<context>
+    <name>ui.connect_camera</name>
+    <message>
+        <source>connect camera %1</source>
+        <translation>카메라 %1 연결</translation>
+    </message>
+</context>
+<context>
+    <name>ui.delete_class</name>
+    <message>
+        <source>delete class %1</source>
+        <translation>학급 %1 삭제</translation>
+    </message>
+</context>
+<context>
+    <name>ui.delete_robot</name>
+    <message>
+        <source>delete robot %1</source>
+        <translation>로봇 %1 삭제</translation>
+    </message>
+</context>
+<context>
+    <name>ui.delete_task</name>
+    <message>
+        <source>delete task %1</source>
+        <translation>과제 %1 삭제</translation>
+    </message>
+</context>
+<context>
+    <name>ui.delete_team</name>
+    <message>
+        <source>delete team %1</source>
+        <translation>팀 %1 삭제</translation>
+    </message>
+</context>
+<context>
+    <name>ui.delete_trial</name>
+    <message>
+        <source>delete %1</source>
+        <translation>%1 삭제</translation>
+    </message>
+</context>
+<context>
+    <name>ui.delete_trials</name>
+    <message>
+        <source>delete %1 trials</source>
+        <translation>시행 %1개 삭제</translation>
+    </message>
+</context>
+<context>
+    <name>ui.does_not_fit_on</name>
+    <message>
+        <source>%1 by %2 do not fit on %3</source>
+        <translation>%1 × %2은(는) %3에 들어가지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>ui.emptying_bin</name>
+    <message>
+        <source>Emptying the bin</source>
+        <translation>휴지통 비우는 중</translation>
+    </message>
+</context>
+<context>
+    <name>ui.export_of</name>
+    <message>
+        <source>export of %1</source>
+        <translation>%1 내보내기</translation>
+    </message>
+</context>
+<context>
+    <name>ui.exported_trials</name>
+    <message>
+        <source>Exported trials: %1 of %2</source>
+        <translation>내보낸 시행: %2개 중 %1개</translation>
+    </message>
+</context>
+<context>
+    <name>ui.exporting</name>
+    <message>
+        <source>Exporting %1 (%2 of %3)</source>
+        <translation>%1 내보내는 중(%2/%3)</translation>
+    </message>
+</context>
+<context>
+    <name>ui.give_board_size</name>
+    <message>
+        <source>give a size as 9x6</source>
+        <translation>9x6처럼 크기를 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>ui.give_marker_size</name>
+    <message>
+        <source>give its size, as 150mm</source>
+        <translation>150mm처럼 크기를 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>ui.give_square_side</name>
+    <message>
+        <source>give the side of a square, as 25mm</source>
+        <translation>25mm처럼 정사각형 한 변의 길이를 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>ui.import_or_record_first</name>
+    <message>
+        <source>import or record one first</source>
+        <translation>먼저 시행을 가져오거나 녹화하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>ui.importing</name>
+    <message>
+        <source>Importing %1</source>
+        <translation>%1 가져오는 중</translation>
+    </message>
+</context>
+<context>
+    <name>ui.is_printer_ready</name>
+    <message>
+        <source>look whether the printer is ready</source>
+        <translation>프린터가 준비되었는지 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>ui.job_runs_on_project</name>
+    <message>
+        <source>a job is running on the project</source>
+        <translation>프로젝트에서 작업이 실행 중입니다</translation>
+    </message>
+</context>
+<context>
+    <name>ui.lens_of_other_size</name>
+    <message>
+        <source>it is %1×%2, but the lens was measured at %3×%4</source>
+        <translation>%1×%2인데 렌즈는 %3×%4에서 측정되었습니다</translation>
+    </message>
+</context>
+<context>
+    <name>ui.logo</name>
+    <message>
+        <source>logo &apos;%1&apos;</source>
+        <translation>로고 &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>ui.logo_too_large</name>
+    <message>
+        <source>it is larger than a hundred megapixels</source>
+        <translation>1억 화소보다 큽니다</translation>
+    </message>
+</context>
+<context>
+    <name>ui.look_at_printer</name>
+    <message>
+        <source>look at the printer and its queue, or save the report as PDF</source>
+        <translation>프린터와 대기열을 확인하거나 보고서를 PDF로 저장하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>ui.looking_for_lost</name>
+    <message>
+        <source>Looking for lost videos</source>
+        <translation>잃은 동영상 찾는 중</translation>
+    </message>
+</context>
+<context>
+    <name>ui.looking_for_markers</name>
+    <message>
+        <source>looking for the markers in %1</source>
+        <translation>%1에서 마커 찾는 중</translation>
+    </message>
+</context>
+<context>
+    <name>ui.looking_for_strays</name>
+    <message>
+        <source>Looking for stray files</source>
+        <translation>소속 없는 파일 찾는 중</translation>
+    </message>
+</context>
+<context>
+    <name>ui.make_marker_smaller</name>
+    <message>
+        <source>make it %1 at most, or take a larger paper</source>
+        <translation>최대 %1로 하거나 더 큰 용지를 쓰십시오</translation>
+    </message>
+</context>
+<context>
+    <name>ui.make_smaller</name>
+    <message>
+        <source>make it smaller</source>
+        <translation>더 작게 하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>ui.make_squares_smaller</name>
+    <message>
+        <source>make the squares %1 at most, or take a larger paper</source>
+        <translation>정사각형을 최대 %1로 하거나 더 큰 용지를 쓰십시오</translation>
+    </message>
+</context>
+<context>
+    <name>ui.making_demo</name>
+    <message>
+        <source>Making the demo lesson</source>
+        <translation>데모 수업 만드는 중</translation>
+    </message>
+</context>
+<context>
+    <name>ui.making_hashes</name>
+    <message>
+        <source>Making the hashes of new recordings</source>
+        <translation>새 녹화의 해시를 만드는 중</translation>
+    </message>
+</context>
+<context>
+    <name>ui.making_report</name>
+    <message>
+        <source>Making the report</source>
+        <translation>보고서 만드는 중</translation>
+    </message>
+</context>
+<context>
+    <name>ui.making_video</name>
+    <message>
+        <source>Making the video of %1</source>
+        <translation>%1의 동영상 만드는 중</translation>
+    </message>
+</context>
+<context>
+    <name>ui.making_videos</name>
+    <message>
+        <source>Making the video of %1 (%2 of %3)</source>
+        <translation>%1의 동영상 만드는 중(%2/%3)</translation>
+    </message>
+</context>
+<context>
+    <name>ui.many_trials</name>
+    <message>
+        <source>many trials</source>
+        <translation>여러 시행</translation>
+    </message>
+</context>
+<context>
+    <name>ui.measuring_again</name>
+    <message>
+        <source>Measuring %1 again</source>
+        <translation>%1 다시 측정하는 중</translation>
+    </message>
+</context>
+<context>
+    <name>ui.measuring_trials_again</name>
+    <message>
+        <source>Measuring %1 again (%2 of %3)</source>
+        <translation>%1 다시 측정하는 중(%2/%3)</translation>
+    </message>
+</context>
+<context>
+    <name>ui.mend_and_choose_again</name>
+    <message>
+        <source>mend what stands there, and choose these trials again</source>
+        <translation>위의 문제를 해결한 뒤 이 시행들을 다시 선택하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>ui.move_team</name>
+    <message>
+        <source>move team %1 to class %2</source>
+        <translation>팀 %1을(를) 학급 %2(으)로 옮기기</translation>
+    </message>
+</context>
+<context>
+    <name>ui.name_one_marker</name>
+    <message>
+        <source>name at least one, as O</source>
+        <translation>O처럼 하나 이상 적으십시오</translation>
+    </message>
+</context>
+<context>
+    <name>ui.no_camera_registered</name>
+    <message>
+        <source>no camera is registered yet</source>
+        <translation>아직 정합된 카메라가 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>ui.no_further_page</name>
+    <message>
+        <source>it takes no further page</source>
+        <translation>더 이상 쪽을 받지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>ui.no_marker_to_print</name>
+    <message>
+        <source>there is no marker to print</source>
+        <translation>인쇄할 마커가 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>ui.no_page</name>
+    <message>
+        <source>it has no page</source>
+        <translation>쪽이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>ui.no_project_open</name>
+    <message>
+        <source>no project is open</source>
+        <translation>열린 프로젝트가 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>ui.no_run_with_figure</name>
+    <message>
+        <source>none of its teams has a run with the figure &apos;%1&apos;</source>
+        <translation>지표 &apos;%1&apos;이(가) 있는 주행을 한 팀이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>ui.no_run_with_figure_in_task</name>
+    <message>
+        <source>none of its teams has a run with the figure &apos;%1&apos; in the task &apos;%2&apos;</source>
+        <translation>과제 &apos;%2&apos;에서 지표 &apos;%1&apos;이(가) 있는 주행을 한 팀이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>ui.no_trial_yet</name>
+    <message>
+        <source>there is no trial yet</source>
+        <translation>아직 시행이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>ui.not_printed</name>
+    <message>
+        <source>it could not be printed</source>
+        <translation>인쇄하지 못했습니다</translation>
+    </message>
+</context>
+<context>
+    <name>ui.nothing_changed_here</name>
+    <message>
+        <source>nothing was changed here</source>
+        <translation>여기서 변경한 것이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>ui.only_be_read</name>
+    <message>
+        <source>this project can only be read</source>
+        <translation>이 프로젝트는 읽기만 할 수 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>ui.only_one_camera</name>
+    <message>
+        <source>there is only one camera</source>
+        <translation>카메라가 한 대뿐입니다</translation>
+    </message>
+</context>
+<context>
+    <name>ui.only_so_many_charuco_markers</name>
+    <message>
+        <source>there are only 250 markers for a ChArUco board</source>
+        <translation>ChArUco 보드에 쓸 수 있는 마커는 250개뿐입니다</translation>
+    </message>
+</context>
+<context>
+    <name>ui.only_so_many_tags</name>
+    <message>
+        <source>there are only %1 tags</source>
+        <translation>태그는 %1개뿐입니다</translation>
+    </message>
+</context>
+<context>
+    <name>ui.open_its_project</name>
+    <message>
+        <source>open the project that it belongs to</source>
+        <translation>해당 프로젝트를 여십시오</translation>
+    </message>
+</context>
+<context>
+    <name>ui.open_project_first</name>
+    <message>
+        <source>open or make a project first</source>
+        <translation>먼저 프로젝트를 열거나 만드십시오</translation>
+    </message>
+</context>
+<context>
+    <name>ui.opening</name>
+    <message>
+        <source>Opening %1</source>
+        <translation>%1 여는 중</translation>
+    </message>
+</context>
+<context>
+    <name>ui.packing</name>
+    <message>
+        <source>Packing the project</source>
+        <translation>프로젝트 묶는 중</translation>
+    </message>
+</context>
+<context>
+    <name>ui.pages_not_taken</name>
+    <message>
+        <source>it did not take the pages</source>
+        <translation>쪽을 받지 않았습니다</translation>
+    </message>
+</context>
+<context>
+    <name>ui.painting_floor</name>
+    <message>
+        <source>painting the floor</source>
+        <translation>바닥 그리는 중</translation>
+    </message>
+</context>
+<context>
+    <name>ui.picture</name>
+    <message>
+        <source>the picture</source>
+        <translation>사진</translation>
+    </message>
+</context>
+<context>
+    <name>ui.picture_of</name>
+    <message>
+        <source>picture %1 of %2</source>
+        <translation>영상 %2장 중 %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.preview</name>
+    <message>
+        <source>preview</source>
+        <translation>미리 보기</translation>
+    </message>
+</context>
+<context>
+    <name>ui.print_fewer_markers</name>
+    <message>
+        <source>print fewer markers</source>
+        <translation>마커를 더 적게 인쇄하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>ui.printer_not_reached</name>
+    <message>
+        <source>it cannot be reached</source>
+        <translation>연결할 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>ui.printing_on</name>
+    <message>
+        <source>printing on &apos;%1&apos;</source>
+        <translation>‘%1’에 인쇄</translation>
+    </message>
+</context>
+<context>
+    <name>ui.project_has_classes</name>
+    <message>
+        <source>the project has %1</source>
+        <translation>프로젝트에 있는 것: %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.project_has_no_class</name>
+    <message>
+        <source>the project has none</source>
+        <translation>프로젝트에 학급이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>ui.recording_not_there</name>
+    <message>
+        <source>the recording of camera %1 is not at &apos;%2&apos;</source>
+        <translation>카메라 %1의 녹화가 &apos;%2&apos;에 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>ui.redo</name>
+    <message>
+        <source>redo</source>
+        <translation>다시 실행</translation>
+    </message>
+</context>
+<context>
+    <name>ui.register_camera</name>
+    <message>
+        <source>register camera %1</source>
+        <translation>카메라 %1 정합</translation>
+    </message>
+</context>
+<context>
+    <name>ui.register_one_first</name>
+    <message>
+        <source>register one that sees the markers first</source>
+        <translation>먼저 마커가 보이는 카메라를 정합하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>ui.registration_through_another</name>
+    <message>
+        <source>registration through another camera</source>
+        <translation>다른 카메라를 통한 정합</translation>
+    </message>
+</context>
+<context>
+    <name>ui.removing_strays</name>
+    <message>
+        <source>Removing stray files</source>
+        <translation>소속 없는 파일 제거 중</translation>
+    </message>
+</context>
+<context>
+    <name>ui.rename_class</name>
+    <message>
+        <source>rename class %1 to %2</source>
+        <translation>학급 이름 변경: %1 → %2</translation>
+    </message>
+</context>
+<context>
+    <name>ui.rename_task</name>
+    <message>
+        <source>rename task %1 to %2</source>
+        <translation>과제 이름 변경: %1 → %2</translation>
+    </message>
+</context>
+<context>
+    <name>ui.rename_team</name>
+    <message>
+        <source>rename team %1 to %2</source>
+        <translation>팀 이름 변경: %1 → %2</translation>
+    </message>
+</context>
+<context>
+    <name>ui.report</name>
+    <message>
+        <source>report</source>
+        <translation>보고서</translation>
+    </message>
+</context>
+<context>
+    <name>ui.report_file</name>
+    <message>
+        <source>report &apos;%1&apos;</source>
+        <translation>보고서 ‘%1’</translation>
+    </message>
+</context>
+<context>
+    <name>ui.report_of_class</name>
+    <message>
+        <source>report of class &apos;%1&apos;</source>
+        <translation>학급 &apos;%1&apos;의 보고서</translation>
+    </message>
+</context>
+<context>
+    <name>ui.restoring_backup</name>
+    <message>
+        <source>Restoring the backup</source>
+        <translation>백업 복원 중</translation>
+    </message>
+</context>
+<context>
+    <name>ui.save_copy</name>
+    <message>
+        <source>save a copy and work on that</source>
+        <translation>사본을 저장하여 그것으로 작업하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>ui.saving_copy</name>
+    <message>
+        <source>Saving a copy</source>
+        <translation>사본 저장 중</translation>
+    </message>
+</context>
+<context>
+    <name>ui.size_is_no_length</name>
+    <message>
+        <source>its size is not a length</source>
+        <translation>크기가 길이가 아닙니다</translation>
+    </message>
+</context>
+<context>
+    <name>ui.star_trial</name>
+    <message>
+        <source>star %1</source>
+        <translation>%1 별표 붙이기</translation>
+    </message>
+</context>
+<context>
+    <name>ui.star_trials</name>
+    <message>
+        <source>star %1 trials</source>
+        <translation>시행 %1개 별표 붙이기</translation>
+    </message>
+</context>
+<context>
+    <name>ui.take_at_that_resolution</name>
+    <message>
+        <source>take it at that resolution, or measure the lens again</source>
+        <translation>그 해상도로 찍거나 렌즈를 다시 측정하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>ui.take_even_rows</name>
+    <message>
+        <source>take an even number of rows of inner corners, as 9x6</source>
+        <translation>9x6처럼 내부 모서리의 행을 짝수로 하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>ui.take_fewer_squares</name>
+    <message>
+        <source>take fewer squares</source>
+        <translation>정사각형을 줄이십시오</translation>
+    </message>
+</context>
+<context>
+    <name>ui.take_team_out</name>
+    <message>
+        <source>take team %1 out of its class</source>
+        <translation>팀 %1을(를) 학급에서 빼기</translation>
+    </message>
+</context>
+<context>
+    <name>ui.taking_over_setup</name>
+    <message>
+        <source>Taking over the set-up</source>
+        <translation>설정을 가져오는 중</translation>
+    </message>
+</context>
+<context>
+    <name>ui.target</name>
+    <message>
+        <source>target</source>
+        <translation>타깃</translation>
+    </message>
+</context>
+<context>
+    <name>ui.the_sample</name>
+    <message>
+        <source>the sample</source>
+        <translation>샘플</translation>
+    </message>
+</context>
+<context>
+    <name>ui.the_trial</name>
+    <message>
+        <source>the trial</source>
+        <translation>시행</translation>
+    </message>
+</context>
+<context>
+    <name>ui.track_or_choose_figure</name>
+    <message>
+        <source>track its trials, or choose another task or figure</source>
+        <translation>시행을 추적하거나 다른 과제나 지표를 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>ui.tracking</name>
+    <message>
+        <source>Tracking %1</source>
+        <translation>%1 추적 중</translation>
+    </message>
+</context>
+<context>
+    <name>ui.trial_without_recording</name>
+    <message>
+        <source>the trial has no recording</source>
+        <translation>시행에 녹화가 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>ui.trials_measured_again</name>
+    <message>
+        <source>Trials measured again: %1 of %2</source>
+        <translation>다시 측정한 시행: %2개 중 %1개</translation>
+    </message>
+</context>
+<context>
+    <name>ui.unarchive_class</name>
+    <message>
+        <source>take class %1 out of the archive</source>
+        <translation>학급 %1 보관 해제</translation>
+    </message>
+</context>
+<context>
+    <name>ui.unarchive_task</name>
+    <message>
+        <source>take task %1 out of the archive</source>
+        <translation>과제 %1 보관 해제</translation>
+    </message>
+</context>
+<context>
+    <name>ui.unarchive_trial</name>
+    <message>
+        <source>take %1 out of the archive</source>
+        <translation>%1 보관 해제</translation>
+    </message>
+</context>
+<context>
+    <name>ui.unarchive_trials</name>
+    <message>
+        <source>take %1 trials out of the archive</source>
+        <translation>시행 %1개 보관 해제</translation>
+    </message>
+</context>
+<context>
+    <name>ui.undelete_trial</name>
+    <message>
+        <source>take %1 out of the bin</source>
+        <translation>%1 휴지통에서 복원</translation>
+    </message>
+</context>
+<context>
+    <name>ui.undelete_trials</name>
+    <message>
+        <source>take %1 trials out of the bin</source>
+        <translation>시행 %1개 휴지통에서 복원</translation>
+    </message>
+</context>
+<context>
+    <name>ui.undo</name>
+    <message>
+        <source>undo</source>
+        <translation>실행 취소</translation>
+    </message>
+</context>
+<context>
+    <name>ui.undo_in_menu</name>
+    <message>
+        <source>what was changed before is taken back in the window&apos;s menu Edit</source>
+        <translation>이전에 변경한 것은 창의 편집 메뉴에서 되돌리십시오</translation>
+    </message>
+</context>
+<context>
+    <name>ui.unpacking</name>
+    <message>
+        <source>Unpacking the project</source>
+        <translation>프로젝트 푸는 중</translation>
+    </message>
+</context>
+<context>
+    <name>ui.unstar_trial</name>
+    <message>
+        <source>take the star off %1</source>
+        <translation>%1 별표 떼기</translation>
+    </message>
+</context>
+<context>
+    <name>ui.unstar_trials</name>
+    <message>
+        <source>take the star off %1 trials</source>
+        <translation>시행 %1개 별표 떼기</translation>
+    </message>
+</context>
+<context>
+    <name>ui.video_size_wrong</name>
+    <message>
+        <source>its size of %1x%2 is odd, or not from 320x180 to 3840x2160</source>
+        <translation>크기 %1x%2이(가) 홀수이거나 320x180에서 3840x2160 사이가 아닙니다</translation>
+    </message>
+</context>
+<context>
+    <name>ui.video_speed_wrong</name>
+    <message>
+        <source>its speed is not from 0.1 to 1</source>
+        <translation>속도가 0.1에서 1 사이가 아닙니다</translation>
+    </message>
+</context>
+<context>
+    <name>ui.videos_made</name>
+    <message>
+        <source>Videos made: %1 of %2</source>
+        <translation>만든 동영상: %2개 중 %1개</translation>
+    </message>
+</context>
+<context>
+    <name>ui.wait_or_cancel</name>
+    <message>
+        <source>wait until it is done, or cancel it</source>
+        <translation>끝날 때까지 기다리거나 취소하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>ui.write_notes</name>
+    <message>
+        <source>write notes of %1</source>
+        <translation>%1의 메모 쓰기</translation>
+    </message>
+</context>
+<context>
+    <name>ui.writing_back</name>
+    <message>
+        <source>writing back</source>
+        <translation>되쓰기</translation>
+    </message>
+</context>
+<context>
+    <name>video.cannot_decode</name>
+    <message>
+        <source>cannot decode the video</source>
+        <translation>동영상을 해독할 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.cannot_decode_all</name>
+    <message>
+        <source>cannot decode all of a frame</source>
+        <translation>프레임 전체를 복호화할 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.cannot_decode_frame</name>
+    <message>
+        <source>cannot decode frame %1 of %2</source>
+        <translation>%2의 프레임 %1을(를) 해독할 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.cannot_encode</name>
+    <message>
+        <source>cannot encode the video</source>
+        <translation>동영상을 인코딩할 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.cannot_finish</name>
+    <message>
+        <source>cannot finish the video %1</source>
+        <translation>동영상 %1을(를) 마칠 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.cannot_open</name>
+    <message>
+        <source>cannot open the video %1</source>
+        <translation>동영상 %1을(를) 열 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.cannot_read_picture</name>
+    <message>
+        <source>cannot read the picture %1</source>
+        <translation>그림 %1을(를) 읽을 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.cannot_show_frame</name>
+    <message>
+        <source>cannot show frame %1 of %2</source>
+        <translation>%2의 프레임 %1을(를) 표시할 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.cannot_write</name>
+    <message>
+        <source>cannot write the video %1</source>
+        <translation>동영상 %1을(를) 쓸 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.cannot_write_frame</name>
+    <message>
+        <source>cannot write a frame to the video %1</source>
+        <translation>동영상 %1에 프레임을 쓸 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.cannot_write_recording</name>
+    <message>
+        <source>cannot write the recording %1</source>
+        <translation>녹화 %1을(를) 쓸 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.check_its_folder</name>
+    <message>
+        <source>check that its folder may be written to and has room</source>
+        <translation>폴더에 쓸 수 있고 여유가 있는지 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>video.check_picture_place</name>
+    <message>
+        <source>check the folder, the free space, and that the name ends in .png or .jpg</source>
+        <translation>폴더와 여유 공간, 이름이 .png나 .jpg로 끝나는지 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>video.check_room</name>
+    <message>
+        <source>check that there is room on the disk</source>
+        <translation>디스크에 여유가 있는지 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>video.check_the_folder</name>
+    <message>
+        <source>check that the folder exists, may be written to and has room</source>
+        <translation>폴더가 있고 쓸 수 있으며 여유가 있는지 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>video.check_what_was_asked</name>
+    <message>
+        <source>check the size, the frame rate and the quality that were asked for</source>
+        <translation>요청한 크기, 프레임 속도, 품질을 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>video.choose_one_of_these</name>
+    <message>
+        <source>choose one of these</source>
+        <translation>그중에서 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>video.convert_to_h264</name>
+    <message>
+        <source>convert it to H.264</source>
+        <translation>H.264로 변환하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>video.convert_to_png</name>
+    <message>
+        <source>convert it to PNG or JPEG</source>
+        <translation>PNG나 JPEG로 변환하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>video.convert_to_smaller</name>
+    <message>
+        <source>convert it to a smaller size</source>
+        <translation>더 작은 크기로 변환하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>video.convert_to_yuv</name>
+    <message>
+        <source>convert it to 8-bit YUV, e.g. ffmpeg -i FILE -pix_fmt yuv420p NEW.mp4</source>
+        <translation>8비트 YUV로 변환하십시오. 예: ffmpeg -i FILE -pix_fmt yuv420p NEW.mp4</translation>
+    </message>
+</context>
+<context>
+    <name>video.copy_again</name>
+    <message>
+        <source>copy it again</source>
+        <translation>다시 복사하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>video.copy_from_camera</name>
+    <message>
+        <source>copy it from the camera again</source>
+        <translation>카메라에서 다시 복사하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>video.copy_if_cut_short</name>
+    <message>
+        <source>copy it from the camera again if it was cut short</source>
+        <translation>잘렸다면 카메라에서 다시 복사하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>video.data_damaged</name>
+    <message>
+        <source>its data are damaged</source>
+        <translation>데이터가 손상되었습니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.decoder_not_started</name>
+    <message>
+        <source>its decoder would not start (%1)</source>
+        <translation>디코더가 시작되지 않습니다 (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>video.each_at_its_time</name>
+    <message>
+        <source>each counts at its own time</source>
+        <translation>각 그림은 그 자신의 시각으로 계산됩니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.encoder_not_started</name>
+    <message>
+        <source>the encoder would not start (%1)</source>
+        <translation>인코더가 시작되지 않습니다 (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>video.ends_early</name>
+    <message>
+        <source>ends early at %1</source>
+        <translation>%1에서 일찍 끝납니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.even_rate_assumed</name>
+    <message>
+        <source>an even %1 is assumed</source>
+        <translation>일정하게 %1인 것으로 봅니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.failed_before</name>
+    <message>
+        <source>writing has failed before</source>
+        <translation>앞서 쓰기에 실패했습니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.file_is_empty</name>
+    <message>
+        <source>the file is empty</source>
+        <translation>파일이 비어 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.file_not_read</name>
+    <message>
+        <source>the file could not be read</source>
+        <translation>파일을 읽지 못했습니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.format_differs</name>
+    <message>
+        <source>its format differs from the video&apos;s</source>
+        <translation>형식이 동영상과 다릅니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.frame_left_out</name>
+    <message>
+        <source>it is left out</source>
+        <translation>제외됩니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.frames_it_has</name>
+    <message>
+        <source>it has frames 0 to %1</source>
+        <translation>프레임 0부터 %1까지 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.frames_left_out</name>
+    <message>
+        <source>%1 frames left out</source>
+        <translation>프레임 %1개 제외</translation>
+    </message>
+</context>
+<context>
+    <name>video.frames_not_encodable</name>
+    <message>
+        <source>frames of this size or chroma format cannot be encoded</source>
+        <translation>이 크기나 색차 형식의 프레임은 부호화할 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.give_another_format</name>
+    <message>
+        <source>let the camera give another format</source>
+        <translation>카메라가 다른 형식을 내보내게 하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>video.give_camera_file</name>
+    <message>
+        <source>give the file that the camera recorded</source>
+        <translation>카메라가 녹화한 파일을 지정하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>video.give_container</name>
+    <message>
+        <source>give an MP4, MOV, MKV or AVI file</source>
+        <translation>MP4, MOV, MKV 또는 AVI 파일을 지정하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>video.give_known_ending</name>
+    <message>
+        <source>give it one of these endings</source>
+        <translation>이 중 하나로 끝나게 하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>video.give_rate</name>
+    <message>
+        <source>give the frames per second, e.g. 30</source>
+        <translation>초당 프레임 수를 주십시오. 예: 30</translation>
+    </message>
+</context>
+<context>
+    <name>video.h264_needs_even</name>
+    <message>
+        <source>H.264 needs an even width and height, not %1</source>
+        <translation>H.264는 %1이(가) 아니라 짝수의 너비와 높이가 필요합니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.header_not_rewritten</name>
+    <message>
+        <source>its header could not be rewritten</source>
+        <translation>헤더를 다시 쓰지 못했습니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.header_promises</name>
+    <message>
+        <source>its header promises %1</source>
+        <translation>헤더에는 %1(으)로 되어 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.install_libavcodec</name>
+    <message>
+        <source>install Debian&apos;s libavcodec</source>
+        <translation>Debian의 libavcodec을 설치하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>video.install_libx264</name>
+    <message>
+        <source>install Debian&apos;s libavcodec with libx264</source>
+        <translation>libx264가 든 Debian의 libavcodec을 설치하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>video.is_finished</name>
+    <message>
+        <source>it is finished</source>
+        <translation>이미 마쳤습니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.largest_picture</name>
+    <message>
+        <source>more than 50 megapixels or 32000 pixels a side are not read</source>
+        <translation>5천만 화소 또는 한 변 32000픽셀을 넘으면 읽지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.make_smaller</name>
+    <message>
+        <source>make it smaller</source>
+        <translation>더 작게 하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>video.name_a_picture</name>
+    <message>
+        <source>name a picture</source>
+        <translation>그림을 지정하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_decoder</name>
+    <message>
+        <source>there is no decoder for %1</source>
+        <translation>%1의 디코더가 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_encoder</name>
+    <message>
+        <source>the installed libavcodec has no encoder for it</source>
+        <translation>설치된 libavcodec에 그 인코더가 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_ffv1_in_mp4</name>
+    <message>
+        <source>FFV1 does not go into MP4</source>
+        <translation>FFV1은 MP4에 넣을 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_frame_written</name>
+    <message>
+        <source>no frame was written to it</source>
+        <translation>프레임이 하나도 쓰이지 않았습니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_jpeg_layout</name>
+    <message>
+        <source>JPEG does not have its layout of colours</source>
+        <translation>JPEG에는 그 색 배열이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_known_ending</name>
+    <message>
+        <source>its name ends with neither .mkv nor .mp4</source>
+        <translation>이름이 .mkv나 .mp4로 끝나지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_picture_format</name>
+    <message>
+        <source>it is no PNG, JPEG, BMP, TIFF or PNM picture</source>
+        <translation>PNG, JPEG, BMP, TIFF, PNM 그림이 아닙니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_stream</name>
+    <message>
+        <source>it holds no video stream that can be read</source>
+        <translation>읽을 수 있는 동영상이 들어 있지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_time_scale</name>
+    <message>
+        <source>its time scale was not found where the muxer should have put it</source>
+        <translation>먹서가 넣어야 할 곳에 시간 단위가 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_time_stamps</name>
+    <message>
+        <source>the file has no time stamps</source>
+        <translation>파일에 시간 기록이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_video_kind</name>
+    <message>
+        <source>it is not a video of a kind that is read, or its header is damaged or missing (%1)</source>
+        <translation>읽을 수 있는 동영상이 아니거나 헤더가 손상되었거나 없습니다 (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_whole_frame</name>
+    <message>
+        <source>not one whole frame is in it</source>
+        <translation>온전한 프레임이 하나도 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.packet_damaged</name>
+    <message>
+        <source>a packet there is damaged</source>
+        <translation>그곳의 패킷이 손상되었습니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.picture</name>
+    <message>
+        <source>picture</source>
+        <translation>사진</translation>
+    </message>
+</context>
+<context>
+    <name>video.picture_claims_size</name>
+    <message>
+        <source>it says that it has %1 pixels</source>
+        <translation>%1픽셀이라고 되어 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.picture_damaged</name>
+    <message>
+        <source>its content is damaged or cut short</source>
+        <translation>내용이 손상되었거나 잘렸습니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.picture_file_too_large</name>
+    <message>
+        <source>the file is larger than 200 MB</source>
+        <translation>파일이 200 MB보다 큽니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.picture_format_unknown</name>
+    <message>
+        <source>its format is not known</source>
+        <translation>형식을 알 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.picture_named</name>
+    <message>
+        <source>picture &apos;%1&apos;</source>
+        <translation>사진 &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>video.picture_not_coded</name>
+    <message>
+        <source>a picture cannot be coded</source>
+        <translation>영상을 부호화할 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.picture_not_packed</name>
+    <message>
+        <source>it could not be packed</source>
+        <translation>압축하지 못했습니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.pictures_too_large</name>
+    <message>
+        <source>its pictures have more than 100 megapixels or 32000 pixels a side</source>
+        <translation>영상이 1억 화소 또는 한 변 32000픽셀을 넘습니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.pixel_format_not_read</name>
+    <message>
+        <source>its pixel format %1 is not read</source>
+        <translation>픽셀 형식 %1은(는) 읽지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.rate_not_positive</name>
+    <message>
+        <source>its frame rate is not positive</source>
+        <translation>프레임 속도가 양수가 아닙니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.rate_varies</name>
+    <message>
+        <source>its frame rate varies, pictures are %1 to %2 apart</source>
+        <translation>프레임 속도가 일정하지 않아 그림 간격이 %1~%2입니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.report_bug</name>
+    <message>
+        <source>report this as a bug</source>
+        <translation>이 문제를 버그로 알려 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>video.siting_not_set</name>
+    <message>
+        <source>the chroma siting could not be set (%1)</source>
+        <translation>색차 위치를 정하지 못했습니다 (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>video.size_not_found</name>
+    <message>
+        <source>the size of its pictures could not be found out</source>
+        <translation>영상의 크기를 알아내지 못했습니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.sound_part_used</name>
+    <message>
+        <source>its sound part is used</source>
+        <translation>온전한 부분만 씁니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.stamps_repeat</name>
+    <message>
+        <source>their time stamps repeat the frame before</source>
+        <translation>시간 기록이 앞 프레임과 같습니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.stamps_span</name>
+    <message>
+        <source>its time stamps span %1</source>
+        <translation>시간 기록의 폭이 %1입니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.start_it_again</name>
+    <message>
+        <source>start it again</source>
+        <translation>다시 시작하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>video.start_video_again</name>
+    <message>
+        <source>start the video again</source>
+        <translation>동영상을 다시 시작하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>video.time_not_after</name>
+    <message>
+        <source>its time is not after the frame&apos;s before it</source>
+        <translation>시간이 앞 프레임보다 뒤가 아닙니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.unknown_format_not_read</name>
+    <message>
+        <source>its pixel format (unknown) is not read</source>
+        <translation>(알 수 없는) 픽셀 형식은 읽지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>video.use_another_picture</name>
+    <message>
+        <source>use another picture</source>
+        <translation>다른 사진을 쓰십시오</translation>
+    </message>
+</context>
+<context>
+    <name>video.use_mjpeg</name>
+    <message>
+        <source>use MJPEG or FFV1, or another size</source>
+        <translation>MJPEG나 FFV1, 또는 다른 크기를 쓰십시오</translation>
+    </message>
+</context>
+<context>
+    <name>video.use_mkv</name>
+    <message>
+        <source>use the ending .mkv</source>
+        <translation>확장자 .mkv를 쓰십시오</translation>
+    </message>
+</context>
+<context>
+    <name>video.use_other_chroma</name>
+    <message>
+        <source>use 4:2:0, 4:2:2 or 4:4:4</source>
+        <translation>4:2:0, 4:2:2 또는 4:4:4를 쓰십시오</translation>
+    </message>
+</context>
+<context>
+    <name>video.write_at_least_one</name>
+    <message>
+        <source>write at least one</source>
+        <translation>하나 이상 쓰십시오</translation>
+    </message>
+</context>
+<context>
+    <name>video.write_in_order</name>
+    <message>
+        <source>write the frames in order, at least a microsecond apart</source>
+        <translation>프레임을 순서대로, 1마이크로초 이상 간격으로 쓰십시오</translation>
+    </message>
+</context>
+<context>
+    <name>video.write_one_format</name>
+    <message>
+        <source>write one format to a file</source>
+        <translation>한 파일에는 한 형식만 쓰십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.add_one_with</name>
+    <message>
+        <source>add one with</source>
+        <translation>다음으로 추가하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.added_with_colour</name>
+    <message>
+        <source>it was added with the colour %1</source>
+        <translation>색 %1(으)로 추가했습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.address_of_live_positions</name>
+    <message>
+        <source>address &apos;%1&apos; of live positions</source>
+        <translation>실시간 위치의 주소 &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.analyse_anew_with</name>
+    <message>
+        <source>analyse them anew with</source>
+        <translation>다음으로 다시 분석하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.analysing</name>
+    <message>
+        <source>analysing</source>
+        <translation>분석 중</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.analysing_robot</name>
+    <message>
+        <source>analysing %1</source>
+        <translation>%1 분석 중</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.another_picture_size</name>
+    <message>
+        <source>its pictures are %1 but the camera was calibrated at %2</source>
+        <translation>영상은 %1인데 카메라는 %2에서 보정되었습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.beyond_limits</name>
+    <message>
+        <source>%1 of what was measured is beyond the limits of task &apos;%2&apos;, so that they were left out</source>
+        <translation>측정값의 %1가 과제 &apos;%2&apos;의 한계를 넘어 한계를 적용하지 않았습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.board_in_no_picture</name>
+    <message>
+        <source>the board was found in none of %1 pictures (%2)</source>
+        <translation>사진 %1장 어디에서도 보드를 찾지 못했습니다 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.by_layout_and_lens</name>
+    <message>
+        <source>layout &apos;%1&apos;, lens of calibration %2</source>
+        <translation>배치 &apos;%1&apos;, 보정 %2의 렌즈</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.by_layout_without_lens</name>
+    <message>
+        <source>layout &apos;%1&apos;, lens not calibrated</source>
+        <translation>배치 &apos;%1&apos;, 렌즈 보정 안 됨</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibrate_at_its_size</name>
+    <message>
+        <source>calibrate it at the size it records.</source>
+        <translation>녹화하는 크기로 보정하십시오.</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibrate_at_recorded_size</name>
+    <message>
+        <source>calibrate and register the camera at the size it records</source>
+        <translation>녹화하는 크기로 카메라를 보정하고 정합하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibrate_camera</name>
+    <message>
+        <source>calibrate camera %1</source>
+        <translation>카메라 %1 보정</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibrate_if_touched</name>
+    <message>
+        <source>if zoom, focus or the camera&apos;s settings were touched since, calibrate it again.</source>
+        <translation>그 뒤 줌, 초점 또는 카메라 설정을 건드렸다면 다시 보정하십시오.</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibrate_it</name>
+    <message>
+        <source>calibrate it.</source>
+        <translation>보정하십시오.</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibrate_lens_first</name>
+    <message>
+        <source>calibrate the lens first, or put another calibration in force</source>
+        <translation>먼저 렌즈를 보정하거나 다른 보정을 적용하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibrate_or_give_picture</name>
+    <message>
+        <source>calibrate it, import its intrinsics, or give --image or --video as well</source>
+        <translation>보정하거나 내부 파라미터를 가져오거나 --image나 --video도 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibrate_or_import_trial</name>
+    <message>
+        <source>calibrate it, import its intrinsics, or import a trial with it first</source>
+        <translation>먼저 보정하거나, 내부 파라미터나 이 카메라의 시행을 가져오십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibrated_from_pictures</name>
+    <message>
+        <source>calibrated from %1 pictures</source>
+        <translation>사진 %1장으로 보정</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibrating_camera</name>
+    <message>
+        <source>calibrating camera %1</source>
+        <translation>카메라 %1 보정 중</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibration</name>
+    <message>
+        <source>calibration %1</source>
+        <translation>보정 %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibration_of_camera</name>
+    <message>
+        <source>calibration of camera &apos;%1&apos;</source>
+        <translation>카메라 &apos;%1&apos;의 보정</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibration_picture</name>
+    <message>
+        <source>calibration picture &apos;%1&apos;</source>
+        <translation>보정 사진 &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.camera_gave_no_picture</name>
+    <message>
+        <source>camera &apos;%1&apos; gave no picture</source>
+        <translation>카메라 &apos;%1&apos;에서 영상이 오지 않았습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.camera_given_twice</name>
+    <message>
+        <source>camera &apos;%1&apos; or its address &apos;%2&apos; was given twice</source>
+        <translation>카메라 &apos;%1&apos; 또는 주소 &apos;%2&apos;이(가) 두 번 주어졌습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.camera_given_two_videos</name>
+    <message>
+        <source>camera &apos;%1&apos; was given two videos</source>
+        <translation>카메라 &apos;%1&apos;에 동영상이 두 개 지정되었습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.camera_not_on_floor</name>
+    <message>
+        <source>camera &apos;%1&apos; is not registered to the floor</source>
+        <translation>카메라 &apos;%1&apos;이(가) 바닥에 정합되지 않았습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.camera_not_registered</name>
+    <message>
+        <source>camera &apos;%1&apos; is not registered</source>
+        <translation>카메라 &apos;%1&apos;이(가) 정합되지 않았습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.cannot_be_looked_at</name>
+    <message>
+        <source>it cannot be looked at (%1)</source>
+        <translation>살펴볼 수 없습니다 (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.cannot_write</name>
+    <message>
+        <source>cannot write &apos;%1&apos;</source>
+        <translation>&apos;%1&apos;을(를) 쓸 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.changed_in_file</name>
+    <message>
+        <source>they were changed in the file</source>
+        <translation>파일에서 변경되었습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_cable_and_bandwidth</name>
+    <message>
+        <source>check cable, bandwidth and what else this machine does</source>
+        <translation>케이블, 대역폭, 이 컴퓨터의 다른 작업을 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_files_and_offset</name>
+    <message>
+        <source>check the files and the --sync offset</source>
+        <translation>파일과 오프셋을 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_folder_is_there</name>
+    <message>
+        <source>check that the folder is there and may be read</source>
+        <translation>폴더가 있고 읽을 수 있는지 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_it_is_connected</name>
+    <message>
+        <source>check that it is connected and not used by another program</source>
+        <translation>연결되어 있고 다른 프로그램이 쓰지 않는지 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_it_is_there</name>
+    <message>
+        <source>check that it is there and may be read</source>
+        <translation>있고 읽을 수 있는지 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_its_cable</name>
+    <message>
+        <source>check its cable, and whether another program uses it</source>
+        <translation>케이블과 다른 프로그램이 쓰고 있는지 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_or_analyse_again</name>
+    <message>
+        <source>run odograph check, or analyse the trial again</source>
+        <translation>odograph check를 실행하거나 시행을 다시 분석하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_or_register_again</name>
+    <message>
+        <source>check that the camera has not moved, or register it again.</source>
+        <translation>카메라가 움직이지 않았는지 확인하거나 다시 정합하십시오.</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_rate</name>
+    <message>
+        <source>the views are joined by time, check --rate if one is slow motion</source>
+        <translation>뷰는 시간으로 결합됩니다. 슬로 모션이면 --rate를 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_room_and_rights</name>
+    <message>
+        <source>check the free space and the rights of the project&apos;s folder</source>
+        <translation>프로젝트 폴더의 여유 공간과 권한을 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_they_are_connected</name>
+    <message>
+        <source>check that they are connected and not used by another program</source>
+        <translation>연결되어 있고 다른 프로그램이 쓰지 않는지 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_views_of_one_run</name>
+    <message>
+        <source>outside it only one view measures, so check that both belong to one run</source>
+        <translation>그 밖에서는 한 뷰만 측정하므로 둘이 같은 주행인지 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_whether_moved</name>
+    <message>
+        <source>check whether camera %1 has moved</source>
+        <translation>카메라 %1이(가) 움직였는지 확인</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_another_name</name>
+    <message>
+        <source>choose another name</source>
+        <translation>다른 이름을 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_another_one</name>
+    <message>
+        <source>choose another one</source>
+        <translation>다른 것을 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_another_run</name>
+    <message>
+        <source>choose another run as well</source>
+        <translation>다른 주행도 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_calibration</name>
+    <message>
+        <source>choose calibration %1 of camera %2</source>
+        <translation>카메라 %2의 보정 %1 선택</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_folder_for_demo</name>
+    <message>
+        <source>choose a folder you can write to, with 300 MB free</source>
+        <translation>쓸 수 있고 300 MB의 여유가 있는 폴더를 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_folder_of_copies</name>
+    <message>
+        <source>choose the folder where they were copied to</source>
+        <translation>복사해 둔 폴더를 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_frame</name>
+    <message>
+        <source>choose one from %1 to %2</source>
+        <translation>%1에서 %2 사이에서 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_interface</name>
+    <message>
+        <source>choose one that `ip link` names, or lo to stay on this machine</source>
+        <translation>`ip link`에 나오는 것을 고르거나, 이 컴퓨터에서만 쓰려면 lo를 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_measured_frame</name>
+    <message>
+        <source>choose a frame with a measurement</source>
+        <translation>측정값이 있는 프레임을 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_one_of_them</name>
+    <message>
+        <source>choose one of them</source>
+        <translation>그중 하나를 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_registration</name>
+    <message>
+        <source>choose registration %1 of camera %2</source>
+        <translation>카메라 %2의 정합 %1 선택</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_robot_of_trial</name>
+    <message>
+        <source>choose a robot of the trial</source>
+        <translation>시행의 로봇을 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_time</name>
+    <message>
+        <source>choose a time from %1 to %2</source>
+        <translation>%1에서 %2 사이의 시간을 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_with_robot</name>
+    <message>
+        <source>choose one with --robot</source>
+        <translation>--robot으로 하나를 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_writable_folder</name>
+    <message>
+        <source>choose a folder that you may write to</source>
+        <translation>쓸 수 있는 폴더를 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.close_other_programs</name>
+    <message>
+        <source>close other programs and try again</source>
+        <translation>다른 프로그램을 닫고 다시 시도하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.compared_with_itself</name>
+    <message>
+        <source>a run cannot be compared with itself</source>
+        <translation>주행을 자기 자신과 비교할 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.comparison</name>
+    <message>
+        <source>comparison</source>
+        <translation>비교</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.comparison_of_trial</name>
+    <message>
+        <source>comparison of trial &apos;%1&apos;</source>
+        <translation>시행 &apos;%1&apos;의 비교</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.complete_trial</name>
+    <message>
+        <source>complete %1, whose recording was cut off</source>
+        <translation>녹화가 끊긴 %1 완성</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.completing_recording</name>
+    <message>
+        <source>completing a recording that was cut off</source>
+        <translation>중단된 녹화를 완성하는 중</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.completing_recordings</name>
+    <message>
+        <source>completing the recordings</source>
+        <translation>녹화 완성</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.computing_intrinsics</name>
+    <message>
+        <source>computing the intrinsics</source>
+        <translation>내부 파라미터 계산 중</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.copy</name>
+    <message>
+        <source>copy &apos;%1&apos;</source>
+        <translation>사본 &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.copy_of</name>
+    <message>
+        <source>copy of &apos;%1&apos;</source>
+        <translation>&apos;%1&apos;의 사본</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.copying_project</name>
+    <message>
+        <source>copying the project</source>
+        <translation>프로젝트 복사 중</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.demo</name>
+    <message>
+        <source>demo</source>
+        <translation>데모</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.demo_in</name>
+    <message>
+        <source>demo in &apos;%1&apos;</source>
+        <translation>&apos;%1&apos;의 데모</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.demo_is_there</name>
+    <message>
+        <source>%1 is there already</source>
+        <translation>%1이(가) 이미 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.doubtful_name</name>
+    <message>
+        <source>from %1 to %2 it is doubtful whether this is %3 or %4</source>
+        <translation>%1부터 %2까지 이것이 %3인지 %4인지 확실하지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.doubtful_name_unknown</name>
+    <message>
+        <source>from %1 to %2 it is doubtful whether this is %3 or another robot of its look</source>
+        <translation>%1부터 %2까지 이것이 %3인지 겉모습이 같은 다른 로봇인지 확실하지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.doubtful_names</name>
+    <message>
+        <source>from %1 to %2 (the first of %3 times) it is doubtful whether this is %4 or %5</source>
+        <translation>%1부터 %2까지(%3번 중 첫 번째) 이것이 %4인지 %5인지 확실하지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.doubtful_names_unknown</name>
+    <message>
+        <source>from %1 to %2 (the first of %3 times) it is doubtful whether this is %4 or another robot of its look</source>
+        <translation>%1부터 %2까지(%3번 중 첫 번째) 이것이 %4인지 겉모습이 같은 다른 로봇인지 확실하지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.doubtful_step</name>
+    <message>
+        <source>it is in step to %1 only, which is %2 at 1 m/s</source>
+        <translation>동기 오차가 %1로, 1 m/s에서 %2입니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.end_recording_first</name>
+    <message>
+        <source>end its recording first</source>
+        <translation>먼저 녹화를 끝내십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.error_estimated</name>
+    <message>
+        <source>positions to %1, as estimated from them</source>
+        <translation>위치의 오차 %1, 위치에서 추정</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.error_stated</name>
+    <message>
+        <source>positions to %1, as the file says</source>
+        <translation>위치의 오차 %1, 파일에 적힌 대로</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.export</name>
+    <message>
+        <source>export of &apos;%1&apos;</source>
+        <translation>&apos;%1&apos; 내보내기</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.faster_disk_or_fewer_cameras</name>
+    <message>
+        <source>record to a faster disk, or fewer cameras at once</source>
+        <translation>더 빠른 디스크에, 또는 더 적은 카메라로 녹화하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.file_is_missing</name>
+    <message>
+        <source>%1 is missing</source>
+        <translation>%1이(가) 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.file_without_picture</name>
+    <message>
+        <source>it has no picture</source>
+        <translation>영상이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.fitting_cameras_together</name>
+    <message>
+        <source>fitting %1 cameras together</source>
+        <translation>카메라 %1대를 함께 피팅하는 중</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.floor_has_its_colour</name>
+    <message>
+        <source>its colour %1 is also that of the floor (%2 of view %3&apos;s picture)</source>
+        <translation>색 %1이(가) 바닥 색이기도 합니다 (뷰 %3 영상의 %2)</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.folder</name>
+    <message>
+        <source>folder &apos;%1&apos;</source>
+        <translation>폴더 &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.found_by_colour</name>
+    <message>
+        <source>it is found by its colour</source>
+        <translation>색으로 찾는 로봇입니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.frame_of_file</name>
+    <message>
+        <source>frame %1 of &apos;%2&apos;</source>
+        <translation>&apos;%2&apos;의 프레임 %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.frame_of_trial</name>
+    <message>
+        <source>frame %1 of trial &apos;%2&apos;</source>
+        <translation>시행 &apos;%2&apos;의 프레임 %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_another_file</name>
+    <message>
+        <source>give another file</source>
+        <translation>다른 파일을 지정하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_camera_rate</name>
+    <message>
+        <source>give the rate at which the camera took the frames</source>
+        <translation>카메라가 프레임을 찍은 속도를 입력하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_cameras</name>
+    <message>
+        <source>give one or more, like --camera A=sim:A</source>
+        <translation>--camera A=sim:A처럼 하나 이상 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_each_robot_one</name>
+    <message>
+        <source>give each robot one</source>
+        <translation>로봇마다 하나씩 지정하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_each_view_its_camera</name>
+    <message>
+        <source>give each view its own camera</source>
+        <translation>뷰마다 다른 카메라를 지정하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_limits_of_fastest</name>
+    <message>
+        <source>give the task the limits of its fastest robot</source>
+        <translation>과제에 가장 빠른 로봇의 한계를 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_offset_for_each</name>
+    <message>
+        <source>give one offset for each view but the first, like --sync 0.1,0.2, or use --sync auto</source>
+        <translation>--sync 0.1,0.2처럼 첫 뷰를 뺀 각 뷰의 오프셋을 주거나 --sync auto를 쓰십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_own_colours</name>
+    <message>
+        <source>give each a colour of its own</source>
+        <translation>각 로봇에 고유한 색을 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_picture_of_that_size</name>
+    <message>
+        <source>give a picture of that size</source>
+        <translation>그 크기의 영상을 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_pixels_or_picture</name>
+    <message>
+        <source>give --pixels pixels.csv, --image picture.png or --video clip.mp4</source>
+        <translation>--pixels pixels.csv, --image picture.png 또는 --video clip.mp4를 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_pre_roll</name>
+    <message>
+        <source>give a pre-roll of 0 to 10 seconds</source>
+        <translation>사전 녹화를 0초에서 10초 사이로 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_seconds</name>
+    <message>
+        <source>give the seconds, like 10</source>
+        <translation>10처럼 초를 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_task</name>
+    <message>
+        <source>give %1 the task %2</source>
+        <translation>%1에 과제 %2 지정</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_tracks</name>
+    <message>
+        <source>give one or more, like --track R=run.csv</source>
+        <translation>--track R=run.csv처럼 하나 이상 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_views</name>
+    <message>
+        <source>give one view or more, like --video A=a.mp4</source>
+        <translation>--video A=a.mp4처럼 뷰를 하나 이상 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.import_again_for_offset</name>
+    <message>
+        <source>import the videos again and let the offset be found, or tell it</source>
+        <translation>동영상을 다시 가져와 오프셋을 찾게 하거나 직접 지정하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.import_lens</name>
+    <message>
+        <source>import the lens of camera %1 from %2</source>
+        <translation>%2에서 카메라 %1의 렌즈 가져오기</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.import_of_trial</name>
+    <message>
+        <source>import of trial &apos;%1&apos;</source>
+        <translation>시행 &apos;%1&apos; 가져오기</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.import_roster</name>
+    <message>
+        <source>import the roster %1</source>
+        <translation>명단 %1 가져오기</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.import_trial</name>
+    <message>
+        <source>import trial %1</source>
+        <translation>시행 %1 가져오기</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.interface_of_live_positions</name>
+    <message>
+        <source>interface &apos;%1&apos; of live positions</source>
+        <translation>실시간 위치의 인터페이스 &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.intrinsics_of_camera</name>
+    <message>
+        <source>intrinsics of camera &apos;%1&apos;</source>
+        <translation>카메라 &apos;%1&apos;의 내부 파라미터</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.keeping_pictures</name>
+    <message>
+        <source>keeping the pictures</source>
+        <translation>사진 보관 중</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.leave_frame</name>
+    <message>
+        <source>leave frame %1 of %2 to the program</source>
+        <translation>%2의 프레임 %1을(를) 프로그램에 맡김</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.leave_out_trial</name>
+    <message>
+        <source>leave out %1, of which nothing was recorded</source>
+        <translation>녹화된 것이 없는 %1 제외</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lens_imported_from</name>
+    <message>
+        <source>imported from %1</source>
+        <translation>%1에서 가져옴</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lens_never_calibrated</name>
+    <message>
+        <source>The lens of camera &apos;%1&apos; was never calibrated, its distortion is taken as none</source>
+        <translation>카메라 &apos;%1&apos;의 렌즈는 보정된 적이 없어 왜곡이 없는 것으로 봅니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.link_lost_video</name>
+    <message>
+        <source>link a lost video</source>
+        <translation>잃어버린 동영상 연결</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.link_lost_videos</name>
+    <message>
+        <source>link %1 lost videos</source>
+        <translation>잃어버린 동영상 %1개 연결</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.little_common_time</name>
+    <message>
+        <source>%1 and %2 long, %3 in common</source>
+        <translation>길이 %1와 %2, 공통 %3</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.live_positions_to</name>
+    <message>
+        <source>live positions to %1</source>
+        <translation>%1(으)로 보내는 실시간 위치</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.live_tracking</name>
+    <message>
+        <source>live tracking</source>
+        <translation>실시간 추적</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.look_at_outlines</name>
+    <message>
+        <source>look at the outlines, and tell the robot&apos;s colour or keep others out of the pictures</source>
+        <translation>윤곽을 살펴보고, 로봇의 색을 지정하거나 다른 것이 영상에 들어오지 않게 하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.look_for_lost_videos</name>
+    <message>
+        <source>look for lost videos</source>
+        <translation>잃어버린 동영상 찾기</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.look_for_strays</name>
+    <message>
+        <source>look for stray files</source>
+        <translation>소속 없는 파일 찾기</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.look_in</name>
+    <message>
+        <source>look in &apos;%1&apos;</source>
+        <translation>&apos;%1&apos;에서 찾기</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.looking_for_board_in</name>
+    <message>
+        <source>looking for the board in %1</source>
+        <translation>%1에서 보드를 찾는 중</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.looking_for_files</name>
+    <message>
+        <source>looking for files</source>
+        <translation>파일 찾는 중</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.looking_for_markers_again</name>
+    <message>
+        <source>looking for the markers again</source>
+        <translation>마커를 다시 찾는 중</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.looking_for_markers_in</name>
+    <message>
+        <source>looking for the markers in %1</source>
+        <translation>%1에서 마커 찾는 중</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.looking_through_media</name>
+    <message>
+        <source>looking through the media folder</source>
+        <translation>미디어 폴더를 살펴보는 중</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lost_not_packed</name>
+    <message>
+        <source>the video of camera %1 in trial &apos;%2&apos; is lost, and not in the packed project</source>
+        <translation>시행 &apos;%2&apos;의 카메라 %1 동영상이 없어 묶은 프로젝트에 들어 있지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lost_video_not_there</name>
+    <message>
+        <source>the lost video is not there</source>
+        <translation>잃어버린 동영상이 거기 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lost_videos</name>
+    <message>
+        <source>lost videos</source>
+        <translation>잃어버린 동영상</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lost_videos_not_there</name>
+    <message>
+        <source>none of the %1 lost videos is there</source>
+        <translation>잃어버린 동영상 %1개가 거기 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.made_through_registration</name>
+    <message>
+        <source>It was made through registration %1 of the project.</source>
+        <translation>프로젝트의 정합 %1을(를) 통해 이루어졌습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.made_with_it_already</name>
+    <message>
+        <source>it was made with it already</source>
+        <translation>이미 그것으로 만들어졌습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.making_hash</name>
+    <message>
+        <source>making the hash of %1</source>
+        <translation>%1의 해시를 만드는 중</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.map_behind</name>
+    <message>
+        <source>the map is %1 behind, none skipped</source>
+        <translation>지도 지연 %1, 건너뜀 없음</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.map_behind_and_skipping</name>
+    <message>
+        <source>the map is %1 behind, %2 skipped</source>
+        <translation>지도 지연 %1, %2개 건너뜀</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.mark_spike</name>
+    <message>
+        <source>mark frame %1 of %2 as a spike</source>
+        <translation>%2의 프레임 %1을(를) 이상점으로 지정</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.markers_for_camera</name>
+    <message>
+        <source>markers for camera &apos;%1&apos;</source>
+        <translation>카메라 &apos;%1&apos;의 마커</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.measure_again</name>
+    <message>
+        <source>measure %1 again</source>
+        <translation>%1 다시 측정</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.measure_it_again</name>
+    <message>
+        <source>measure it again</source>
+        <translation>다시 재십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.moved_cannot_be_told</name>
+    <message>
+        <source>whether %1 has moved cannot be told</source>
+        <translation>%1이(가) 움직였는지 알 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.name_another_camera</name>
+    <message>
+        <source>name another camera that is registered</source>
+        <translation>정합된 다른 카메라를 지정하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.name_its_camera</name>
+    <message>
+        <source>name one of its cameras</source>
+        <translation>시행의 카메라 가운데 하나를 지정하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.name_its_robot</name>
+    <message>
+        <source>name one of its robots</source>
+        <translation>시행의 로봇 가운데 하나를 지정하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.name_place_in_pixels</name>
+    <message>
+        <source>name it in pixels from the picture&apos;s top left corner</source>
+        <translation>영상 왼쪽 위 모서리부터 픽셀로 지정하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.name_robot_after_track</name>
+    <message>
+        <source>give the robot the name of one of them</source>
+        <translation>로봇에 그중 하나의 이름을 주십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.name_time_within_trial</name>
+    <message>
+        <source>name a time within the trial, in seconds</source>
+        <translation>시행 안의 시각을 초로 지정하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.nearly_all_beyond_limits</name>
+    <message>
+        <source>nearly all that was measured is beyond the limits of task &apos;%1&apos;, so that they were left out</source>
+        <translation>측정값이 거의 모두 과제 &apos;%1&apos;의 한계를 넘어 한계를 적용하지 않았습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.neither_lens_nor_recording</name>
+    <message>
+        <source>it has no intrinsics and no recording</source>
+        <translation>내부 파라미터도 녹화도 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.never_calibrated</name>
+    <message>
+        <source>it was never calibrated</source>
+        <translation>보정된 적이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.new_project</name>
+    <message>
+        <source>new project</source>
+        <translation>새 프로젝트</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_address_with_port</name>
+    <message>
+        <source>it is no IPv4 address with a port</source>
+        <translation>포트가 붙은 IPv4 주소가 아닙니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_camera_gave_picture</name>
+    <message>
+        <source>no camera gave a picture</source>
+        <translation>어느 카메라도 영상을 보내지 않았습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_camera_given</name>
+    <message>
+        <source>no camera was given</source>
+        <translation>카메라가 지정되지 않았습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_common_place</name>
+    <message>
+        <source>No place was measured by both analyses.</source>
+        <translation>두 분석이 함께 측정한 곳이 없습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_common_time</name>
+    <message>
+        <source>views &apos;%1&apos; and &apos;%2&apos; have no time in common with an offset of %3</source>
+        <translation>뷰 &apos;%1&apos;과(와) &apos;%2&apos;은(는) 오프셋 %3에서 겹치는 시간이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_live_positions</name>
+    <message>
+        <source>none of its cameras is registered to the floor, so there are no live positions to send</source>
+        <translation>바닥에 정합된 카메라가 없어 보낼 실시간 위치가 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_multicast</name>
+    <message>
+        <source>interface &apos;%1&apos; takes no multicast</source>
+        <translation>인터페이스 &apos;%1&apos;은(는) 멀티캐스트를 지원하지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_picture_read</name>
+    <message>
+        <source>no picture could be read</source>
+        <translation>어떤 사진도 읽지 못했습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_picture_then</name>
+    <message>
+        <source>the view has no picture at that time</source>
+        <translation>그 시각에 뷰의 영상이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_pixels_no_picture</name>
+    <message>
+        <source>neither their pixels nor a picture to look in was given</source>
+        <translation>픽셀도 찾아볼 영상도 지정되지 않았습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_robot</name>
+    <message>
+        <source>the project has no robot to look for</source>
+        <translation>프로젝트에 찾을 로봇이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_sample</name>
+    <message>
+        <source>the analysis has no sample</source>
+        <translation>분석에 샘플이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_socket</name>
+    <message>
+        <source>this machine gives no socket</source>
+        <translation>이 컴퓨터가 소켓을 내주지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_such_frame</name>
+    <message>
+        <source>there is no such frame</source>
+        <translation>그런 프레임이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_such_interface</name>
+    <message>
+        <source>this machine has none of that name</source>
+        <translation>이 컴퓨터에 그런 이름의 것이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_such_view</name>
+    <message>
+        <source>the trial has no such view</source>
+        <translation>시행에 그런 뷰가 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_track_given</name>
+    <message>
+        <source>no track was given</source>
+        <translation>궤적이 지정되지 않았습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_track_imported</name>
+    <message>
+        <source>no track of it was imported</source>
+        <translation>그 궤적을 가져오지 않았습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_track_of_that_name</name>
+    <message>
+        <source>none of its tracks is called &apos;%1&apos;; it has %2</source>
+        <translation>&apos;%1&apos;(이)라는 궤적이 없습니다; 있는 것: %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_video_given</name>
+    <message>
+        <source>no video was given</source>
+        <translation>동영상이 지정되지 않았습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_video_lost</name>
+    <message>
+        <source>no video of this project is lost</source>
+        <translation>이 프로젝트에 잃어버린 동영상이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.none_of_that_number</name>
+    <message>
+        <source>camera &apos;%1&apos; has none of that number</source>
+        <translation>카메라 &apos;%1&apos;에 그 번호가 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.not_measured_there</name>
+    <message>
+        <source>the robot was not measured there, so there is nothing to judge</source>
+        <translation>그곳에서 로봇이 측정되지 않아 판단할 것이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.not_registered_to_floor</name>
+    <message>
+        <source>it is not registered to the floor</source>
+        <translation>바닥에 정합되지 않았습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.not_synchronised</name>
+    <message>
+        <source>it is not synchronised but taken as begun together with the first view, so that a moving robot is not where the two views put it</source>
+        <translation>동기화되지 않고 첫 뷰와 함께 시작된 것으로 보았으므로, 움직이는 로봇은 두 뷰가 가리키는 곳에 있지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.not_tracked_in_trial</name>
+    <message>
+        <source>it is not tracked in trial &apos;%1&apos;</source>
+        <translation>시행 &apos;%1&apos;에서 추적하지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.not_tracked_yet</name>
+    <message>
+        <source>it has not been tracked yet</source>
+        <translation>아직 추적되지 않았습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.nothing_came</name>
+    <message>
+        <source>nothing came for %1, because %2</source>
+        <translation>%1 동안 아무것도 오지 않았습니다. 이유: %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.nothing_recorded</name>
+    <message>
+        <source>nothing was recorded</source>
+        <translation>아무것도 녹화되지 않았습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.nothing_said_there</name>
+    <message>
+        <source>nothing was said by hand there</source>
+        <translation>그곳에는 직접 지정한 것이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.nothing_stands_out</name>
+    <message>
+        <source>nothing stands out from the floor at %1,%2 at %3 for some frames</source>
+        <translation>%3 무렵 몇 프레임 동안 %1,%2에서 바닥과 구별되는 것이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.nothing_to_analyse_again</name>
+    <message>
+        <source>it has not been tracked yet, so there is nothing to analyse again</source>
+        <translation>아직 추적되지 않아 다시 분석할 것이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.nothing_to_do</name>
+    <message>
+        <source>there is nothing to do</source>
+        <translation>할 일이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.offsets_of_other_count</name>
+    <message>
+        <source>%1 views were given and the offsets of %2</source>
+        <translation>뷰는 %1개, 오프셋은 %2개가 주어졌습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.old_calibration</name>
+    <message>
+        <source>The lens calibration of camera &apos;%1&apos; is %2 days old</source>
+        <translation>카메라 &apos;%1&apos;의 렌즈 보정이 %2일 지났습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.old_registration</name>
+    <message>
+        <source>The floor registration of camera &apos;%1&apos; is %2 days old</source>
+        <translation>카메라 &apos;%1&apos;의 바닥 정합이 %2일 지났습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.one_follows_something_else</name>
+    <message>
+        <source>one of them follows something else, or is not where it was registered</source>
+        <translation>그중 하나가 다른 것을 따라가거나 등록된 자리에 있지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.only_frame</name>
+    <message>
+        <source>its only one is frame 0</source>
+        <translation>프레임 0뿐입니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.open_it_or_elsewhere</name>
+    <message>
+        <source>open it, or choose another folder</source>
+        <translation>열거나 다른 폴더를 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.other_sample_judged</name>
+    <message>
+        <source>another sample was judged by hand while this one was analysed</source>
+        <translation>이 표본을 분석하는 동안 다른 표본이 수동으로 판정되었습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.outside_picture</name>
+    <message>
+        <source>the place lies outside the picture</source>
+        <translation>그 위치는 영상 밖에 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.pack</name>
+    <message>
+        <source>pack &apos;%1&apos;</source>
+        <translation>&apos;%1&apos; 묶기</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.pick_or_take_colour</name>
+    <message>
+        <source>pick its colour again, or take the colour from it</source>
+        <translation>색을 다시 고르거나 색을 없애십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.picture_lost_here</name>
+    <message>
+        <source>1 picture was lost because this computer or its disk was too slow</source>
+        <translation>이 컴퓨터나 디스크가 너무 느려 영상 1개 누락</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.picture_lost_on_wire</name>
+    <message>
+        <source>1 picture was lost between the camera and this program</source>
+        <translation>카메라와 이 프로그램 사이에서 영상 1개 누락</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.picture_made_too_late</name>
+    <message>
+        <source>1 picture was lost because this machine was too slow to make them in time</source>
+        <translation>이 컴퓨터가 너무 느려 제때 만들지 못해 영상 1개 누락</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.picture_size_not_known</name>
+    <message>
+        <source>the size of its pictures is not known</source>
+        <translation>영상의 크기를 알 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.pictures_lost_here</name>
+    <message>
+        <source>%1 pictures were lost because this computer or its disk was too slow</source>
+        <translation>이 컴퓨터나 디스크가 너무 느려 영상 %1개 누락</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.pictures_lost_on_wire</name>
+    <message>
+        <source>%1 pictures were lost between the camera and this program</source>
+        <translation>카메라와 이 프로그램 사이에서 영상 %1개 누락</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.pictures_made_too_late</name>
+    <message>
+        <source>%1 pictures were lost because this machine was too slow to make them in time</source>
+        <translation>이 컴퓨터가 너무 느려 제때 만들지 못해 영상 %1개 누락</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.point_out_whole_robot</name>
+    <message>
+        <source>point it out where all of it is seen and it moves</source>
+        <translation>로봇 전체가 보이고 움직이는 곳에서 가리키십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.positions_change</name>
+    <message>
+        <source>Positions change by %1 RMS, at most by %2 (at %3).</source>
+        <translation>위치가 %1 RMS, 최대 %2 바뀝니다 (%3).</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.project</name>
+    <message>
+        <source>project &apos;%1&apos;</source>
+        <translation>프로젝트 &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.project_file_gone</name>
+    <message>
+        <source>the project&apos;s file is no longer there</source>
+        <translation>프로젝트 파일이 더 이상 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.project_lost</name>
+    <message>
+        <source>the project&apos;s file was deleted, renamed or replaced; recording goes on, and what is in it is rescued at the end</source>
+        <translation>프로젝트 파일이 삭제되거나 이름이 바뀌거나 교체되었습니다. 녹화는 계속되며 끝날 때 그 내용을 구해 냅니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.project_rescued</name>
+    <message>
+        <source>the project&apos;s file was deleted, renamed or replaced meanwhile; what was in it is rescued in &apos;%1&apos;, which is the project from now on</source>
+        <translation>그사이 프로젝트 파일이 삭제되거나 이름이 바뀌거나 교체되었습니다. 그 내용은 &apos;%1&apos;에 구해 두었으며 이제부터 이것이 프로젝트입니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.put_axes_elsewhere</name>
+    <message>
+        <source>put the axes of layout %1 elsewhere</source>
+        <translation>배치 %1의 축 옮기기</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.put_disk_back</name>
+    <message>
+        <source>put its disk or folder back where it was</source>
+        <translation>디스크나 폴더를 있던 곳에 되돌려 놓으십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.put_file_back</name>
+    <message>
+        <source>put the file back in its place, and open the project again</source>
+        <translation>파일을 제자리에 돌려놓고 프로젝트를 다시 여십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.put_plate_on_it</name>
+    <message>
+        <source>put a plate of another colour on it, or tell the colour it really has</source>
+        <translation>다른 색 판을 얹거나 실제 색을 지정하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.reading_file</name>
+    <message>
+        <source>reading %1</source>
+        <translation>%1 읽는 중</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.record</name>
+    <message>
+        <source>record %1</source>
+        <translation>%1 녹화</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.record_it_again</name>
+    <message>
+        <source>record it again</source>
+        <translation>다시 녹화하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.record_to_faster_disk</name>
+    <message>
+        <source>record to a faster disk</source>
+        <translation>더 빠른 디스크에 녹화하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.recorded_at_another_size</name>
+    <message>
+        <source>The newest recording of camera &apos;%1&apos; is %2, its lens was calibrated at %3</source>
+        <translation>카메라 &apos;%1&apos;의 최신 녹화는 %2이고 렌즈는 %3에서 보정되었습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.recording</name>
+    <message>
+        <source>recording</source>
+        <translation>녹화 중</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.recording_cut_off</name>
+    <message>
+        <source>its recording was cut off</source>
+        <translation>녹화가 중간에 끊겼습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.recording_of_trial</name>
+    <message>
+        <source>recording of trial &apos;%1&apos;</source>
+        <translation>시행 &apos;%1&apos; 녹화</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_camera</name>
+    <message>
+        <source>register camera %1</source>
+        <translation>카메라 %1 정합</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_camera_again</name>
+    <message>
+        <source>register camera %1 again</source>
+        <translation>카메라 %1 다시 정합</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_camera_through</name>
+    <message>
+        <source>register camera %1 through camera %2</source>
+        <translation>카메라 %2을(를) 통해 카메라 %1 정합</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_cameras_again</name>
+    <message>
+        <source>register the cameras again</source>
+        <translation>카메라를 다시 정합하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_cameras_together</name>
+    <message>
+        <source>register the cameras of layout %1 together</source>
+        <translation>배치 %1의 카메라 함께 정합</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_it_again</name>
+    <message>
+        <source>register it again.</source>
+        <translation>다시 정합하십시오.</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_it_first</name>
+    <message>
+        <source>register it first, by markers or through another camera</source>
+        <translation>먼저 마커나 다른 카메라를 통해 정합하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_or_do_not_send</name>
+    <message>
+        <source>run odograph register for one of them, or leave --ssl-vision out</source>
+        <translation>그중 하나를 정합하거나 --ssl-vision을 빼십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_through_it_again</name>
+    <message>
+        <source>register it through that camera again</source>
+        <translation>그 카메라를 통해 다시 정합하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registered_at_another_size</name>
+    <message>
+        <source>the picture is %1, the camera was registered at %2</source>
+        <translation>영상은 %1, 카메라는 %2에서 정합되었습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registered_before_calibration</name>
+    <message>
+        <source>The floor registration of camera &apos;%1&apos; was made before its lens was calibrated</source>
+        <translation>카메라 &apos;%1&apos;의 바닥 정합은 렌즈 보정 전에 이루어졌습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registered_through_another</name>
+    <message>
+        <source>it was registered through another camera</source>
+        <translation>다른 카메라를 통해 정합되었습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registered_with_other_lens</name>
+    <message>
+        <source>The floor registration of camera &apos;%1&apos; was made with another calibration of its lens than the one in force</source>
+        <translation>카메라 &apos;%1&apos;의 바닥 정합은 적용 중인 것과 다른 렌즈 보정으로 이루어졌습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registration</name>
+    <message>
+        <source>registration %1</source>
+        <translation>정합 %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registration_of_camera</name>
+    <message>
+        <source>registration of camera &apos;%1&apos;</source>
+        <translation>카메라 &apos;%1&apos;의 정합</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registration_through</name>
+    <message>
+        <source>registration of camera &apos;%1&apos; through &apos;%2&apos;</source>
+        <translation>&apos;%2&apos;을(를) 통한 카메라 &apos;%1&apos;의 정합</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registration_with_lens_in_force</name>
+    <message>
+        <source>registration of camera &apos;%1&apos; with the lens in force</source>
+        <translation>적용 중인 렌즈를 쓴 카메라 &apos;%1&apos;의 정합</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.remove_for_good</name>
+    <message>
+        <source>remove %1 for good</source>
+        <translation>%1 영구 삭제</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.remove_strays</name>
+    <message>
+        <source>remove stray files</source>
+        <translation>소속 없는 파일 제거</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.removing</name>
+    <message>
+        <source>removing %1</source>
+        <translation>%1 삭제 중</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.replaced_not_packed</name>
+    <message>
+        <source>the video of camera %1 in trial &apos;%2&apos; lies elsewhere and is another file than it was, and not in the packed project</source>
+        <translation>시행 &apos;%2&apos;의 카메라 %1 동영상은 다른 곳에 있고 예전과 다른 파일이어서 묶은 프로젝트에 들어 있지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.results_changed</name>
+    <message>
+        <source>its results are not those that its analysis gave</source>
+        <translation>결과가 분석에서 나온 값과 다릅니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.robot_given_two_tracks</name>
+    <message>
+        <source>robot &apos;%1&apos; was given two tracks</source>
+        <translation>로봇 &apos;%1&apos;에 궤적이 두 개 지정되었습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.robot_in_view</name>
+    <message>
+        <source>robot &apos;%1&apos; in view &apos;%2&apos;</source>
+        <translation>뷰 &apos;%2&apos;의 로봇 &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.robot_is_new</name>
+    <message>
+        <source>robot &apos;%1&apos; is new</source>
+        <translation>로봇 &apos;%1&apos;은(는) 새 로봇입니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.robot_not_tracked</name>
+    <message>
+        <source>robot &apos;%1&apos; was not tracked in it, but %2</source>
+        <translation>로봇 &apos;%1&apos;은(는) 추적되지 않았고, 추적된 것은 %2입니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.robot_pointed_out</name>
+    <message>
+        <source>robot &apos;%1&apos; pointed out in view &apos;%2&apos;</source>
+        <translation>뷰 &apos;%2&apos;에서 가리킨 로봇 &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.roster_line</name>
+    <message>
+        <source>line %1</source>
+        <translation>%1행</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.run_calibrate</name>
+    <message>
+        <source>run odograph calibrate, or odograph intrinsics import</source>
+        <translation>보정하거나 내부 파라미터를 가져오십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.run_track_first</name>
+    <message>
+        <source>run odograph track first</source>
+        <translation>먼저 추적하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.run_track_without_again</name>
+    <message>
+        <source>run odograph track without --again first</source>
+        <translation>먼저 --again 없이 추적하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.say_it_again</name>
+    <message>
+        <source>say it again for frame %1</source>
+        <translation>프레임 %1에 대해 다시 지정하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.see_flags_by_hand</name>
+    <message>
+        <source>see the flags by_hand in odograph export</source>
+        <translation>odograph export의 by_hand 표시를 보십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.see_revisions</name>
+    <message>
+        <source>see its revisions for those there are</source>
+        <translation>있는 것은 버전 목록에서 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.settling_names</name>
+    <message>
+        <source>settling which robot is which</source>
+        <translation>로봇 구별 중</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.several_robots</name>
+    <message>
+        <source>it has several robots</source>
+        <translation>로봇이 여럿입니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.show_whole_board</name>
+    <message>
+        <source>show the whole board, flat, sharp and evenly lit, and check --pattern and --board</source>
+        <translation>보드 전체를 평평하고 선명하고 고르게 밝게 보여 주고 무늬와 크기를 확인하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.spikes_change</name>
+    <message>
+        <source>Spikes: %1 instead of %2.</source>
+        <translation>이상점: %2개 대신 %1개.</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.synchronisation_of_view</name>
+    <message>
+        <source>synchronisation of view &apos;%1&apos;</source>
+        <translation>뷰 &apos;%1&apos;의 동기화</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.take_fewer_cameras</name>
+    <message>
+        <source>close other programs, or take fewer such cameras at once</source>
+        <translation>다른 프로그램을 닫거나 그런 카메라를 더 적게 쓰십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.take_over_set_up</name>
+    <message>
+        <source>take over the set-up of %1</source>
+        <translation>%1의 설정 이어받기</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.taken_as_begun_together</name>
+    <message>
+        <source>%1, so it is taken as begun together</source>
+        <translation>%1. 그래서 함께 시작된 것으로 봅니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.takes_two_runs</name>
+    <message>
+        <source>it takes two runs</source>
+        <translation>주행 두 개가 필요합니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.taking_over_set_up</name>
+    <message>
+        <source>taking over the set-up</source>
+        <translation>설정 이어받는 중</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.task_was_changed</name>
+    <message>
+        <source>its task was changed while it was measured</source>
+        <translation>측정하는 동안 과제가 바뀌었습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.through_itself</name>
+    <message>
+        <source>a camera cannot be registered through itself</source>
+        <translation>카메라를 자기 자신을 통해 정합할 수 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.time_of_trial</name>
+    <message>
+        <source>%1 of trial &apos;%2&apos;</source>
+        <translation>시행 &apos;%2&apos;의 %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.times_count_from</name>
+    <message>
+        <source>its times count from %1</source>
+        <translation>시간은 %1부터 셈</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.too_many_views</name>
+    <message>
+        <source>it has %1 views</source>
+        <translation>뷰가 %1개입니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.track</name>
+    <message>
+        <source>track %1</source>
+        <translation>%1 추적</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.track_it_first</name>
+    <message>
+        <source>track it first</source>
+        <translation>먼저 추적하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.track_of_file</name>
+    <message>
+        <source>the file&apos;s track &apos;%1&apos;</source>
+        <translation>파일의 궤적 &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.track_or_choose_another</name>
+    <message>
+        <source>track it, or choose another</source>
+        <translation>추적하거나 다른 것을 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.track_or_choose_with_robot</name>
+    <message>
+        <source>track it, or choose another with --robot</source>
+        <translation>추적하거나 --robot으로 다른 것을 고르십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.track_those_seen</name>
+    <message>
+        <source>track only the robots that are in the pictures (--robot)</source>
+        <translation>영상에 있는 로봇만 추적하십시오 (--robot)</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.track_trial_again</name>
+    <message>
+        <source>track the trial again</source>
+        <translation>시행을 다시 추적하십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.tracking</name>
+    <message>
+        <source>tracking</source>
+        <translation>추적</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.tracking_picture</name>
+    <message>
+        <source>tracking, picture %1 of %2</source>
+        <translation>추적 중, 영상 %2장 중 %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.tracks_were_imported</name>
+    <message>
+        <source>its tracks were imported, so there is no video to track in</source>
+        <translation>궤적을 가져온 것이라 추적할 동영상이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.trial_being_recorded</name>
+    <message>
+        <source>trial &apos;%1&apos; is being recorded</source>
+        <translation>시행 &apos;%1&apos;을(를) 녹화하는 중입니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.trial_is_there</name>
+    <message>
+        <source>the project has a trial of that name</source>
+        <translation>프로젝트에 같은 이름의 시행이 있습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.trial_left_out</name>
+    <message>
+        <source>nothing of it had reached the disk, and it is left out</source>
+        <translation>디스크에 남은 것이 없어 제외됩니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.turn_or_flash</name>
+    <message>
+        <source>let the robot turn, or flash the room&apos;s light, where both cameras see it</source>
+        <translation>두 카메라가 보는 곳에서 로봇을 돌리거나 실내 조명을 깜박이십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.two_views</name>
+    <message>
+        <source>views &apos;%1&apos; and &apos;%2&apos;</source>
+        <translation>뷰 &apos;%1&apos;과(와) &apos;%2&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.unequal_rates</name>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 및 %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.unlike_first_picture</name>
+    <message>
+        <source>it is %1×%2, the first picture %3×%4</source>
+        <translation>%1×%2인데 첫 사진은 %3×%4입니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.unusual_frame_rate</name>
+    <message>
+        <source>its frame rate is not between 0.1 and 100,000 frames a second</source>
+        <translation>프레임 속도가 초당 0.1~100,000 프레임이 아닙니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.unusual_length</name>
+    <message>
+        <source>it would take no time, or more than a day</source>
+        <translation>길이가 0이거나 하루를 넘습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.unusual_pre_roll</name>
+    <message>
+        <source>what is kept from before is no time, or more than 10 s</source>
+        <translation>미리 남겨 둘 시간이 올바르지 않거나 10 s를 넘습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.use_at_most</name>
+    <message>
+        <source>use at most %1</source>
+        <translation>최대 %1자까지 쓰십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.use_frame</name>
+    <message>
+        <source>use frame %1 of %2</source>
+        <translation>%2의 프레임 %1 사용</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.video</name>
+    <message>
+        <source>video &apos;%1&apos;</source>
+        <translation>동영상 &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.video_without_picture</name>
+    <message>
+        <source>the video has no picture</source>
+        <translation>동영상에 영상이 없습니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.view</name>
+    <message>
+        <source>view &apos;%1&apos;</source>
+        <translation>뷰 &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.view_ended_early</name>
+    <message>
+        <source>it ended early, because %1</source>
+        <translation>일찍 끝났습니다. 이유: %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.view_is_kept</name>
+    <message>
+        <source>%1 of %2 view are kept, all but the last second at most</source>
+        <translation>뷰 %2개의 %1가 보존됨, 최대 마지막 1초만 빠짐</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.view_left_out</name>
+    <message>
+        <source>it is left out, because nothing was recorded of it</source>
+        <translation>녹화된 것이 없어 제외됩니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.view_of_trial</name>
+    <message>
+        <source>view &apos;%1&apos; of trial &apos;%2&apos;</source>
+        <translation>시행 &apos;%2&apos;의 뷰 &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.views_are_kept</name>
+    <message>
+        <source>%1 of %2 views are kept, all but the last second at most</source>
+        <translation>뷰 %2개의 %1가 보존됨, 최대 마지막 1초만 빠짐</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.views_contradict</name>
+    <message>
+        <source>in %1 of %2 pictures the views contradict one another</source>
+        <translation>영상 %2개 중 %1개에서 뷰들이 서로 모순됩니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.views_far_apart</name>
+    <message>
+        <source>in %1 of %2 pictures the views have it at places far apart</source>
+        <translation>영상 %2개 중 %1개에서 뷰들이 서로 멀리 떨어진 곳을 가리킵니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.views_put_it_apart</name>
+    <message>
+        <source>they put it %1 apart</source>
+        <translation>위치가 %1 차이 납니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.wait_until_ended</name>
+    <message>
+        <source>wait until that has ended</source>
+        <translation>끝날 때까지 기다리십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.waited_for_disk</name>
+    <message>
+        <source>pictures waited up to %1 for the disk, and none was lost</source>
+        <translation>영상이 디스크를 최대 %1 기다렸으나 누락은 없음</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.why_views_contradict</name>
+    <message>
+        <source>a camera was moved after it was registered, the views are out of step, or the robot&apos;s height is not what was told</source>
+        <translation>정합 후 카메라가 움직였거나, 뷰가 동기화되지 않았거나, 로봇의 높이가 입력한 값과 다릅니다</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.write_address</name>
+    <message>
+        <source>write it like 224.5.23.2:10006</source>
+        <translation>224.5.23.2:10006처럼 쓰십시오</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.writing_last_pictures</name>
+    <message>
+        <source>writing the last pictures</source>
+        <translation>마지막 프레임 쓰는 중</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.written_just_now</name>
+    <message>
+        <source>another program is writing or removing it just now</source>
+        <translation>지금 다른 프로그램이 쓰거나 제거하는 중입니다</translation>
     </message>
 </context>
 </TS>

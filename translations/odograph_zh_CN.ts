@@ -424,6309 +424,6 @@
     </message>
 </context>
 <context>
-    <name>CoreWords</name>
-    <message>
-        <source>The lens of camera &apos;%1&apos; was never calibrated, its distortion is taken as none</source>
-        <translation>相机“%1”的镜头从未标定，按无畸变处理</translation>
-    </message>
-    <message>
-        <source>calibrate it</source>
-        <translation>请标定它</translation>
-    </message>
-    <message>
-        <source>The lens calibration of camera &apos;%1&apos; is %2 days old</source>
-        <translation>相机“%1”的镜头标定已有 %2 天</translation>
-    </message>
-    <message>
-        <source>if zoom, focus or the camera&apos;s settings were touched since, calibrate it again</source>
-        <translation>如果此后动过变焦、对焦或相机设置，请重新标定</translation>
-    </message>
-    <message>
-        <source>The newest recording of camera &apos;%1&apos; is %2, its lens was calibrated at %3</source>
-        <translation>相机“%1”的最新录像为 %2，其镜头在 %3 下标定</translation>
-    </message>
-    <message>
-        <source>calibrate it at the size it records</source>
-        <translation>请按录制的尺寸标定</translation>
-    </message>
-    <message>
-        <source>The floor registration of camera &apos;%1&apos; is %2 days old</source>
-        <translation>相机“%1”的地面配准已有 %2 天</translation>
-    </message>
-    <message>
-        <source>check that the camera has not moved, or register it again</source>
-        <translation>请检查相机是否移动，或重新配准</translation>
-    </message>
-    <message>
-        <source>The floor registration of camera &apos;%1&apos; was made before its lens was calibrated</source>
-        <translation>相机“%1”的地面配准在镜头标定之前进行</translation>
-    </message>
-    <message>
-        <source>The floor registration of camera &apos;%1&apos; was made with another calibration of its lens than the one in force</source>
-        <translation>相机“%1”的地面配准所用的镜头标定不是当前生效的</translation>
-    </message>
-    <message>
-        <source>register it again</source>
-        <translation>请重新配准</translation>
-    </message>
-    <message>
-        <source>robot &apos;%1&apos; in trial &apos;%2&apos;</source>
-        <translation>试验“%2”中的机器人“%1”</translation>
-    </message>
-    <message>
-        <source>view &apos;%1&apos; in trial &apos;%2&apos;</source>
-        <translation>试验“%2”中的视角“%1”</translation>
-    </message>
-    <message>
-        <source>view &apos;%1&apos;</source>
-        <translation>视角“%1”</translation>
-    </message>
-    <message>
-        <source>views &apos;%1&apos; and &apos;%2&apos;</source>
-        <translation>视角“%1”和“%2”</translation>
-    </message>
-    <message>
-        <source>no view sees it from %1 s to %2 s (it was at X %3 m, Y %4 m)</source>
-        <translation>从 %1 s 到 %2 s 没有视角看见它（当时在 X %3 m，Y %4 m）</translation>
-    </message>
-    <message>
-        <source>no view sees it after %1 s (it was at X %2 m, Y %3 m)</source>
-        <translation>%1 s 之后没有视角看见它（当时在 X %2 m，Y %3 m）</translation>
-    </message>
-    <message>
-        <source>move or add a camera so that the whole task is seen</source>
-        <translation>请移动或增加相机，使整个任务都能被看到</translation>
-    </message>
-    <message>
-        <source>the figures are of the part that was seen</source>
-        <translation>指标只针对被看到的部分</translation>
-    </message>
-    <message>
-        <source>it is not synchronised but taken as begun together with the first view, so that a moving robot is not where the two views put it</source>
-        <translation>它未同步，按与第一个视角同时开始处理，因此运动的机器人并不在两个视角所示的位置</translation>
-    </message>
-    <message>
-        <source>import the videos again and let the offset be found, or tell it</source>
-        <translation>请重新导入视频并让程序找出偏移，或自行给出</translation>
-    </message>
-    <message>
-        <source>it is in step to %1 ms only, which is %2 mm at 1 m/s</source>
-        <translation>它只同步到 %1 ms，在 1 m/s 时为 %2 mm</translation>
-    </message>
-    <message>
-        <source>let the robot turn, or flash the room&apos;s light, where both cameras see it</source>
-        <translation>请在两台相机都能看到处让机器人转弯，或闪一下室内灯</translation>
-    </message>
-    <message>
-        <source>its colour %1 is also that of the floor (%2 % of view %3&apos;s picture)</source>
-        <translation>它的颜色 %1 也是地面的颜色（占视角 %3 画面的 %2 %）</translation>
-    </message>
-    <message>
-        <source>put a plate of another colour on it, or tell the colour it really has</source>
-        <translation>请在其上放另一种颜色的板，或给出它真实的颜色</translation>
-    </message>
-    <message>
-        <source>robot &apos;%1&apos; is new</source>
-        <translation>机器人“%1”是新的</translation>
-    </message>
-    <message>
-        <source>it was added with the colour %1</source>
-        <translation>已用颜色 %1 添加</translation>
-    </message>
-    <message>
-        <source>video &apos;%1&apos;</source>
-        <translation>视频“%1”</translation>
-    </message>
-    <message>
-        <source>synchronisation of view &apos;%1&apos;</source>
-        <translation>视角“%1”的同步</translation>
-    </message>
-    <message>
-        <source>camera &apos;%1&apos; is not registered to the floor, so it is taken as begun together</source>
-        <translation>相机“%1”未配准到地面，因此按同时开始处理</translation>
-    </message>
-    <message>
-        <source>the project has no robot to look for, so it is taken as begun together</source>
-        <translation>项目中没有可寻找的机器人，因此按同时开始处理</translation>
-    </message>
-    <message>
-        <source>robot %1 tells an offset of %2, robot %3 %4, which was taken</source>
-        <translation>机器人 %1 给出的偏移为 %2，机器人 %3 为 %4，采用后者</translation>
-    </message>
-    <message>
-        <source>the motion tells an offset of %1, which was taken, and the flash of light %2</source>
-        <translation>由运动得偏移 %1（已采用），由闪光得 %2</translation>
-    </message>
-    <message>
-        <source>%1 s and %2 s long, %3 s in common</source>
-        <translation>长 %1 s 和 %2 s，共同 %3 s</translation>
-    </message>
-    <message>
-        <source>outside it only one view measures, so check that both belong to one run</source>
-        <translation>其外只有一个视角测量，请检查两者是否属于同一次运行</translation>
-    </message>
-    <message>
-        <source>%1 and %2 frames/s</source>
-        <translation>%1 和 %2 帧/秒</translation>
-    </message>
-    <message>
-        <source>the views are joined by time, check --rate if one is slow motion</source>
-        <translation>视角按时间结合；若其一为慢动作，请检查 --rate</translation>
-    </message>
-    <message>
-        <source>it is left out, because nothing was recorded of it</source>
-        <translation>它被舍去，因为没有录到任何内容</translation>
-    </message>
-    <message>
-        <source>check its cable, and whether another program uses it</source>
-        <translation>请检查其电缆，以及是否有其他程序占用</translation>
-    </message>
-    <message>
-        <source>it ended early, because %1</source>
-        <translation>它提前结束，原因：%1</translation>
-    </message>
-    <message>
-        <source>nothing came for %1 s, because %2</source>
-        <translation>有 %1 s 没有任何图像，原因：%2</translation>
-    </message>
-    <message>
-        <source>pictures waited up to %1 s for the disk, and none was lost</source>
-        <translation>图像等待磁盘最长 %1 s，没有丢失</translation>
-    </message>
-    <message>
-        <source>record to a faster disk</source>
-        <translation>请录制到更快的磁盘</translation>
-    </message>
-    <message>
-        <source>1 picture was lost because this computer or its disk was too slow</source>
-        <translation>因本机或其磁盘太慢，丢失 1 帧</translation>
-    </message>
-    <message>
-        <source>%1 pictures were lost because this computer or its disk was too slow</source>
-        <translation>因本机或其磁盘太慢，丢失 %1 帧</translation>
-    </message>
-    <message>
-        <source>record to a faster disk, or fewer cameras at once</source>
-        <translation>请录制到更快的磁盘，或同时使用更少的相机</translation>
-    </message>
-    <message>
-        <source>1 picture was lost between the camera and this program</source>
-        <translation>相机与本程序之间丢失 1 帧</translation>
-    </message>
-    <message>
-        <source>%1 pictures were lost between the camera and this program</source>
-        <translation>相机与本程序之间丢失 %1 帧</translation>
-    </message>
-    <message>
-        <source>check cable, bandwidth and what else this machine does</source>
-        <translation>请检查电缆、带宽以及本机的其他工作</translation>
-    </message>
-    <message>
-        <source>1 picture was lost because this machine was too slow to make them in time</source>
-        <translation>因本机太慢来不及生成，丢失 1 帧</translation>
-    </message>
-    <message>
-        <source>%1 pictures were lost because this machine was too slow to make them in time</source>
-        <translation>因本机太慢来不及生成，丢失 %1 帧</translation>
-    </message>
-    <message>
-        <source>close other programs, or take fewer such cameras at once</source>
-        <translation>请关闭其他程序，或同时使用更少的这类相机</translation>
-    </message>
-    <message>
-        <source>the video of camera %1 in trial &apos;%2&apos; is lost, and not in the packed project</source>
-        <translation>试验“%2”中相机 %1 的视频丢失，未包含在打包项目中</translation>
-    </message>
-    <message>
-        <source>trial &apos;%1&apos;</source>
-        <translation>试验“%1”</translation>
-    </message>
-    <message>
-        <source>its recording was cut off</source>
-        <translation>其录像被中断</translation>
-    </message>
-    <message>
-        <source>nothing of it had reached the disk, and it is left out</source>
-        <translation>没有内容写入磁盘，已舍去</translation>
-    </message>
-    <message>
-        <source>record it again</source>
-        <translation>请重新录制</translation>
-    </message>
-    <message>
-        <source>%1 s of %2 view are kept, all but the last second at most</source>
-        <translation>保留了 %2 个视角的 %1 s，最多只缺最后一秒</translation>
-    </message>
-    <message>
-        <source>%1 s of %2 views are kept, all but the last second at most</source>
-        <translation>保留了 %2 个视角的 %1 s，最多只缺最后一秒</translation>
-    </message>
-    <message>
-        <source>Good: %1</source>
-        <translation>良好：%1</translation>
-    </message>
-    <message>
-        <source>Usable: %1</source>
-        <translation>可用：%1</translation>
-    </message>
-    <message>
-        <source>Poor: %1</source>
-        <translation>较差：%1</translation>
-    </message>
-    <message>
-        <source>no figure in millimetres, since this lens holds only for a part of the picture</source>
-        <translation>无毫米数值，因为此镜头模型只适用于画面的一部分</translation>
-    </message>
-    <message>
-        <source>±%1 mm in the middle and ±%2 mm at worst (%3) on %4, as far as the lens is concerned</source>
-        <translation>就镜头而言，在%4上中间 ±%1 mm，最差 ±%2 mm（%3）</translation>
-    </message>
-    <message>
-        <source>in the far left corner</source>
-        <translation>远处左角</translation>
-    </message>
-    <message>
-        <source>in the far right corner</source>
-        <translation>远处右角</translation>
-    </message>
-    <message>
-        <source>in the near left corner</source>
-        <translation>近处左角</translation>
-    </message>
-    <message>
-        <source>in the near right corner</source>
-        <translation>近处右角</translation>
-    </message>
-    <message>
-        <source>at the far edge</source>
-        <translation>远边</translation>
-    </message>
-    <message>
-        <source>at the near edge</source>
-        <translation>近边</translation>
-    </message>
-    <message>
-        <source>at the left edge</source>
-        <translation>左边</translation>
-    </message>
-    <message>
-        <source>at the right edge</source>
-        <translation>右边</translation>
-    </message>
-    <message>
-        <source>inside</source>
-        <translation>内部</translation>
-    </message>
-    <message>
-        <source>a %1 m × %2 m floor seen from %3 m above</source>
-        <translation>从 %3 m 高处看的 %1 m × %2 m 地面</translation>
-    </message>
-    <message>
-        <source>%1 pictures fit to %2 px, focal length %3 px ± %4 %</source>
-        <translation>%1 张图片拟合到 %2 px，焦距 %3 px ± %4 %</translation>
-    </message>
-    <message>
-        <source>each half of them foretells the other to %1 px, %2 mm apart at worst on that floor</source>
-        <translation>各半互相预测到 %1 px，在该地面上最多相差 %2 mm</translation>
-    </message>
-    <message>
-        <source>each half of them foretells the other to %1 px</source>
-        <translation>各半互相预测到 %1 px</translation>
-    </message>
-    <message>
-        <source>%1 pictures fit to %2 px, focal length %3 px ± %4 %, %5 mm apart at worst on that floor</source>
-        <translation>%1 张图片拟合到 %2 px，焦距 %3 px ± %4 %，在该地面上最多相差 %5 mm</translation>
-    </message>
-    <message>
-        <source>Standard lens</source>
-        <translation>标准镜头</translation>
-    </message>
-    <message>
-        <source>Rational lens</source>
-        <translation>有理式镜头</translation>
-    </message>
-    <message>
-        <source>Fisheye lens</source>
-        <translation>鱼眼镜头</translation>
-    </message>
-    <message>
-        <source>standard</source>
-        <translation>标准</translation>
-    </message>
-    <message>
-        <source>rational</source>
-        <translation>有理式</translation>
-    </message>
-    <message>
-        <source>fisheye</source>
-        <translation>鱼眼</translation>
-    </message>
-    <message>
-        <source>told</source>
-        <translation>由人指定</translation>
-    </message>
-    <message>
-        <source>no other model fits</source>
-        <translation>没有其他模型适合</translation>
-    </message>
-    <message>
-        <source>not all</source>
-        <translation>并非全部</translation>
-    </message>
-    <message>
-        <source>%1 px</source>
-        <translation>%1 px</translation>
-    </message>
-    <message>
-        <source>it foretells pictures held out to %1, the %2 one to %3, which may be chance</source>
-        <translation>它对留出图片的预测为 %1，%2模型为 %3，可能是偶然</translation>
-    </message>
-    <message>
-        <source>it foretells pictures held out to %1, the %2 one no better (%3)</source>
-        <translation>它对留出图片的预测为 %1，%2模型并不更好（%3）</translation>
-    </message>
-    <message>
-        <source>it foretells pictures held out to %1, the %2 one only to %3</source>
-        <translation>它对留出图片的预测为 %1，%2模型仅为 %3</translation>
-    </message>
-    <message>
-        <source>%1 % of the corners disagree, in %2</source>
-        <translation>%1 % 的角点不一致，位于 %2</translation>
-    </message>
-    <message>
-        <source>%1 % of the corners disagree, most in %2</source>
-        <translation>%1 % 的角点不一致，大多位于 %2</translation>
-    </message>
-    <message>
-        <source>they were kept</source>
-        <translation>它们已保留</translation>
-    </message>
-    <message>
-        <source>look at these pictures and leave out those that are blurred, bent or of another board</source>
-        <translation>查看这些图片，去掉模糊、弯曲或属于另一块标定板的</translation>
-    </message>
-    <message>
-        <source>1 corner that stands out was left out, in %1</source>
-        <translation>舍去了 1 个突出的角点，位于 %1</translation>
-    </message>
-    <message>
-        <source>%1 corners that stand out were left out, in %2</source>
-        <translation>舍去了 %1 个突出的角点，位于 %2</translation>
-    </message>
-    <message>
-        <source>%1 corners that stand out were left out, most in %2</source>
-        <translation>舍去了 %1 个突出的角点，大多位于 %2</translation>
-    </message>
-    <message>
-        <source>%1 corners that stand out side by side were kept, in %2</source>
-        <translation>保留了 %1 个相邻的突出角点，位于 %2</translation>
-    </message>
-    <message>
-        <source>%1 corners that stand out side by side were kept, most in %2</source>
-        <translation>保留了 %1 个相邻的突出角点，大多位于 %2</translation>
-    </message>
-    <message>
-        <source>leave out these pictures if the board is bent, cut or covered there</source>
-        <translation>如果标定板在那里弯曲、被截断或遮挡，请去掉这些图片</translation>
-    </message>
-    <message>
-        <source>More pictures (%1 or more) would make it surer</source>
-        <translation>更多图片（%1 张或以上）会更可靠</translation>
-    </message>
-    <message>
-        <source>Only %1 % of the picture was covered</source>
-        <translation>只覆盖了画面的 %1 %</translation>
-    </message>
-    <message>
-        <source>show the board near its edges too</source>
-        <translation>也请在画面边缘附近展示标定板</translation>
-    </message>
-    <message>
-        <source>Look at %1</source>
-        <translation>请查看 %1</translation>
-    </message>
-    <message>
-        <source>its %1 px stand out</source>
-        <translation>其 %1 px 显得突出</translation>
-    </message>
-    <message>
-        <source>mark frame %1 of %2 as a spike</source>
-        <translation>将 %2 的第 %1 帧标为异常点</translation>
-    </message>
-    <message>
-        <source>use frame %1 of %2</source>
-        <translation>使用 %2 的第 %1 帧</translation>
-    </message>
-    <message>
-        <source>leave frame %1 of %2 to the program</source>
-        <translation>将 %2 的第 %1 帧交给程序判断</translation>
-    </message>
-    <message>
-        <source>import the roster %1</source>
-        <translation>导入名单 %1</translation>
-    </message>
-    <message>
-        <source>put the axes of layout %1 elsewhere</source>
-        <translation>移动布局 %1 的坐标轴</translation>
-    </message>
-    <message>
-        <source>choose calibration %1 of camera %2</source>
-        <translation>选择相机 %2 的标定 %1</translation>
-    </message>
-    <message>
-        <source>choose registration %1 of camera %2</source>
-        <translation>选择相机 %2 的配准 %1</translation>
-    </message>
-    <message>
-        <source>link a lost video</source>
-        <translation>关联一个丢失的视频</translation>
-    </message>
-    <message>
-        <source>link %1 lost videos</source>
-        <translation>关联 %1 个丢失的视频</translation>
-    </message>
-    <message>
-        <source>give %1 the task %2</source>
-        <translation>将任务 %2 赋予 %1</translation>
-    </message>
-    <message>
-        <source>import trial %1</source>
-        <translation>导入试验 %1</translation>
-    </message>
-    <message>
-        <source>leave out %1, of which nothing was recorded</source>
-        <translation>舍去 %1（未录到任何内容）</translation>
-    </message>
-    <message>
-        <source>complete %1, whose recording was cut off</source>
-        <translation>补全录像被中断的 %1</translation>
-    </message>
-    <message>
-        <source>calibrated from %1 pictures</source>
-        <translation>由 %1 张图片标定</translation>
-    </message>
-    <message>
-        <source>imported from %1</source>
-        <translation>从 %1 导入</translation>
-    </message>
-    <message>
-        <source>layout &apos;%1&apos;, lens not calibrated</source>
-        <translation>布局“%1”，镜头未标定</translation>
-    </message>
-    <message>
-        <source>layout &apos;%1&apos;, lens of calibration %2</source>
-        <translation>布局“%1”，镜头标定 %2</translation>
-    </message>
-    <message>
-        <source>register camera %1</source>
-        <translation>配准相机 %1</translation>
-    </message>
-    <message>
-        <source>register camera %1 again</source>
-        <translation>重新配准相机 %1</translation>
-    </message>
-    <message>
-        <source>register camera %1 through camera %2</source>
-        <translation>通过相机 %2 配准相机 %1</translation>
-    </message>
-    <message>
-        <source>register the cameras of layout %1 together</source>
-        <translation>联合配准布局 %1 的相机</translation>
-    </message>
-    <message>
-        <source>calibrate camera %1</source>
-        <translation>标定相机 %1</translation>
-    </message>
-    <message>
-        <source>import the lens of camera %1 from %2</source>
-        <translation>从 %2 导入相机 %1 的镜头</translation>
-    </message>
-    <message>
-        <source>check whether camera %1 has moved</source>
-        <translation>检查相机 %1 是否移动</translation>
-    </message>
-    <message>
-        <source>remove %1 for good</source>
-        <translation>永久删除 %1</translation>
-    </message>
-    <message>
-        <source>track %1</source>
-        <translation>跟踪 %1</translation>
-    </message>
-    <message>
-        <source>measure %1 again</source>
-        <translation>重新测量 %1</translation>
-    </message>
-    <message>
-        <source>record %1</source>
-        <translation>录制 %1</translation>
-    </message>
-    <message>
-        <source>connect camera %1</source>
-        <translation>连接相机 %1</translation>
-    </message>
-    <message>
-        <source>waiting for the first picture</source>
-        <translation>正在等待第一帧</translation>
-    </message>
-    <message>
-        <source>%1 frames/s, none lost</source>
-        <translation>%1 帧/秒，无丢失</translation>
-    </message>
-    <message>
-        <source>%1 frames/s (too slow), none lost</source>
-        <translation>%1 帧/秒（太慢），无丢失</translation>
-    </message>
-    <message>
-        <source>%1 frames/s, %2 lost</source>
-        <translation>%1 帧/秒，丢失 %2</translation>
-    </message>
-    <message>
-        <source>%1 frames/s (too slow), %2 lost</source>
-        <translation>%1 帧/秒（太慢），丢失 %2</translation>
-    </message>
-    <message>
-        <source>%1 frames/s, %2 lost because this machine is too slow</source>
-        <translation>%1 帧/秒，因本机太慢丢失 %2</translation>
-    </message>
-    <message>
-        <source>%1 frames/s (too slow), %2 lost because this machine is too slow</source>
-        <translation>%1 帧/秒（太慢），因本机太慢丢失 %2</translation>
-    </message>
-    <message>
-        <source>%1 frames/s, %2 lost (%3 on the wire, %4 here)</source>
-        <translation>%1 帧/秒，丢失 %2（线路 %3，本机 %4）</translation>
-    </message>
-    <message>
-        <source>%1 frames/s (too slow), %2 lost (%3 on the wire, %4 here)</source>
-        <translation>%1 帧/秒（太慢），丢失 %2（线路 %3，本机 %4）</translation>
-    </message>
-    <message>
-        <source>%1 frames/s, %2 lost on the wire</source>
-        <translation>%1 帧/秒，线路丢失 %2</translation>
-    </message>
-    <message>
-        <source>%1 frames/s (too slow), %2 lost on the wire</source>
-        <translation>%1 帧/秒（太慢），线路丢失 %2</translation>
-    </message>
-    <message>
-        <source>%1 frames/s, %2 lost here</source>
-        <translation>%1 帧/秒，本机丢失 %2</translation>
-    </message>
-    <message>
-        <source>%1 frames/s (too slow), %2 lost here</source>
-        <translation>%1 帧/秒（太慢），本机丢失 %2</translation>
-    </message>
-    <message>
-        <source>in step to %1 ms</source>
-        <translation>同步到 %1 ms</translation>
-    </message>
-    <message>
-        <source>at %1 m/s that is %2 mm</source>
-        <translation>速度 %1 m/s 时为 %2 mm</translation>
-    </message>
-    <message>
-        <source>room for %1 s</source>
-        <translation>可录 %1 s</translation>
-    </message>
-    <message>
-        <source>room for %1 min</source>
-        <translation>可录 %1 min</translation>
-    </message>
-    <message>
-        <source>room for %1 h</source>
-        <translation>可录 %1 h</translation>
-    </message>
-    <message>
-        <source>the map is %1 ms behind, none skipped</source>
-        <translation>地图滞后 %1 ms，无跳帧</translation>
-    </message>
-    <message>
-        <source>the map is %1 ms behind, %2 skipped</source>
-        <translation>地图滞后 %1 ms，跳过 %2</translation>
-    </message>
-    <message>
-        <source>analysing %1</source>
-        <translation>正在分析 %1</translation>
-    </message>
-    <message>
-        <source>analysing</source>
-        <translation>正在分析</translation>
-    </message>
-    <message>
-        <source>copying the project</source>
-        <translation>正在复制项目</translation>
-    </message>
-    <message>
-        <source>looking for the markers in %1</source>
-        <translation>正在 %1 中寻找标记</translation>
-    </message>
-    <message>
-        <source>looking for the markers again</source>
-        <translation>正在重新寻找标记</translation>
-    </message>
-    <message>
-        <source>looking for files</source>
-        <translation>正在查找文件</translation>
-    </message>
-    <message>
-        <source>computing the intrinsics</source>
-        <translation>正在计算内参</translation>
-    </message>
-    <message>
-        <source>keeping the pictures</source>
-        <translation>正在保存图片</translation>
-    </message>
-    <message>
-        <source>recording</source>
-        <translation>正在录制</translation>
-    </message>
-    <message>
-        <source>writing the last pictures</source>
-        <translation>正在写入最后的图像</translation>
-    </message>
-    <message>
-        <source>calibrating camera %1</source>
-        <translation>正在标定相机 %1</translation>
-    </message>
-    <message>
-        <source>settling which robot is which</source>
-        <translation>正在分辨各机器人</translation>
-    </message>
-    <message>
-        <source>fitting %1 cameras together</source>
-        <translation>正在联合拟合 %1 台相机</translation>
-    </message>
-    <message>
-        <source>Poor, measure the markers again: %1</source>
-        <translation>较差，请重新测量标记：%1</translation>
-    </message>
-    <message>
-        <source>%1 markers fit to %2 mm RMS (worst %3, %4 mm), and the floor among them is known to ±%5 mm</source>
-        <translation>%1 个标记拟合到 %2 mm RMS（最差 %3，%4 mm），其间地面已知到 ±%5 mm</translation>
-    </message>
-    <message>
-        <source>Four markers hardly check one another</source>
-        <translation>四个标记几乎无法互相校验</translation>
-    </message>
-    <message>
-        <source>Four points hardly check one another</source>
-        <translation>四个点几乎无法互相校验</translation>
-    </message>
-    <message>
-        <source>a fifth would</source>
-        <translation>第五个就可以</translation>
-    </message>
-    <message>
-        <source>The camera was taken as free of distortion, its focal length estimated from the markers (%1 px ± %2)</source>
-        <translation>相机按无畸变处理，焦距由标记估计（%1 px ± %2）</translation>
-    </message>
-    <message>
-        <source>The camera was taken as free of distortion, its focal length guessed (%1 px), since this view does not determine it</source>
-        <translation>相机按无畸变处理，焦距为假定值（%1 px），因为此视角无法确定它</translation>
-    </message>
-    <message>
-        <source>The camera was taken as free of distortion, its focal length as %1 px</source>
-        <translation>相机按无畸变处理，焦距取为 %1 px</translation>
-    </message>
-    <message>
-        <source>Calibrate it for positions to rely on</source>
-        <translation>请标定它以得到可靠的位置</translation>
-    </message>
-    <message>
-        <source>The camera would stand only %1 mm above the floor</source>
-        <translation>相机距地面只有 %1 mm</translation>
-    </message>
-    <message>
-        <source>if that is wrong, the layout&apos;s numbers are no mm</source>
-        <translation>如果不对，则布局中的数字不是 mm</translation>
-    </message>
-    <message>
-        <source>convert its unit</source>
-        <translation>请换算其单位</translation>
-    </message>
-    <message>
-        <source>through %1 %2 points of the floor fit to %3 mm RMS (worst %4, %5 mm), and the floor among them is known to ±%6 mm, of which ±%7 mm come from %8</source>
-        <translation>通过%1，%2 个地面点拟合到 %3 mm RMS（最差 %4，%5 mm），其间地面已知到 ±%6 mm，其中 ±%7 mm 来自 %8</translation>
-    </message>
-    <message>
-        <source>with %1 together %2 markers fit to %3 mm RMS, and the floor among them is known to ±%4 mm</source>
-        <translation>与 %1 一起，%2 个标记拟合到 %3 mm RMS，其间地面已知到 ±%4 mm</translation>
-    </message>
-    <message>
-        <source>The markers and the cameras agree with one another</source>
-        <translation>标记与相机彼此一致</translation>
-    </message>
-    <message>
-        <source>%1 is %2 mm off by all cameras</source>
-        <translation>按所有相机，%1 偏离 %2 mm</translation>
-    </message>
-    <message>
-        <source>measure it again</source>
-        <translation>请重新测量</translation>
-    </message>
-    <message>
-        <source>%1 is %2 mm off by the one camera that sees it</source>
-        <translation>按唯一看见 %1 的相机，它偏离 %2 mm</translation>
-    </message>
-    <message>
-        <source>measure it, or mark it in the picture, again</source>
-        <translation>请重新测量，或在画面中重新标出</translation>
-    </message>
-    <message>
-        <source>%1 sees %2 %3 px from where the others do</source>
-        <translation>%1 看到的 %2 与其他相机相差 %3 px</translation>
-    </message>
-    <message>
-        <source>mark it there again</source>
-        <translation>请在那里重新标出</translation>
-    </message>
-    <message>
-        <source>None of the floor among the markers is seen</source>
-        <translation>标记之间的地面完全看不到</translation>
-    </message>
-    <message>
-        <source>±%1 mm in the middle, ±%2 mm in the corner near %3</source>
-        <translation>中间 ±%1 mm，%3 附近的角 ±%2 mm</translation>
-    </message>
-    <message>
-        <source>±%1 mm in the middle, ±%2 mm at the edge near %3</source>
-        <translation>中间 ±%1 mm，%3 附近的边缘 ±%2 mm</translation>
-    </message>
-    <message>
-        <source>±%1 mm in the middle, ±%2 mm near %3</source>
-        <translation>中间 ±%1 mm，%3 附近 ±%2 mm</translation>
-    </message>
-    <message>
-        <source>The middle is not seen, ±%1 mm in the corner near %2</source>
-        <translation>中间看不到，%2 附近的角 ±%1 mm</translation>
-    </message>
-    <message>
-        <source>The middle is not seen, ±%1 mm at the edge near %2</source>
-        <translation>中间看不到，%2 附近的边缘 ±%1 mm</translation>
-    </message>
-    <message>
-        <source>The middle is not seen, ±%1 mm near %2</source>
-        <translation>中间看不到，%2 附近 ±%1 mm</translation>
-    </message>
-    <message>
-        <source>%1 % of the floor among the markers is not seen</source>
-        <translation>标记之间有 %1 % 的地面看不到</translation>
-    </message>
-    <message>
-        <source>%1 stands where it was registered</source>
-        <translation>%1 仍在配准时的位置</translation>
-    </message>
-    <message>
-        <source>%1 markers lie within %2 px = %3 mm of their places</source>
-        <translation>%1 个标记与原位相差在 %2 px = %3 mm 以内</translation>
-    </message>
-    <message>
-        <source>%1 has moved %2 px = %3 mm</source>
-        <translation>%1 移动了 %2 px = %3 mm</translation>
-    </message>
-    <message>
-        <source>register it again before you record</source>
-        <translation>录制前请重新配准</translation>
-    </message>
-    <message>
-        <source>Marker %1 has moved %2 px = %3 mm, %4 has not</source>
-        <translation>标记 %1 移动了 %2 px = %3 mm，%4 没有移动</translation>
-    </message>
-    <message>
-        <source>Markers %1 have moved %2 px = %3 mm, %4 has not</source>
-        <translation>标记 %1 移动了 %2 px = %3 mm，%4 没有移动</translation>
-    </message>
-    <message>
-        <source>put it back, or measure again and register all cameras</source>
-        <translation>请放回原位，或重新测量并配准所有相机</translation>
-    </message>
-    <message>
-        <source>put them back, or measure again and register all cameras</source>
-        <translation>请把它们放回原位，或重新测量并配准所有相机</translation>
-    </message>
-    <message>
-        <source>Not found again: %1</source>
-        <translation>未能再次找到：%1</translation>
-    </message>
-    <message>
-        <source>The length is %1 mm ± %2 mm</source>
-        <translation>长度为 %1 mm ± %2 mm</translation>
-    </message>
-    <message>
-        <source>It is %1 mm shorter than the %2 mm told</source>
-        <translation>比给出的 %2 mm 短 %1 mm</translation>
-    </message>
-    <message>
-        <source>It is %1 mm longer than the %2 mm told</source>
-        <translation>比给出的 %2 mm 长 %1 mm</translation>
-    </message>
-    <message>
-        <source>inside the expected error of %1 mm</source>
-        <translation>在预期误差 %1 mm 以内</translation>
-    </message>
-    <message>
-        <source>outside the expected error of %1 mm</source>
-        <translation>超出预期误差 %1 mm</translation>
-    </message>
-    <message>
-        <source>Check the length itself, whether it lies on the floor, and the places of the markers</source>
-        <translation>请检查长度本身、它是否在地面上以及标记的位置</translation>
-    </message>
-    <message>
-        <source>Camera &apos;%1&apos; alone says %2 mm</source>
-        <translation>相机“%1”单独给出 %2 mm</translation>
-    </message>
-    <message>
-        <source>look whether the same ends are marked in each picture, and register it again if they are</source>
-        <translation>查看每个画面是否标出了相同的端点；若是，请重新配准</translation>
-    </message>
-    <message>
-        <source>No place was measured by both analyses</source>
-        <translation>没有任何位置被两次分析都测到</translation>
-    </message>
-    <message>
-        <source>Positions change by %1 mm RMS, at most by %2 mm (at %3 s)</source>
-        <translation>位置变化 %1 mm RMS，最大 %2 mm（在 %3 s）</translation>
-    </message>
-    <message>
-        <source>Spikes: %1 instead of %2</source>
-        <translation>异常点：%1 个，原为 %2 个</translation>
-    </message>
-    <message>
-        <source>USB buses</source>
-        <translation>USB 总线</translation>
-    </message>
-    <message>
-        <source>each USB camera has a bus of its own</source>
-        <translation>每台 USB 相机都有自己的总线</translation>
-    </message>
-    <message>
-        <source>no USB camera is used</source>
-        <translation>未使用 USB 相机</translation>
-    </message>
-    <message>
-        <source>cameras %1 share the bus %2, of %3 Mbit/s</source>
-        <translation>相机 %1 共用总线 %2（%3 Mbit/s）</translation>
-    </message>
-    <message>
-        <source>cameras %1 share the bus %2</source>
-        <translation>相机 %1 共用总线 %2</translation>
-    </message>
-    <message>
-        <source>plug one into a port on the other side of the computer, or a card of its own</source>
-        <translation>把其中一台接到电脑另一侧的端口或独立的扩展卡</translation>
-    </message>
-    <message>
-        <source>or let both send MJPEG, or smaller pictures</source>
-        <translation>或让两台都发送 MJPEG 或更小的图像</translation>
-    </message>
-    <message>
-        <source>Access to cameras</source>
-        <translation>相机访问权限</translation>
-    </message>
-    <message>
-        <source>you may not use %1</source>
-        <translation>您无权使用 %1</translation>
-    </message>
-    <message>
-        <source>add yourself to the group video (sudo usermod -aG video $USER), then log out and in again</source>
-        <translation>把自己加入 video 组（sudo usermod -aG video $USER），然后注销并重新登录</translation>
-    </message>
-    <message>
-        <source>this machine shows no USB or built-in camera (/dev/video*)</source>
-        <translation>本机没有 USB 或内置相机（/dev/video*）</translation>
-    </message>
-    <message>
-        <source>if one is connected, try another cable and port, without a hub</source>
-        <translation>如果已连接，请换一根电缆和端口，不经集线器</translation>
-    </message>
-    <message>
-        <source>you may use all %1 video devices</source>
-        <translation>您可以使用全部 %1 个视频设备</translation>
-    </message>
-    <message>
-        <source>Receive buffer</source>
-        <translation>接收缓冲区</translation>
-    </message>
-    <message>
-        <source>the system does not say how large it may be (net.core.rmem_max)</source>
-        <translation>系统没有给出其最大值（net.core.rmem_max）</translation>
-    </message>
-    <message>
-        <source>up to %1 MiB, enough for network cameras</source>
-        <translation>最大 %1 MiB，足够网络相机使用</translation>
-    </message>
-    <message>
-        <source>%1 MiB, which only network cameras would find too small</source>
-        <translation>%1 MiB，仅对网络相机太小</translation>
-    </message>
-    <message>
-        <source>only %1 MiB</source>
-        <translation>仅 %1 MiB</translation>
-    </message>
-    <message>
-        <source>%1 will lose pictures</source>
-        <translation>%1 会丢帧</translation>
-    </message>
-    <message>
-        <source>sudo sysctl -w net.core.rmem_max=%1, and put the same into /etc/sysctl.d/ to keep it</source>
-        <translation>sudo sysctl -w net.core.rmem_max=%1，并写入 /etc/sysctl.d/ 以保留</translation>
-    </message>
-    <message>
-        <source>Packet size</source>
-        <translation>数据包大小</translation>
-    </message>
-    <message>
-        <source>no network camera is used</source>
-        <translation>未使用网络相机</translation>
-    </message>
-    <message>
-        <source>large packets are allowed</source>
-        <translation>允许大数据包</translation>
-    </message>
-    <message>
-        <source>small packets on %1</source>
-        <translation>%1 上数据包较小</translation>
-    </message>
-    <message>
-        <source>give the port that the camera is on an MTU of 9000 (sudo ip link set dev NAME mtu 9000), if camera and switch can take it</source>
-        <translation>若相机和交换机支持，请将相机所在端口的 MTU 设为 9000（sudo ip link set dev NAME mtu 9000）</translation>
-    </message>
-    <message>
-        <source>Lamps&apos; flicker, camera %1</source>
-        <translation>灯光闪烁，相机 %1</translation>
-    </message>
-    <message>
-        <source>filtered by the camera (%1)</source>
-        <translation>由相机滤除（%1）</translation>
-    </message>
-    <message>
-        <source>its filter is off</source>
-        <translation>其滤波已关闭</translation>
-    </message>
-    <message>
-        <source>pictures may pulse under lamps</source>
-        <translation>灯光下画面可能闪动</translation>
-    </message>
-    <message>
-        <source>set &apos;%1&apos; to your mains</source>
-        <translation>请将“%1”设为当地电网</translation>
-    </message>
-    <message>
-        <source>50 Hz in most countries, 60 Hz in the Americas</source>
-        <translation>多数国家 50 Hz，美洲 60 Hz</translation>
-    </message>
-    <message>
-        <source>it does not tell its exposure</source>
-        <translation>它不报告曝光时间</translation>
-    </message>
-    <message>
-        <source>exposed for %1 ms, which suits lamps</source>
-        <translation>曝光 %1 ms，适合灯光</translation>
-    </message>
-    <message>
-        <source>exposed for %1 ms</source>
-        <translation>曝光 %1 ms</translation>
-    </message>
-    <message>
-        <source>expose for 10 or 20 ms with mains of 50 Hz, 8.3 or 16.7 ms with 60 Hz</source>
-        <translation>50 Hz 电网请曝光 10 或 20 ms，60 Hz 请曝光 8.3 或 16.7 ms</translation>
-    </message>
-    <message>
-        <source>or use daylight</source>
-        <translation>或使用日光</translation>
-    </message>
-    <message>
-        <source>Automatics, camera %1</source>
-        <translation>自动功能，相机 %1</translation>
-    </message>
-    <message>
-        <source>%1 go on changing by themselves</source>
-        <translation>%1 仍在自行变化</translation>
-    </message>
-    <message>
-        <source>%1 goes on changing by itself</source>
-        <translation>%1 仍在自行变化</translation>
-    </message>
-    <message>
-        <source>turn it off in the camera&apos;s own program, or keep the light steady while robots run</source>
-        <translation>请在相机自带的程序中关闭，或在机器人运行时保持光线稳定</translation>
-    </message>
-    <message>
-        <source>exposure, gain, white balance and focus are held</source>
-        <translation>曝光、增益、白平衡和对焦已固定</translation>
-    </message>
-    <message>
-        <source>it has none</source>
-        <translation>没有</translation>
-    </message>
-    <message>
-        <source>they are held while recording</source>
-        <translation>录制时会固定</translation>
-    </message>
-    <message>
-        <source>Step</source>
-        <translation>同步</translation>
-    </message>
-    <message>
-        <source>one camera is always in step</source>
-        <translation>单台相机始终同步</translation>
-    </message>
-    <message>
-        <source>a camera does not deliver</source>
-        <translation>有一台相机没有输出</translation>
-    </message>
-    <message>
-        <source>see its own line</source>
-        <translation>请看它自己的那一行</translation>
-    </message>
-    <message>
-        <source>the cameras run at %1 and %2 frames/s</source>
-        <translation>两台相机分别为 %1 和 %2 帧/秒</translation>
-    </message>
-    <message>
-        <source>set both to one rate</source>
-        <translation>请把两台设为同一帧率</translation>
-    </message>
-    <message>
-        <source>in dim light a camera halves its rate by itself, unless its automatic exposure is off</source>
-        <translation>光线暗时，除非关闭自动曝光，相机会自行把帧率减半</translation>
-    </message>
-    <message>
-        <source>no two pictures have been taken together yet</source>
-        <translation>还没有同时拍到的两帧</translation>
-    </message>
-    <message>
-        <source>wait a few seconds, and look again</source>
-        <translation>请等几秒再看</translation>
-    </message>
-    <message>
-        <source>set both to one rate, or trigger them together</source>
-        <translation>请设为同一帧率，或共同触发</translation>
-    </message>
-    <message>
-        <source>Picture size, camera %1</source>
-        <translation>画面尺寸，相机 %1</translation>
-    </message>
-    <message>
-        <source>it is not registered to the floor</source>
-        <translation>它未配准到地面</translation>
-    </message>
-    <message>
-        <source>register it in Testbed, or its pictures cannot tell where a robot is</source>
-        <translation>请在试验场中配准，否则其画面无法给出机器人的位置</translation>
-    </message>
-    <message>
-        <source>%1, as it was registered</source>
-        <translation>%1，与配准时相同</translation>
-    </message>
-    <message>
-        <source>%1, but registered at %2</source>
-        <translation>%1，但配准时为 %2</translation>
-    </message>
-    <message>
-        <source>let it send the size it was registered at, or calibrate and register it anew</source>
-        <translation>让它发送配准时的尺寸，或重新标定和配准</translation>
-    </message>
-    <message>
-        <source>views disagree by %1 mm</source>
-        <translation>视角之间相差 %1 mm</translation>
-    </message>
-    <message>
-        <source>none could be trusted</source>
-        <translation>没有一个可信</translation>
-    </message>
-    <message>
-        <source>one left out</source>
-        <translation>舍去了一个</translation>
-    </message>
-    <message>
-        <source>jump of %1 mm</source>
-        <translation>跳跃 %1 mm</translation>
-    </message>
-    <message>
-        <source>jump</source>
-        <translation>跳跃</translation>
-    </message>
-    <message>
-        <source>stands out in position and speed</source>
-        <translation>位置和速度突出</translation>
-    </message>
-    <message>
-        <source>stands out in position</source>
-        <translation>位置突出</translation>
-    </message>
-    <message>
-        <source>stands out in speed</source>
-        <translation>速度突出</translation>
-    </message>
-    <message>
-        <source>faster than the limit</source>
-        <translation>超过速度限值</translation>
-    </message>
-    <message>
-        <source>harder than the limit of acceleration</source>
-        <translation>超过加速度限值</translation>
-    </message>
-    <message>
-        <source>called a spike by hand</source>
-        <translation>由人标为异常点</translation>
-    </message>
-    <message>
-        <source>cut by the picture&apos;s edge</source>
-        <translation>被画面边缘截断</translation>
-    </message>
-    <message>
-        <source>the tracker was not sure (score %1 %)</source>
-        <translation>跟踪器不确定（得分 %1 %）</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>无</translation>
-    </message>
-    <message>
-        <source>%1 and %2</source>
-        <translation>%1 和 %2</translation>
-    </message>
-    <message>
-        <source>%1; %2</source>
-        <translation>%1；%2</translation>
-    </message>
-    <message>
-        <source>%1 %2</source>
-        <translation>%1%2</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1：%2</translation>
-    </message>
-    <message>
-        <source>%1.</source>
-        <translation>%1。</translation>
-    </message>
-    <message>
-        <source>the picture is too small to hold a board</source>
-        <translation>图像太小，容不下标定板</translation>
-    </message>
-    <message>
-        <source>use a picture of the camera</source>
-        <translation>请使用该相机的图像</translation>
-    </message>
-    <message>
-        <source>use pictures of the camera</source>
-        <translation>请使用该相机的图像</translation>
-    </message>
-    <message>
-        <source>use another picture</source>
-        <translation>请换一张图片</translation>
-    </message>
-    <message>
-        <source>the picture is too small</source>
-        <translation>图像太小</translation>
-    </message>
-    <message>
-        <source>the picture has no size</source>
-        <translation>图像没有尺寸</translation>
-    </message>
-    <message>
-        <source>the board is blurred</source>
-        <translation>标定板模糊</translation>
-    </message>
-    <message>
-        <source>its edges are %1 pixels wide</source>
-        <translation>其边缘宽 %1 像素</translation>
-    </message>
-    <message>
-        <source>hold it still, and focus the camera</source>
-        <translation>请保持不动，并对好焦</translation>
-    </message>
-    <message>
-        <source>a corner of the board cannot be made out</source>
-        <translation>标定板有一个角点无法辨认</translation>
-    </message>
-    <message>
-        <source>keep the board clear and well lit</source>
-        <translation>请保持标定板无遮挡且光线良好</translation>
-    </message>
-    <message>
-        <source>this board has %1 inner corners, %2 was asked for</source>
-        <translation>此标定板有 %1 个内角点，要求的是 %2</translation>
-    </message>
-    <message>
-        <source>count the inner corners, or leave the size out</source>
-        <translation>请数一数内角点，或不填尺寸</translation>
-    </message>
-    <message>
-        <source>the board is cut off</source>
-        <translation>标定板被截断</translation>
-    </message>
-    <message>
-        <source>only %1 of its %2 inner corners are seen</source>
-        <translation>%2 个内角点中只看到 %1 个</translation>
-    </message>
-    <message>
-        <source>keep the whole board in the picture</source>
-        <translation>请让整块标定板都在画面内</translation>
-    </message>
-    <message>
-        <source>no board found</source>
-        <translation>没有找到标定板</translation>
-    </message>
-    <message>
-        <source>%1 of its markers could be read</source>
-        <translation>只读出 %1 个标记</translation>
-    </message>
-    <message>
-        <source>show the whole board, flat, sharp and well lit</source>
-        <translation>请展示整块标定板，平整、清晰、光线良好</translation>
-    </message>
-    <message>
-        <source>show the board larger, sharp and well lit</source>
-        <translation>请把标定板拍得更大、清晰、光线良好</translation>
-    </message>
-    <message>
-        <source>only %1 corners of the board are seen</source>
-        <translation>只看到标定板的 %1 个角点</translation>
-    </message>
-    <message>
-        <source>show more of the board</source>
-        <translation>请多展示一些标定板</translation>
-    </message>
-    <message>
-        <source>show one ChArUco board</source>
-        <translation>请展示一块 ChArUco 标定板</translation>
-    </message>
-    <message>
-        <source>the camera cannot be calibrated</source>
-        <translation>无法标定相机</translation>
-    </message>
-    <message>
-        <source>calibration of camera &apos;%1&apos;</source>
-        <translation>相机“%1”的标定</translation>
-    </message>
-    <message>
-        <source>three pictures of the board are needed, %1 can be used</source>
-        <translation>需要三张标定板图片，可用 %1 张</translation>
-    </message>
-    <message>
-        <source>take ten or more, the board tilted differently in each</source>
-        <translation>请拍十张或以上，每张标定板倾斜不同</translation>
-    </message>
-    <message>
-        <source>%1 % of the corners do not agree with the others</source>
-        <translation>%1 % 的角点与其余不一致</translation>
-    </message>
-    <message>
-        <source>check that all pictures are sharp, of one flat board and of one camera at one zoom and focus</source>
-        <translation>请检查所有图片清晰，且为同一块平整标定板、同一相机、同一变焦与对焦</translation>
-    </message>
-    <message>
-        <source>no lens fits these pictures</source>
-        <translation>没有镜头模型适合这些图片</translation>
-    </message>
-    <message>
-        <source>check that all are of one camera, at one zoom and focus</source>
-        <translation>请检查都来自同一相机、同一变焦与对焦</translation>
-    </message>
-    <message>
-        <source>choose others</source>
-        <translation>请另选</translation>
-    </message>
-    <message>
-        <source>use pictures of one camera at one zoom and focus</source>
-        <translation>请使用同一相机、同一变焦与对焦的图片</translation>
-    </message>
-    <message>
-        <source>all %1 pictures show the board in one place, the %2 %3 % of the picture</source>
-        <translation>全部 %1 张图片中标定板都在同一处（%2，占画面 %3 %）</translation>
-    </message>
-    <message>
-        <source>how the lens bends elsewhere stays unknown</source>
-        <translation>其他位置的畸变仍未知</translation>
-    </message>
-    <message>
-        <source>show the board in the middle and near each corner of the picture, and closer</source>
-        <translation>请在画面中间和各角附近更近地展示标定板</translation>
-    </message>
-    <message>
-        <source>all %1 pictures show the board in nearly the same attitude, which does not determine the focal length</source>
-        <translation>全部 %1 张图片中标定板姿态几乎相同，无法确定焦距</translation>
-    </message>
-    <message>
-        <source>take pictures with the board tilted by 30 to 45 degrees, to each side</source>
-        <translation>请把标定板向各侧倾斜 30 到 45 度拍摄</translation>
-    </message>
-    <message>
-        <source>the pictures determine the focal length only to %1 %</source>
-        <translation>这些图片只能把焦距确定到 %1 %</translation>
-    </message>
-    <message>
-        <source>the board is seen too nearly frontal</source>
-        <translation>标定板过于正对相机</translation>
-    </message>
-    <message>
-        <source>two halves of the pictures give focal lengths that differ by %1 %</source>
-        <translation>两半图片得出的焦距相差 %1 %</translation>
-    </message>
-    <message>
-        <source>the floor cannot be registered</source>
-        <translation>无法配准地面</translation>
-    </message>
-    <message>
-        <source>the camera cannot be registered through another</source>
-        <translation>无法通过另一相机配准</translation>
-    </message>
-    <message>
-        <source>the cameras cannot be registered together</source>
-        <translation>无法联合配准这些相机</translation>
-    </message>
-    <message>
-        <source>the length cannot be measured</source>
-        <translation>无法测量长度</translation>
-    </message>
-    <message>
-        <source>registration of camera &apos;%1&apos;</source>
-        <translation>相机“%1”的配准</translation>
-    </message>
-    <message>
-        <source>marker %1 stands twice in the layout</source>
-        <translation>标记 %1 在布局中出现两次</translation>
-    </message>
-    <message>
-        <source>marker %1 stands twice in the picture</source>
-        <translation>标记 %1 在画面中出现两次</translation>
-    </message>
-    <message>
-        <source>give each marker a name of its own</source>
-        <translation>请给每个标记各自的名称</translation>
-    </message>
-    <message>
-        <source>markers %1 and %2 lie at one place of the floor</source>
-        <translation>标记 %1 和 %2 位于地面同一处</translation>
-    </message>
-    <message>
-        <source>correct the layout</source>
-        <translation>请更正布局</translation>
-    </message>
-    <message>
-        <source>markers %1 and %2 lie on one pixel</source>
-        <translation>标记 %1 和 %2 位于同一像素</translation>
-    </message>
-    <message>
-        <source>points %1 and %2 lie on one pixel</source>
-        <translation>点 %1 和 %2 位于同一像素</translation>
-    </message>
-    <message>
-        <source>mark each of them where it is seen</source>
-        <translation>请分别标在看到的位置</translation>
-    </message>
-    <message>
-        <source>markers %1 and %2 lie only %3 mm apart, too close for two of four</source>
-        <translation>标记 %1 和 %2 仅相距 %3 mm，对四个中的两个来说太近</translation>
-    </message>
-    <message>
-        <source>spread the markers over the floor</source>
-        <translation>请把标记分散到地面各处</translation>
-    </message>
-    <message>
-        <source>spread the points over the floor</source>
-        <translation>请把点分散到地面各处</translation>
-    </message>
-    <message>
-        <source>spread them over the floor</source>
-        <translation>请把它们分散到地面各处</translation>
-    </message>
-    <message>
-        <source>four markers are needed that the layout and the picture have in common</source>
-        <translation>需要布局与画面共有的四个标记</translation>
-    </message>
-    <message>
-        <source>there are %1 (%2)</source>
-        <translation>现有 %1 个（%2）</translation>
-    </message>
-    <message>
-        <source>there are %1 (%2), and the layout does not know %3</source>
-        <translation>现有 %1 个（%2），布局中没有 %3</translation>
-    </message>
-    <message>
-        <source>there are %1</source>
-        <translation>现有 %1 个</translation>
-    </message>
-    <message>
-        <source>mark more of the layout&apos;s markers, under the layout&apos;s names</source>
-        <translation>请按布局的名称标出更多布局中的标记</translation>
-    </message>
-    <message>
-        <source>the markers are mirrored</source>
-        <translation>标记呈镜像</translation>
-    </message>
-    <message>
-        <source>seen in this order the camera would be below the floor</source>
-        <translation>按此顺序相机将位于地面以下</translation>
-    </message>
-    <message>
-        <source>seen from above, Y must point to the left of X</source>
-        <translation>从上方看，Y 必须指向 X 的左侧</translation>
-    </message>
-    <message>
-        <source>check the signs of the layout</source>
-        <translation>请检查布局的正负号</translation>
-    </message>
-    <message>
-        <source>check these labels</source>
-        <translation>请检查这些标号</translation>
-    </message>
-    <message>
-        <source>the camera would stand only %1 mm above the floor</source>
-        <translation>相机距地面只有 %1 mm</translation>
-    </message>
-    <message>
-        <source>the camera would stand %1 m above the floor</source>
-        <translation>相机距地面将有 %1 m</translation>
-    </message>
-    <message>
-        <source>marker %1 would lie at or beyond the horizon</source>
-        <translation>标记 %1 将位于地平线或其外</translation>
-    </message>
-    <message>
-        <source>check its place and its pixel</source>
-        <translation>请检查其位置和像素</translation>
-    </message>
-    <message>
-        <source>the markers do not fit a flat floor</source>
-        <translation>标记与平坦地面不符</translation>
-    </message>
-    <message>
-        <source>%1 px RMS, most at %2 (%3 px)</source>
-        <translation>%1 px RMS，%2 处最大（%3 px）</translation>
-    </message>
-    <message>
-        <source>check the layout, the labels and the intrinsics</source>
-        <translation>请检查布局、标号和内参</translation>
-    </message>
-    <message>
-        <source>the markers lie so nearly on one line (%1 the most) that the floor is known only to ±%2 mm</source>
-        <translation>标记几乎共线（%1 最甚），地面只能确定到 ±%2 mm</translation>
-    </message>
-    <message>
-        <source>mark and measure them again, or add another</source>
-        <translation>请重新标出并测量，或再加一个</translation>
-    </message>
-    <message>
-        <source>the markers do not determine where the cameras stand</source>
-        <translation>这些标记无法确定相机位置</translation>
-    </message>
-    <message>
-        <source>the points do not determine where the camera stands</source>
-        <translation>这些点无法确定相机位置</translation>
-    </message>
-    <message>
-        <source>four points are needed that both cameras see</source>
-        <translation>需要两台相机都能看到的四个点</translation>
-    </message>
-    <message>
-        <source>add points of the floor, such as corners of tiles</source>
-        <translation>请增加地面上的点，如地砖的角</translation>
-    </message>
-    <message>
-        <source>%1 of %2 were found, four are needed</source>
-        <translation>%2 个中找到 %1 个，需要四个</translation>
-    </message>
-    <message>
-        <source>missing: %1</source>
-        <translation>缺少：%1</translation>
-    </message>
-    <message>
-        <source>show the missing tags (AprilTag 36h11, numbered from 0 in the layout&apos;s order) or rings, or mark the markers by hand</source>
-        <translation>请展示缺少的标签码（AprilTag 36h11，按布局顺序从 0 编号）或圆环，或手动标出标记</translation>
-    </message>
-    <message>
-        <source>%1 rings or dots were found, four are needed</source>
-        <translation>找到 %1 个圆环或圆点，需要四个</translation>
-    </message>
-    <message>
-        <source>show more of them, larger or in better light, or mark the markers by hand</source>
-        <translation>请展示更多、更大或更亮的，或手动标出标记</translation>
-    </message>
-    <message>
-        <source>tell by hand which of them is %1</source>
-        <translation>请手动指出哪一个是 %1</translation>
-    </message>
-    <message>
-        <source>whether %1 has moved cannot be told</source>
-        <translation>无法判断 %1 是否移动</translation>
-    </message>
-    <message>
-        <source>%1 of its %2 markers were found again, two are needed</source>
-        <translation>其 %2 个标记中重新找到 %1 个，需要两个</translation>
-    </message>
-    <message>
-        <source>clear the view of the markers</source>
-        <translation>请让标记露出来</translation>
-    </message>
-    <message>
-        <source>if they are gone or the camera looks elsewhere, register it again</source>
-        <translation>若标记已不在或相机朝向别处，请重新配准</translation>
-    </message>
-    <message>
-        <source>these intrinsics cannot be used</source>
-        <translation>这些内参无法使用</translation>
-    </message>
-    <message>
-        <source>calibrate the camera again, or import another file</source>
-        <translation>请重新标定相机，或导入另一文件</translation>
-    </message>
-    <message>
-        <source>register it first, by markers or through another camera</source>
-        <translation>请先配准它，用标记或通过另一相机</translation>
-    </message>
-    <message>
-        <source>camera &apos;%1&apos; is not registered</source>
-        <translation>相机“%1”未配准</translation>
-    </message>
-    <message>
-        <source>a camera cannot be registered through itself</source>
-        <translation>相机不能通过自身配准</translation>
-    </message>
-    <message>
-        <source>name another camera that is registered</source>
-        <translation>请指定另一台已配准的相机</translation>
-    </message>
-    <message>
-        <source>both ends lie on one pixel of camera &apos;%1&apos;</source>
-        <translation>两个端点位于相机“%1”的同一像素</translation>
-    </message>
-    <message>
-        <source>mark the two ends where they are seen</source>
-        <translation>请在看到处标出两个端点</translation>
-    </message>
-    <message>
-        <source>no camera was given that sees it</source>
-        <translation>没有给出能看到它的相机</translation>
-    </message>
-    <message>
-        <source>mark its ends in one picture at least</source>
-        <translation>请至少在一个画面中标出其端点</translation>
-    </message>
-    <message>
-        <source>the told length is not above 0</source>
-        <translation>给出的长度不大于 0</translation>
-    </message>
-    <message>
-        <source>give the length as it was measured with a tape</source>
-        <translation>请给出用卷尺量得的长度</translation>
-    </message>
-    <message>
-        <source>the picture is %1, the camera was registered at %2</source>
-        <translation>图像为 %1，相机在 %2 下配准</translation>
-    </message>
-    <message>
-        <source>give a picture of that size</source>
-        <translation>请给出该尺寸的图像</translation>
-    </message>
-    <message>
-        <source>this computer</source>
-        <translation>本机</translation>
-    </message>
-    <message>
-        <source>it slept for %1, and nothing was recorded meanwhile</source>
-        <translation>休眠了 %1，其间没有录制</translation>
-    </message>
-    <message>
-        <source>what came before is kept</source>
-        <translation>此前的内容已保留</translation>
-    </message>
-    <message>
-        <source>keep it awake while it records</source>
-        <translation>录制时请保持唤醒</translation>
-    </message>
-    <message>
-        <source>camera %1</source>
-        <translation>相机 %1</translation>
-    </message>
-    <message>
-        <source>it takes only %1 pictures a second of the %2 it was asked for</source>
-        <translation>要求每秒 %2 帧，实际只有 %1 帧</translation>
-    </message>
-    <message>
-        <source>give it more light or a shorter exposure, or ask for a lower rate</source>
-        <translation>请增加光照或缩短曝光，或要求更低的帧率</translation>
-    </message>
-    <message>
-        <source>it is not there</source>
-        <translation>不存在</translation>
-    </message>
-    <message>
-        <source>plug it in, or choose one of those that odograph cameras lists</source>
-        <translation>请接上它，或选择 odograph cameras 列出的相机</translation>
-    </message>
-    <message>
-        <source>choose one of those that odograph cameras lists</source>
-        <translation>请选择 odograph cameras 列出的相机</translation>
-    </message>
-    <message>
-        <source>you may not use it</source>
-        <translation>您无权使用它</translation>
-    </message>
-    <message>
-        <source>join the group video (sudo usermod -aG video YOUR-NAME) and log in again</source>
-        <translation>请加入 video 组（sudo usermod -aG video YOUR-NAME）并重新登录</translation>
-    </message>
-    <message>
-        <source>another program uses it</source>
-        <translation>另一程序正在使用它</translation>
-    </message>
-    <message>
-        <source>close that program</source>
-        <translation>请关闭该程序</translation>
-    </message>
-    <message>
-        <source>it was unplugged</source>
-        <translation>它被拔出了</translation>
-    </message>
-    <message>
-        <source>plug it in again</source>
-        <translation>请重新接上</translation>
-    </message>
-    <message>
-        <source>plug %1 in again</source>
-        <translation>请重新接上 %1</translation>
-    </message>
-    <message>
-        <source>plug it in where it shares no bus with another camera, or choose MJPEG, a smaller picture or a lower rate (?format=MJPG&amp;size=640x480&amp;rate=30)</source>
-        <translation>请接到不与其他相机共用总线的端口，或选择 MJPEG、更小的画面或更低的帧率（?format=MJPG&amp;size=640x480&amp;rate=30）</translation>
-    </message>
-    <message>
-        <source>it cannot be opened (%1)</source>
-        <translation>无法打开（%1）</translation>
-    </message>
-    <message>
-        <source>check its cable and address</source>
-        <translation>请检查其电缆和地址</translation>
-    </message>
-    <message>
-        <source>check that you may use it (a udev rule), and that no other program does</source>
-        <translation>请检查是否有权使用（udev 规则），且没有其他程序占用</translation>
-    </message>
-    <message>
-        <source>no picture came for half a second</source>
-        <translation>半秒内没有收到图像</translation>
-    </message>
-    <message>
-        <source>wait, or check its cable</source>
-        <translation>请等待，或检查其电缆</translation>
-    </message>
-    <message>
-        <source>it does not answer</source>
-        <translation>没有响应</translation>
-    </message>
-    <message>
-        <source>check its power and cable</source>
-        <translation>请检查其电源和电缆</translation>
-    </message>
-    <message>
-        <source>it does not start (%1)</source>
-        <translation>无法启动（%1）</translation>
-    </message>
-    <message>
-        <source>check its cable, and that no other program uses it</source>
-        <translation>请检查其电缆，以及没有其他程序占用</translation>
-    </message>
-    <message>
-        <source>another camera (%1) is in its place</source>
-        <translation>其位置上是另一台相机（%1）</translation>
-    </message>
-    <message>
-        <source>another camera (%1) is in the place of camera %2</source>
-        <translation>相机 %2 的位置上是另一台相机（%1）</translation>
-    </message>
-    <message>
-        <source>connect the one that belongs there, or begin anew with this one</source>
-        <translation>请接上原来的相机，或用这一台重新开始</translation>
-    </message>
-    <message>
-        <source>it came back with pictures of another size or format</source>
-        <translation>恢复后图像的尺寸或格式变了</translation>
-    </message>
-    <message>
-        <source>set it as before, or begin anew with size and format in its address</source>
-        <translation>请照原样设置，或在地址中写明尺寸和格式后重新开始</translation>
-    </message>
-    <message>
-        <source>it has nothing named &apos;%1&apos; that could be set</source>
-        <translation>没有名为“%1”的可设项</translation>
-    </message>
-    <message>
-        <source>leave it out</source>
-        <translation>请去掉</translation>
-    </message>
-    <message>
-        <source>it refuses this value of %1</source>
-        <translation>它拒绝 %1 的这个值</translation>
-    </message>
-    <message>
-        <source>choose another one</source>
-        <translation>请另选一个</translation>
-    </message>
-    <message>
-        <source>%1 cannot be set as the camera stands now</source>
-        <translation>相机当前状态下无法设置 %1</translation>
-    </message>
-    <message>
-        <source>turn off the automatic that moves it first</source>
-        <translation>请先关闭调节它的自动功能</translation>
-    </message>
-    <message>
-        <source>%1 goes from %2 to %3</source>
-        <translation>%1 的范围为 %2 到 %3</translation>
-    </message>
-    <message>
-        <source>choose a value between</source>
-        <translation>请选择其间的值</translation>
-    </message>
-    <message>
-        <source>%1 gives no pictures</source>
-        <translation>%1 不输出图像</translation>
-    </message>
-    <message>
-        <source>it has no format that can be read</source>
-        <translation>没有可读的格式</translation>
-    </message>
-    <message>
-        <source>take another camera</source>
-        <translation>请换一台相机</translation>
-    </message>
-    <message>
-        <source>it does not offer what was asked for</source>
-        <translation>它不提供所要求的模式</translation>
-    </message>
-    <message>
-        <source>choose of what it offers</source>
-        <translation>请从其提供的模式中选择</translation>
-    </message>
-    <message>
-        <source>it does not take %1</source>
-        <translation>它不接受 %1</translation>
-    </message>
-    <message>
-        <source>ask for another size or format</source>
-        <translation>请要求其他尺寸或格式</translation>
-    </message>
-    <message>
-        <source>it does not take this size</source>
-        <translation>它不接受此尺寸</translation>
-    </message>
-    <message>
-        <source>it does not take this rate</source>
-        <translation>它不接受此帧率</translation>
-    </message>
-    <message>
-        <source>it does not take this exposure</source>
-        <translation>它不接受此曝光</translation>
-    </message>
-    <message>
-        <source>it does not take this gain</source>
-        <translation>它不接受此增益</translation>
-    </message>
-    <message>
-        <source>ask it for something else, or leave that to the camera</source>
-        <translation>请要求其他值，或交由相机决定</translation>
-    </message>
-    <message>
-        <source>no camera has such an address</source>
-        <translation>没有这样地址的相机</translation>
-    </message>
-    <message>
-        <source>give one as v4l2:/dev/video0, aravis:192.168.1.20, sim:A or file:PATH</source>
-        <translation>请写成 v4l2:/dev/video0、aravis:192.168.1.20、sim:A 或 file:PATH</translation>
-    </message>
-    <message>
-        <source>the video has ended</source>
-        <translation>视频已结束</translation>
-    </message>
-    <message>
-        <source>open it again to see it from the start</source>
-        <translation>请重新打开以从头观看</translation>
-    </message>
-    <message>
-        <source>the recording %1</source>
-        <translation>录像 %1</translation>
-    </message>
-    <message>
-        <source>make room, or move the project to another disk</source>
-        <translation>请腾出空间，或把项目移到另一磁盘</translation>
-    </message>
-    <message>
-        <source>what was recorded so far is kept</source>
-        <translation>已录制的内容已保留</translation>
-    </message>
-    <message>
-        <source>recording of trial &apos;%1&apos;</source>
-        <translation>录制试验“%1”</translation>
-    </message>
-    <message>
-        <source>check that they are connected and not used by another program</source>
-        <translation>请检查它们已连接且未被其他程序占用</translation>
-    </message>
-    <message>
-        <source>check that it is connected and not used by another program</source>
-        <translation>请检查它已连接且未被其他程序占用</translation>
-    </message>
-    <message>
-        <source>camera &apos;%1&apos; gave no picture</source>
-        <translation>相机“%1”没有输出图像</translation>
-    </message>
-    <message>
-        <source>no camera was given</source>
-        <translation>没有给出相机</translation>
-    </message>
-    <message>
-        <source>address &apos;%1&apos; of live positions</source>
-        <translation>实时位置的地址“%1”</translation>
-    </message>
-    <message>
-        <source>it is no IPv4 address with a port</source>
-        <translation>不是带端口的 IPv4 地址</translation>
-    </message>
-    <message>
-        <source>write it like 224.5.23.2:10006</source>
-        <translation>请写成 224.5.23.2:10006 的形式</translation>
-    </message>
-    <message>
-        <source>live positions to %1</source>
-        <translation>发送到 %1 的实时位置</translation>
-    </message>
-    <message>
-        <source>interface &apos;%1&apos; takes no multicast</source>
-        <translation>接口“%1”不支持组播</translation>
-    </message>
-    <message>
-        <source>this machine has none of that name</source>
-        <translation>本机没有该名称的接口</translation>
-    </message>
-    <message>
-        <source>close other programs and try again</source>
-        <translation>请关闭其他程序后重试</translation>
-    </message>
-    <message>
-        <source>cancelled</source>
-        <translation>已取消</translation>
-    </message>
-    <message>
-        <source>nothing was changed</source>
-        <translation>没有任何更改</translation>
-    </message>
-    <message>
-        <source>another program is writing to it</source>
-        <translation>另一程序正在写入</translation>
-    </message>
-    <message>
-        <source>close the other program and try again</source>
-        <translation>请关闭另一程序后重试</translation>
-    </message>
-    <message>
-        <source>it cannot be written to</source>
-        <translation>无法写入</translation>
-    </message>
-    <message>
-        <source>its folder cannot be written to</source>
-        <translation>其文件夹无法写入</translation>
-    </message>
-    <message>
-        <source>copy it to a folder that you may write to, and open the copy</source>
-        <translation>请复制到可写的文件夹并打开副本</translation>
-    </message>
-    <message>
-        <source>copy it with its videos to a folder that you may write to, and open the copy</source>
-        <translation>请连同视频复制到可写的文件夹并打开副本</translation>
-    </message>
-    <message>
-        <source>the disk is full, the change was not saved</source>
-        <translation>磁盘已满，更改未保存</translation>
-    </message>
-    <message>
-        <source>the disk is full</source>
-        <translation>磁盘已满</translation>
-    </message>
-    <message>
-        <source>make room on the disk and try again</source>
-        <translation>请腾出磁盘空间后重试</translation>
-    </message>
-    <message>
-        <source>the disk reported an error, the change was not saved</source>
-        <translation>磁盘报告错误，更改未保存</translation>
-    </message>
-    <message>
-        <source>check the disk, and copy the project to another one</source>
-        <translation>请检查磁盘，并把项目复制到另一磁盘</translation>
-    </message>
-    <message>
-        <source>check the disk and try again</source>
-        <translation>请检查磁盘后重试</translation>
-    </message>
-    <message>
-        <source>check the disk</source>
-        <translation>请检查磁盘</translation>
-    </message>
-    <message>
-        <source>the file is damaged</source>
-        <translation>文件已损坏</translation>
-    </message>
-    <message>
-        <source>its tables are not those of a project</source>
-        <translation>其数据表不是项目的</translation>
-    </message>
-    <message>
-        <source>restore it from a backup copy</source>
-        <translation>请从备份恢复</translation>
-    </message>
-    <message>
-        <source>the project file is damaged</source>
-        <translation>项目文件已损坏</translation>
-    </message>
-    <message>
-        <source>it is not a project file</source>
-        <translation>不是项目文件</translation>
-    </message>
-    <message>
-        <source>it is a database of another program</source>
-        <translation>是其他程序的数据库</translation>
-    </message>
-    <message>
-        <source>the journal beside it names another file</source>
-        <translation>旁边的日志指向另一个文件</translation>
-    </message>
-    <message>
-        <source>choose a file that Odograph has written</source>
-        <translation>请选择 Odograph 写出的文件</translation>
-    </message>
-    <message>
-        <source>it refers to something that is not in the project, or a value is missing</source>
-        <translation>引用了项目中没有的内容，或缺少某个值</translation>
-    </message>
-    <message>
-        <source>add what it refers to first</source>
-        <translation>请先添加所引用的内容</translation>
-    </message>
-    <message>
-        <source>the database refused</source>
-        <translation>数据库拒绝了</translation>
-    </message>
-    <message>
-        <source>run a check of the project</source>
-        <translation>请运行项目检查</translation>
-    </message>
-    <message>
-        <source>there is no such file</source>
-        <translation>没有这个文件</translation>
-    </message>
-    <message>
-        <source>check the name, or make a new project</source>
-        <translation>请检查名称，或新建项目</translation>
-    </message>
-    <message>
-        <source>check the name and the folder</source>
-        <translation>请检查名称和文件夹</translation>
-    </message>
-    <message>
-        <source>it is a folder</source>
-        <translation>是文件夹</translation>
-    </message>
-    <message>
-        <source>it cannot be read</source>
-        <translation>无法读取</translation>
-    </message>
-    <message>
-        <source>it cannot be read (%1)</source>
-        <translation>无法读取（%1）</translation>
-    </message>
-    <message>
-        <source>check that you may read the file</source>
-        <translation>请检查是否有权读取该文件</translation>
-    </message>
-    <message>
-        <source>check that the file is there and may be read</source>
-        <translation>请检查文件是否存在且可读</translation>
-    </message>
-    <message>
-        <source>check that it is there and may be read</source>
-        <translation>请检查其是否存在且可读</translation>
-    </message>
-    <message>
-        <source>the file is empty</source>
-        <translation>文件为空</translation>
-    </message>
-    <message>
-        <source>the file is cut off</source>
-        <translation>文件不完整</translation>
-    </message>
-    <message>
-        <source>it has %1 of %2 bytes</source>
-        <translation>共 %2 字节，只有 %1</translation>
-    </message>
-    <message>
-        <source>copy it again from where it came, or restore a backup copy</source>
-        <translation>请从来源重新复制，或恢复备份</translation>
-    </message>
-    <message>
-        <source>it was written by a newer Odograph (format %1, this one knows formats up to %2)</source>
-        <translation>由更新的 Odograph 写出（格式 %1，本程序最高支持 %2）</translation>
-    </message>
-    <message>
-        <source>open it with that Odograph, or update this one</source>
-        <translation>请用那个版本打开，或更新本程序</translation>
-    </message>
-    <message>
-        <source>open the project with a newer Odograph</source>
-        <translation>请用更新的 Odograph 打开项目</translation>
-    </message>
-    <message>
-        <source>it is open in another window</source>
-        <translation>已在另一窗口打开</translation>
-    </message>
-    <message>
-        <source>it is open in another window (%1)</source>
-        <translation>已在另一窗口打开（%1）</translation>
-    </message>
-    <message>
-        <source>close it there first</source>
-        <translation>请先在那里关闭</translation>
-    </message>
-    <message>
-        <source>a trial is being recorded into it just now</source>
-        <translation>正在向其中录制试验</translation>
-    </message>
-    <message>
-        <source>wait until that has ended</source>
-        <translation>请等待其结束</translation>
-    </message>
-    <message>
-        <source>check the free space and the rights of the project&apos;s folder</source>
-        <translation>请检查项目文件夹的可用空间和权限</translation>
-    </message>
-    <message>
-        <source>check the free space and the rights of its folder</source>
-        <translation>请检查其文件夹的可用空间和权限</translation>
-    </message>
-    <message>
-        <source>a file of that name is there already</source>
-        <translation>已有同名文件</translation>
-    </message>
-    <message>
-        <source>choose another name, or remove that file first</source>
-        <translation>请换个名称，或先删除该文件</translation>
-    </message>
-    <message>
-        <source>there is no folder &apos;%1&apos;</source>
-        <translation>没有文件夹“%1”</translation>
-    </message>
-    <message>
-        <source>make the folder first, or choose another one</source>
-        <translation>请先建立该文件夹，或选择另一个</translation>
-    </message>
-    <message>
-        <source>it has no file name</source>
-        <translation>没有文件名</translation>
-    </message>
-    <message>
-        <source>give the file a name</source>
-        <translation>请给文件命名</translation>
-    </message>
-    <message>
-        <source>its name is too long</source>
-        <translation>名称太长</translation>
-    </message>
-    <message>
-        <source>choose a shorter name</source>
-        <translation>请换个更短的名称</translation>
-    </message>
-    <message>
-        <source>the folder &apos;%1&apos; cannot be written to (%2)</source>
-        <translation>文件夹“%1”无法写入（%2）</translation>
-    </message>
-    <message>
-        <source>choose a folder that you may write to</source>
-        <translation>请选择可写的文件夹</translation>
-    </message>
-    <message>
-        <source>choose a folder that you may write to and that has room</source>
-        <translation>请选择可写且有空间的文件夹</translation>
-    </message>
-    <message>
-        <source>choose a folder that can be written to and has room</source>
-        <translation>请选择可写且有空间的文件夹</translation>
-    </message>
-    <message>
-        <source>writing it failed (%1)</source>
-        <translation>写入失败（%1）</translation>
-    </message>
-    <message>
-        <source>it cannot be written (%1)</source>
-        <translation>无法写出（%1）</translation>
-    </message>
-    <message>
-        <source>what it concerns has been changed or used since</source>
-        <translation>其对象此后已被更改或使用</translation>
-    </message>
-    <message>
-        <source>take the later change back first, or leave it</source>
-        <translation>请先撤销后来的更改，或保持不变</translation>
-    </message>
-    <message>
-        <source>nothing has been changed since the project was opened</source>
-        <translation>自打开项目以来没有更改</translation>
-    </message>
-    <message>
-        <source>change something first</source>
-        <translation>请先做更改</translation>
-    </message>
-    <message>
-        <source>nothing has been undone</source>
-        <translation>没有已撤销的操作</translation>
-    </message>
-    <message>
-        <source>undo something first</source>
-        <translation>请先撤销</translation>
-    </message>
-    <message>
-        <source>the project has a %1 of that name already</source>
-        <translation>项目中已有同名的%1</translation>
-    </message>
-    <message>
-        <source>the project has a trial of that name</source>
-        <translation>项目中已有同名试验</translation>
-    </message>
-    <message>
-        <source>choose another name</source>
-        <translation>请换个名称</translation>
-    </message>
-    <message>
-        <source>there is no such %1 in the project</source>
-        <translation>项目中没有这样的%1</translation>
-    </message>
-    <message>
-        <source>class</source>
-        <translation>班级</translation>
-    </message>
-    <message>
-        <source>team</source>
-        <translation>小组</translation>
-    </message>
-    <message>
-        <source>robot</source>
-        <translation>机器人</translation>
-    </message>
-    <message>
-        <source>camera</source>
-        <translation>相机</translation>
-    </message>
-    <message>
-        <source>task</source>
-        <translation>任务</translation>
-    </message>
-    <message>
-        <source>trial</source>
-        <translation>试验</translation>
-    </message>
-    <message>
-        <source>layout</source>
-        <translation>布局</translation>
-    </message>
-    <message>
-        <source>name of a %1</source>
-        <translation>%1的名称</translation>
-    </message>
-    <message>
-        <source>it is empty</source>
-        <translation>为空</translation>
-    </message>
-    <message>
-        <source>give the %1 a name</source>
-        <translation>请给%1命名</translation>
-    </message>
-    <message>
-        <source>it has %1 characters</source>
-        <translation>有 %1 个字符</translation>
-    </message>
-    <message>
-        <source>use at most %1</source>
-        <translation>最多使用 %1 个</translation>
-    </message>
-    <message>
-        <source>it holds a line break or another control character</source>
-        <translation>含有换行或其他控制字符</translation>
-    </message>
-    <message>
-        <source>use a name of one line</source>
-        <translation>请使用单行名称</translation>
-    </message>
-    <message>
-        <source>it is not valid UTF-8 text</source>
-        <translation>不是有效的 UTF-8 文本</translation>
-    </message>
-    <message>
-        <source>class &apos;%1&apos;</source>
-        <translation>班级“%1”</translation>
-    </message>
-    <message>
-        <source>team &apos;%1&apos;</source>
-        <translation>小组“%1”</translation>
-    </message>
-    <message>
-        <source>robot &apos;%1&apos;</source>
-        <translation>机器人“%1”</translation>
-    </message>
-    <message>
-        <source>camera &apos;%1&apos;</source>
-        <translation>相机“%1”</translation>
-    </message>
-    <message>
-        <source>task &apos;%1&apos;</source>
-        <translation>任务“%1”</translation>
-    </message>
-    <message>
-        <source>layout &apos;%1&apos;</source>
-        <translation>布局“%1”</translation>
-    </message>
-    <message>
-        <source>file &apos;%1&apos;</source>
-        <translation>文件“%1”</translation>
-    </message>
-    <message>
-        <source>a team belongs to it</source>
-        <translation>有一个小组属于它</translation>
-    </message>
-    <message>
-        <source>%1 teams belong to it</source>
-        <translation>有 %1 个小组属于它</translation>
-    </message>
-    <message>
-        <source>move its teams to another class first, or archive it</source>
-        <translation>请先把其小组移到别的班级，或将其归档</translation>
-    </message>
-    <message>
-        <source>it drove in a trial</source>
-        <translation>它在某个试验中运行过</translation>
-    </message>
-    <message>
-        <source>keep it</source>
-        <translation>请保留</translation>
-    </message>
-    <message>
-        <source>it can be given another name</source>
-        <translation>可以给它另起名称</translation>
-    </message>
-    <message>
-        <source>a trial has it</source>
-        <translation>有一个试验使用它</translation>
-    </message>
-    <message>
-        <source>%1 trials have it</source>
-        <translation>有 %1 个试验使用它</translation>
-    </message>
-    <message>
-        <source>give them another task first</source>
-        <translation>请先给它们另一任务</translation>
-    </message>
-    <message>
-        <source>trials were measured by it</source>
-        <translation>有试验按它测量</translation>
-    </message>
-    <message>
-        <source>their figures would not say any more what they were measured by</source>
-        <translation>否则指标将不再说明其测量依据</translation>
-    </message>
-    <message>
-        <source>a trial is its</source>
-        <translation>有一个试验属于它</translation>
-    </message>
-    <message>
-        <source>%1 trials are its</source>
-        <translation>有 %1 个试验属于它</translation>
-    </message>
-    <message>
-        <source>delete them for good first, or archive its class</source>
-        <translation>请先永久删除它们，或归档其班级</translation>
-    </message>
-    <message>
-        <source>it has more than %1 members</source>
-        <translation>成员超过 %1 人</translation>
-    </message>
-    <message>
-        <source>give the names of the people in the team</source>
-        <translation>请给出组内人员的姓名</translation>
-    </message>
-    <message>
-        <source>a robot belongs to it twice</source>
-        <translation>有机器人重复属于它</translation>
-    </message>
-    <message>
-        <source>name each of its robots once</source>
-        <translation>每个机器人只写一次</translation>
-    </message>
-    <message>
-        <source>it is being recorded</source>
-        <translation>正在录制</translation>
-    </message>
-    <message>
-        <source>trial &apos;%1&apos; is being recorded</source>
-        <translation>正在录制试验“%1”</translation>
-    </message>
-    <message>
-        <source>end its recording first</source>
-        <translation>请先结束录制</translation>
-    </message>
-    <message>
-        <source>it is not in the bin</source>
-        <translation>不在回收站中</translation>
-    </message>
-    <message>
-        <source>put it into the bin first</source>
-        <translation>请先放入回收站</translation>
-    </message>
-    <message>
-        <source>its height is to be told, but none is given</source>
-        <translation>需要给出高度，但没有</translation>
-    </message>
-    <message>
-        <source>give a height, or let it be estimated</source>
-        <translation>请给出高度，或让程序估计</translation>
-    </message>
-    <message>
-        <source>its height is below the floor</source>
-        <translation>高度低于地面</translation>
-    </message>
-    <message>
-        <source>give a height of 0 or more</source>
-        <translation>请给出 0 或以上的高度</translation>
-    </message>
-    <message>
-        <source>its size is not above 0</source>
-        <translation>尺寸不大于 0</translation>
-    </message>
-    <message>
-        <source>give length and width in millimetres, like 260x190</source>
-        <translation>请以毫米给出长和宽，如 260x190</translation>
-    </message>
-    <message>
-        <source>length &apos;%1&apos;</source>
-        <translation>长度“%1”</translation>
-    </message>
-    <message>
-        <source>not a number with the unit mm, cm or m</source>
-        <translation>不是带单位 mm、cm 或 m 的数字</translation>
-    </message>
-    <message>
-        <source>write it like 25mm, 2.5cm or 0.3m</source>
-        <translation>请写成 25mm、2.5cm 或 0.3m 的形式</translation>
-    </message>
-    <message>
-        <source>not a finite decimal number</source>
-        <translation>不是有限的十进制数</translation>
-    </message>
-    <message>
-        <source>write it with digits and a point, like 12.5</source>
-        <translation>请用数字和小数点书写，如 12.5</translation>
-    </message>
-    <message>
-        <source>correct the pixels</source>
-        <translation>请更正像素</translation>
-    </message>
-    <message>
-        <source>correct it</source>
-        <translation>请更正</translation>
-    </message>
-    <message>
-        <source>correct one of them</source>
-        <translation>请更正其中之一</translation>
-    </message>
-    <message>
-        <source>point %1 is there twice</source>
-        <translation>点 %1 出现两次</translation>
-    </message>
-    <message>
-        <source>point %1 lies at or beyond the horizon of %2</source>
-        <translation>点 %1 位于 %2 的地平线或其外</translation>
-    </message>
-    <message>
-        <source>choose points of the floor</source>
-        <translation>请选择地面上的点</translation>
-    </message>
-    <message>
-        <source>point %1 lies where a lens cannot have put it</source>
-        <translation>点 %1 位于镜头不可能成像的位置</translation>
-    </message>
-    <message>
-        <source>check its pixels and the intrinsics of both cameras</source>
-        <translation>请检查其像素和两台相机的内参</translation>
-    </message>
-    <message>
-        <source>the points are mirrored between the pictures of the two cameras</source>
-        <translation>两台相机画面中的点互为镜像</translation>
-    </message>
-    <message>
-        <source>check which label belongs to which point in %1 and in this camera</source>
-        <translation>请检查 %1 与本相机中标号和点的对应</translation>
-    </message>
-    <message>
-        <source>point %1 would lie at or beyond the horizon</source>
-        <translation>点 %1 将位于地平线或其外</translation>
-    </message>
-    <message>
-        <source>check its pixels in both pictures</source>
-        <translation>请检查它在两个画面中的像素</translation>
-    </message>
-    <message>
-        <source>the floor among the points is known only to ±%1 mm</source>
-        <translation>点之间的地面只能确定到 ±%1 mm</translation>
-    </message>
-    <message>
-        <source>spread the points over the floor, or register %1 better first</source>
-        <translation>请把点分散到地面各处，或先更好地配准 %1</translation>
-    </message>
-    <message>
-        <source>the markers fit only to %1 px, but %2</source>
-        <translation>标记只拟合到 %1 px，但 %2</translation>
-    </message>
-    <message>
-        <source>the %1 markers misfit by %2 px (%3 mm) and check one another too little to tell which of them</source>
-        <translation>%1 个标记偏差 %2 px（%3 mm），彼此校验不足，无法判断是哪一个</translation>
-    </message>
-    <message>
-        <source>it may be wrong by much more</source>
-        <translation>误差可能大得多</translation>
-    </message>
-    <message>
-        <source>there is %1 camera on layout &apos;%2&apos;, two are needed</source>
-        <translation>布局“%2”上有 %1 台相机，需要两台</translation>
-    </message>
-    <message>
-        <source>register the cameras one by one by this layout first</source>
-        <translation>请先按此布局逐台配准相机</translation>
-    </message>
-    <message>
-        <source>camera &apos;%1&apos; sees only %2 of the markers</source>
-        <translation>相机“%1”只看到 %2 个标记</translation>
-    </message>
-    <message>
-        <source>register it by more of them first</source>
-        <translation>请先用更多标记配准它</translation>
-    </message>
-    <message>
-        <source>no two of the cameras see the same marker</source>
-        <translation>没有两台相机看到同一标记</translation>
-    </message>
-    <message>
-        <source>let them see some of the same floor</source>
-        <translation>请让它们看到部分相同的地面</translation>
-    </message>
-    <message>
-        <source>the first end lies at or beyond the horizon of camera &apos;%1&apos;</source>
-        <translation>第一个端点位于相机“%1”的地平线或其外</translation>
-    </message>
-    <message>
-        <source>the second end lies at or beyond the horizon of camera &apos;%1&apos;</source>
-        <translation>第二个端点位于相机“%1”的地平线或其外</translation>
-    </message>
-    <message>
-        <source>lay the stick on the floor, nearer to the camera</source>
-        <translation>请把标尺放在地面上离相机更近处</translation>
-    </message>
-    <message>
-        <source>the floor markers cannot be found</source>
-        <translation>找不到地面标记</translation>
-    </message>
-    <message>
-        <source>the markers cannot be told apart</source>
-        <translation>无法区分各标记</translation>
-    </message>
-    <message>
-        <source>in %1 ways they fit the layout equally well, which looks the same from several sides</source>
-        <translation>布局从多个方向看相同，有 %1 种方式同样吻合</translation>
-    </message>
-    <message>
-        <source>none of the ways to name the %1 rings and dots fits the layout</source>
-        <translation>%1 个圆环和圆点的任何命名方式都与布局不符</translation>
-    </message>
-    <message>
-        <source>check the layout&apos;s places and their unit, cover other round things, or mark the markers by hand</source>
-        <translation>请检查布局的位置和单位，遮住其他圆形物，或手动标出标记</translation>
-    </message>
-    <message>
-        <source>tag %1 (marker %2) is seen %3 times</source>
-        <translation>标签码 %1（标记 %2）出现 %3 次</translation>
-    </message>
-    <message>
-        <source>leave one of them on the floor</source>
-        <translation>请只在地面留一个</translation>
-    </message>
-    <message>
-        <source>the axes of layout &apos;%1&apos; cannot be changed</source>
-        <translation>无法更改布局“%1”的坐标轴</translation>
-    </message>
-    <message>
-        <source>it has no marker %1</source>
-        <translation>没有标记 %1</translation>
-    </message>
-    <message>
-        <source>name one of %1</source>
-        <translation>请从 %1 中指定一个</translation>
-    </message>
-    <message>
-        <source>the markers that X is to run along lie at one place</source>
-        <translation>X 轴所经的标记位于同一处</translation>
-    </message>
-    <message>
-        <source>name two that lie apart</source>
-        <translation>请指定相距的两个</translation>
-    </message>
-    <message>
-        <source>give one of them</source>
-        <translation>请给出其中之一</translation>
-    </message>
-    <message>
-        <source>reversing X alone would mirror the floor, and no camera above it sees it so</source>
-        <translation>只反转 X 会使地面镜像，其上的相机看不到这样的地面</translation>
-    </message>
-    <message>
-        <source>reversing Y alone would mirror the floor, and no camera above it sees it so</source>
-        <translation>只反转 Y 会使地面镜像，其上的相机看不到这样的地面</translation>
-    </message>
-    <message>
-        <source>reverse both (a half turn), or turn the axes</source>
-        <translation>请同时反转两者（转半圈），或旋转坐标轴</translation>
-    </message>
-    <message>
-        <source>if the layout was written down mirrored, correct its signs and add it anew</source>
-        <translation>若布局记成了镜像，请更正正负号后重新添加</translation>
-    </message>
-    <message>
-        <source>%1 cannot be set while it is automatic</source>
-        <translation>%1 处于自动时无法设置</translation>
-    </message>
-    <message>
-        <source>turn the automatic off</source>
-        <translation>请关闭自动</translation>
-    </message>
-    <message>
-        <source>check its power and cable, and that this computer has an address in the camera&apos;s network</source>
-        <translation>请检查其电源和电缆，以及本机在相机网络中有地址</translation>
-    </message>
-    <message>
-        <source>a camera whose program has crashed is free again after some seconds</source>
-        <translation>若占用相机的程序崩溃，几秒后相机会恢复可用</translation>
-    </message>
-    <message>
-        <source>no camera of this serial number answers</source>
-        <translation>没有此序列号的相机响应</translation>
-    </message>
-    <message>
-        <source>check its power and cable; odograph cameras lists those that answer</source>
-        <translation>请检查其电源和电缆；odograph cameras 会列出有响应的相机</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not understood</source>
-        <translation>无法理解“%1”</translation>
-    </message>
-    <message>
-        <source>give each point a label</source>
-        <translation>请给每个点一个标号</translation>
-    </message>
-    <message>
-        <source>write one value for each of %1</source>
-        <translation>请为 %1 各写一个值</translation>
-    </message>
-    <message>
-        <source>not of the form #rrggbb</source>
-        <translation>不是 #rrggbb 形式</translation>
-    </message>
-    <message>
-        <source>write it like #d72328</source>
-        <translation>请写成 #d72328 的形式</translation>
-    </message>
-    <message>
-        <source>a board of %1 inner corners is too small</source>
-        <translation>%1 内角点的标定板太小</translation>
-    </message>
-    <message>
-        <source>give 3x3 at least, like 9x6, or leave the size out</source>
-        <translation>请至少给出 3x3，如 9x6，或不填尺寸</translation>
-    </message>
-    <message>
-        <source>the squares have no size</source>
-        <translation>方格没有尺寸</translation>
-    </message>
-    <message>
-        <source>give it like 25mm</source>
-        <translation>请写成 25mm 的形式</translation>
-    </message>
-    <message>
-        <source>there is no marker dictionary %1</source>
-        <translation>没有标记字典 %1</translation>
-    </message>
-    <message>
-        <source>analyse the trial again</source>
-        <translation>请重新分析该试验</translation>
-    </message>
-    <message>
-        <source>analysis of a trial</source>
-        <translation>试验的分析</translation>
-    </message>
-    <message>
-        <source>the change could not be noted (%1)</source>
-        <translation>无法记录更改（%1）</translation>
-    </message>
-    <message>
-        <source>try it again</source>
-        <translation>请重试</translation>
-    </message>
-    <message>
-        <source>undo</source>
-        <translation>撤销</translation>
-    </message>
-    <message>
-        <source>redo</source>
-        <translation>重做</translation>
-    </message>
-    <message>
-        <source>an earlier step of this change failed</source>
-        <translation>此更改的前一步失败</translation>
-    </message>
-    <message>
-        <source>try the whole change again</source>
-        <translation>请重试整个更改</translation>
-    </message>
-    <message>
-        <source>cannot hold %1</source>
-        <translation>无法锁定 %1</translation>
-    </message>
-    <message>
-        <source>the labels are not those that it has</source>
-        <translation>标号与原有的不同</translation>
-    </message>
-    <message>
-        <source>add another layout for other markers</source>
-        <translation>其他标记请另加布局</translation>
-    </message>
-    <message>
-        <source>the copy differs from what was written</source>
-        <translation>副本与写入内容不同</translation>
-    </message>
-    <message>
-        <source>it says of itself to have the format %1</source>
-        <translation>其自称格式为 %1</translation>
-    </message>
-    <message>
-        <source>type the name anew</source>
-        <translation>请重新输入名称</translation>
-    </message>
-    <message>
-        <source>type the text anew</source>
-        <translation>请重新输入文本</translation>
-    </message>
-    <message>
-        <source>it has no %1 yet</source>
-        <translation>还没有%1</translation>
-    </message>
-    <message>
-        <source>add one first</source>
-        <translation>请先添加</translation>
-    </message>
-    <message>
-        <source>it has the older format %1 and must be brought up to date before it can be read, but %2</source>
-        <translation>其格式 %1 较旧，读取前须更新，但 %2</translation>
-    </message>
-    <message>
-        <source>it could not be brought to format %1 (%2)</source>
-        <translation>无法更新到格式 %1（%2）</translation>
-    </message>
-    <message>
-        <source>reading it failed (%1)</source>
-        <translation>读取失败（%1）</translation>
-    </message>
-    <message>
-        <source>recording &apos;%1&apos;</source>
-        <translation>录像“%1”</translation>
-    </message>
-    <message>
-        <source>its recording has ended already</source>
-        <translation>其录制已结束</translation>
-    </message>
-    <message>
-        <source>record another trial</source>
-        <translation>请录制另一个试验</translation>
-    </message>
-    <message>
-        <source>comparison of %1</source>
-        <translation>%1 的比较</translation>
-    </message>
-    <message>
-        <source>it has more than %1 lines</source>
-        <translation>超过 %1 行</translation>
-    </message>
-    <message>
-        <source>keep those that matter</source>
-        <translation>请保留重要的</translation>
-    </message>
-    <message>
-        <source>a number in it is none</source>
-        <translation>其中有一个不是数字</translation>
-    </message>
-    <message>
-        <source>give three numbers</source>
-        <translation>请给出三个数字</translation>
-    </message>
-    <message>
-        <source>its points are 0, or beyond 1000</source>
-        <translation>分数为 0 或超过 1000</translation>
-    </message>
-    <message>
-        <source>give points from 1 to 1000, below zero for a penalty</source>
-        <translation>请给出 1 到 1000 的分数，扣分用负数</translation>
-    </message>
-    <message>
-        <source>it is shorter than 1 mm</source>
-        <translation>短于 1 mm</translation>
-    </message>
-    <message>
-        <source>its points are not on a floor of 1 km</source>
-        <translation>其点不在 1 km 的地面内</translation>
-    </message>
-    <message>
-        <source>it has more than %1 points</source>
-        <translation>点数超过 %1</translation>
-    </message>
-    <message>
-        <source>its place is not a number</source>
-        <translation>其位置不是数字</translation>
-    </message>
-    <message>
-        <source>a slalom has 1 to 100 poles, not %1</source>
-        <translation>回转赛道有 1 到 100 根杆，而非 %1</translation>
-    </message>
-    <message>
-        <source>give another number</source>
-        <translation>请给出另一个数字</translation>
-    </message>
-    <message>
-        <source>the board was found in none of %1 pictures (%2)</source>
-        <translation>%1 张图片中都没有找到标定板（%2）</translation>
-    </message>
-    <message>
-        <source>show the whole board, flat, sharp and evenly lit, and check --pattern and --board</source>
-        <translation>请展示整块标定板，平整、清晰、光线均匀，并检查图案和尺寸</translation>
-    </message>
-    <message>
-        <source>the size of its pictures is not known</source>
-        <translation>其画面尺寸未知</translation>
-    </message>
-    <message>
-        <source>it has no intrinsics and no recording</source>
-        <translation>没有内参也没有录像</translation>
-    </message>
-    <message>
-        <source>calibrate it, import its intrinsics, or import a trial with it first</source>
-        <translation>请先标定它、导入其内参，或导入一个用它的试验</translation>
-    </message>
-    <message>
-        <source>it was never calibrated</source>
-        <translation>从未标定</translation>
-    </message>
-    <message>
-        <source>it was registered through another camera</source>
-        <translation>它是通过另一相机配准的</translation>
-    </message>
-    <message>
-        <source>register it through that camera again</source>
-        <translation>请再次通过那台相机配准</translation>
-    </message>
-    <message>
-        <source>it cannot be looked at (%1)</source>
-        <translation>无法查看（%1）</translation>
-    </message>
-    <message>
-        <source>choose a robot of the trial</source>
-        <translation>请选择该试验的机器人</translation>
-    </message>
-    <message>
-        <source>no track of it was imported</source>
-        <translation>没有导入它的轨迹</translation>
-    </message>
-    <message>
-        <source>begin the file with the line %1</source>
-        <translation>请以 %1 行作为文件开头</translation>
-    </message>
-    <message>
-        <source>begin the file with the line class,team or class,team,pseudonym</source>
-        <translation>请以 class,team 或 class,team,pseudonym 行作为文件开头</translation>
-    </message>
-    <message>
-        <source>there is no such rule of a zone</source>
-        <translation>没有这样的区域规则</translation>
-    </message>
-    <message>
-        <source>it has less than three corners</source>
-        <translation>顶点少于三个</translation>
-    </message>
-    <message>
-        <source>give the corners of its outline, all the way round</source>
-        <translation>请绕一圈给出其轮廓的顶点</translation>
-    </message>
-    <message>
-        <source>give the corners in order, all the way round</source>
-        <translation>请按顺序绕一圈给出顶点</translation>
-    </message>
-    <message>
-        <source>it has more than %1 corners</source>
-        <translation>顶点超过 %1 个</translation>
-    </message>
-    <message>
-        <source>draw it more coarsely</source>
-        <translation>请画得粗略些</translation>
-    </message>
-    <message>
-        <source>sample it more coarsely</source>
-        <translation>请取更稀疏的点</translation>
-    </message>
-    <message>
-        <source>its corners are not on a floor of 1 km</source>
-        <translation>其顶点不在 1 km 的地面内</translation>
-    </message>
-    <message>
-        <source>two corners are less than 1 mm apart</source>
-        <translation>两个顶点相距不足 1 mm</translation>
-    </message>
-    <message>
-        <source>give each corner once</source>
-        <translation>每个顶点只给一次</translation>
-    </message>
-    <message>
-        <source>its outline crosses itself</source>
-        <translation>其轮廓自相交叉</translation>
-    </message>
-    <message>
-        <source>the task has %1 zones already</source>
-        <translation>任务已有 %1 个区域</translation>
-    </message>
-    <message>
-        <source>join zones that lie beside one another</source>
-        <translation>请合并相邻的区域</translation>
-    </message>
-    <message>
-        <source>give each zone a name of its own</source>
-        <translation>请给每个区域各自的名称</translation>
-    </message>
-    <message>
-        <source>give where it lies in millimetres</source>
-        <translation>请以毫米给出其位置</translation>
-    </message>
-    <message>
-        <source>name a picture</source>
-        <translation>请指定图片</translation>
-    </message>
-    <message>
-        <source>the file is larger than 200 MB</source>
-        <translation>文件大于 200 MB</translation>
-    </message>
-    <message>
-        <source>the file could not be read</source>
-        <translation>无法读取文件</translation>
-    </message>
-    <message>
-        <source>it is no PNG, JPEG, BMP, TIFF or PNM picture</source>
-        <translation>不是 PNG、JPEG、BMP、TIFF 或 PNM 图片</translation>
-    </message>
-    <message>
-        <source>convert it to PNG or JPEG</source>
-        <translation>请转换为 PNG 或 JPEG</translation>
-    </message>
-    <message>
-        <source>make it smaller</source>
-        <translation>请缩小</translation>
-    </message>
-    <message>
-        <source>its content is damaged or cut short</source>
-        <translation>其内容损坏或不完整</translation>
-    </message>
-    <message>
-        <source>copy it again</source>
-        <translation>请重新复制</translation>
-    </message>
-    <message>
-        <source>cannot decode %1</source>
-        <translation>无法解码 %1</translation>
-    </message>
-    <message>
-        <source>cannot show frame %1 of %2</source>
-        <translation>无法显示 %2 的第 %1 帧</translation>
-    </message>
-    <message>
-        <source>it has frames 0 to %1</source>
-        <translation>其帧为 0 到 %1</translation>
-    </message>
-    <message>
-        <source>choose one of these</source>
-        <translation>请从中选择</translation>
-    </message>
-    <message>
-        <source>cannot write the recording %1</source>
-        <translation>无法写出录像 %1</translation>
-    </message>
-    <message>
-        <source>check that its folder may be written to and has room</source>
-        <translation>请检查其文件夹可写且有空间</translation>
-    </message>
-    <message>
-        <source>check that the folder may be written to and has room</source>
-        <translation>请检查文件夹可写且有空间</translation>
-    </message>
-    <message>
-        <source>writing has failed before</source>
-        <translation>此前写入已失败</translation>
-    </message>
-    <message>
-        <source>convert it to a smaller size</source>
-        <translation>请转换为更小的尺寸</translation>
-    </message>
-    <message>
-        <source>H.264 needs an even width and height, not %1</source>
-        <translation>H.264 需要偶数宽高，而非 %1</translation>
-    </message>
-    <message>
-        <source>use MJPEG or FFV1, or another size</source>
-        <translation>请使用 MJPEG 或 FFV1，或其他尺寸</translation>
-    </message>
-    <message>
-        <source>the installed libavcodec has no encoder for it</source>
-        <translation>已安装的 libavcodec 没有相应编码器</translation>
-    </message>
-    <message>
-        <source>neither their pixels nor a picture to look in was given</source>
-        <translation>既没有给出像素，也没有给出可查找的图像</translation>
-    </message>
-    <message>
-        <source>it was made with it already</source>
-        <translation>已是用它完成的</translation>
-    </message>
-    <message>
-        <source>calibrate the lens first, or put another calibration in force</source>
-        <translation>请先标定镜头，或启用另一标定</translation>
-    </message>
-    <message>
-        <source>project &apos;%1&apos;</source>
-        <translation>项目“%1”</translation>
-    </message>
-    <message>
-        <source>copy &apos;%1&apos;</source>
-        <translation>副本“%1”</translation>
-    </message>
-    <message>
-        <source>copy of &apos;%1&apos;</source>
-        <translation>“%1”的副本</translation>
-    </message>
-    <message>
-        <source>export of &apos;%1&apos;</source>
-        <translation>导出“%1”</translation>
-    </message>
-    <message>
-        <source>cannot open the video %1</source>
-        <translation>无法打开视频 %1</translation>
-    </message>
-    <message>
-        <source>cannot write a frame to the video %1</source>
-        <translation>无法向视频 %1 写入帧</translation>
-    </message>
-    <message>
-        <source>cannot finish the video %1</source>
-        <translation>无法完成视频 %1</translation>
-    </message>
-    <message>
-        <source>cannot encode the video</source>
-        <translation>无法编码视频</translation>
-    </message>
-    <message>
-        <source>the encoder would not start (%1)</source>
-        <translation>编码器无法启动（%1）</translation>
-    </message>
-    <message>
-        <source>check the size, the frame rate and the quality that were asked for</source>
-        <translation>请检查所要求的尺寸、帧率和质量</translation>
-    </message>
-    <message>
-        <source>cannot record into %1</source>
-        <translation>无法录制到 %1</translation>
-    </message>
-    <message>
-        <source>demo in &apos;%1&apos;</source>
-        <translation>“%1”中的演示</translation>
-    </message>
-    <message>
-        <source>colour in the box</source>
-        <translation>框内的颜色</translation>
-    </message>
-    <message>
-        <source>the box is too small, or outside the picture</source>
-        <translation>框太小，或在画面之外</translation>
-    </message>
-    <message>
-        <source>draw it round the robot, at least 8 pixels wide and high</source>
-        <translation>请围着机器人画框，宽高至少 8 像素</translation>
-    </message>
-    <message>
-        <source>the box leaves nothing of the floor to compare with</source>
-        <translation>框外没有可供比较的地面</translation>
-    </message>
-    <message>
-        <source>draw it closely round the robot</source>
-        <translation>请紧贴机器人画框</translation>
-    </message>
-    <message>
-        <source>what differs from the floor around it is grey, black or white</source>
-        <translation>与周围地面不同的部分是灰、黑或白色</translation>
-    </message>
-    <message>
-        <source>it holds no colour that differs from the floor around it</source>
-        <translation>其中没有与周围地面不同的颜色</translation>
-    </message>
-    <message>
-        <source>draw it closely round the robot, or put a plate of another colour on it</source>
-        <translation>请紧贴机器人画框，或在其上放另一种颜色的板</translation>
-    </message>
-    <message>
-        <source>Cannot track</source>
-        <translation>无法跟踪</translation>
-    </message>
-    <message>
-        <source>Cannot track robot %1</source>
-        <translation>无法跟踪机器人 %1</translation>
-    </message>
-    <message>
-        <source>no robot is given</source>
-        <translation>没有给出机器人</translation>
-    </message>
-    <message>
-        <source>add a robot with its colour first</source>
-        <translation>请先添加机器人及其颜色</translation>
-    </message>
-    <message>
-        <source>its colour %1 is grey, and only hue tells a robot from the floor</source>
-        <translation>其颜色 %1 为灰色，而只有色相能把机器人与地面区分</translation>
-    </message>
-    <message>
-        <source>the robot&apos;s path cannot be measured</source>
-        <translation>无法测量机器人的路径</translation>
-    </message>
-    <message>
-        <source>the trial has no view</source>
-        <translation>试验没有视角</translation>
-    </message>
-    <message>
-        <source>import at least one video for it</source>
-        <translation>请至少为其导入一个视频</translation>
-    </message>
-    <message>
-        <source>camera %1 is not registered to the floor</source>
-        <translation>相机 %1 未配准到地面</translation>
-    </message>
-    <message>
-        <source>cameras %1 are not registered to the floor</source>
-        <translation>相机 %1 未配准到地面</translation>
-    </message>
-    <message>
-        <source>run odograph register for at least one of them</source>
-        <translation>请至少配准其中一台</translation>
-    </message>
-    <message>
-        <source>run odograph register for them</source>
-        <translation>请配准它们</translation>
-    </message>
-    <message>
-        <source>view %1 has no frame</source>
-        <translation>视角 %1 没有帧</translation>
-    </message>
-    <message>
-        <source>track the trial&apos;s videos first</source>
-        <translation>请先跟踪该试验的视频</translation>
-    </message>
-    <message>
-        <source>the robot was not found in any picture of %1</source>
-        <translation>在 %1 的任何画面中都没有找到机器人</translation>
-    </message>
-    <message>
-        <source>only cameras that are not registered to the floor saw the robot</source>
-        <translation>只有未配准的相机看到了机器人</translation>
-    </message>
-    <message>
-        <source>its height is to be triangulated, but two registered views hardly ever saw it together</source>
-        <translation>需三角测量其高度，但两个已配准视角几乎没有同时看到它</translation>
-    </message>
-    <message>
-        <source>add a second view, or give the robot one height</source>
-        <translation>请增加第二个视角，或给出机器人的高度</translation>
-    </message>
-    <message>
-        <source>not enough data</source>
-        <translation>数据不足</translation>
-    </message>
-    <message>
-        <source>of %1 frames %2 give a position that can be used</source>
-        <translation>%1 帧中有 %2 帧给出可用的位置</translation>
-    </message>
-    <message>
-        <source>choose a longer video, or check the robot&apos;s colour and the light</source>
-        <translation>请选择更长的视频，或检查机器人的颜色和光线</translation>
-    </message>
-    <message>
-        <source>it has not been tracked yet</source>
-        <translation>尚未跟踪</translation>
-    </message>
-    <message>
-        <source>it has not been tracked yet, so there is nothing to analyse again</source>
-        <translation>尚未跟踪，没有可重新分析的内容</translation>
-    </message>
-    <message>
-        <source>track it first</source>
-        <translation>请先跟踪</translation>
-    </message>
-    <message>
-        <source>comparison</source>
-        <translation>比较</translation>
-    </message>
-    <message>
-        <source>comparison of trial &apos;%1&apos;</source>
-        <translation>试验“%1”的比较</translation>
-    </message>
-    <message>
-        <source>it takes two runs</source>
-        <translation>需要两次运行</translation>
-    </message>
-    <message>
-        <source>choose another run as well</source>
-        <translation>请再选一次运行</translation>
-    </message>
-    <message>
-        <source>a run cannot be compared with itself</source>
-        <translation>运行不能与自身比较</translation>
-    </message>
-    <message>
-        <source>it has several robots</source>
-        <translation>有多个机器人</translation>
-    </message>
-    <message>
-        <source>choose one of them</source>
-        <translation>请选择其中之一</translation>
-    </message>
-    <message>
-        <source>its tracks were imported, so there is no video to track in</source>
-        <translation>其轨迹是导入的，没有可跟踪的视频</translation>
-    </message>
-    <message>
-        <source>its task was changed while it was measured</source>
-        <translation>测量期间其任务被更改</translation>
-    </message>
-    <message>
-        <source>the project has no robot to look for</source>
-        <translation>项目中没有可寻找的机器人</translation>
-    </message>
-    <message>
-        <source>its pictures are %1 but the camera was calibrated at %2</source>
-        <translation>其画面为 %1，而相机在 %2 下标定</translation>
-    </message>
-    <message>
-        <source>calibrate and register the camera at the size it records</source>
-        <translation>请按录制尺寸标定并配准相机</translation>
-    </message>
-    <message>
-        <source>view &apos;%1&apos; of trial &apos;%2&apos;</source>
-        <translation>试验“%2”的视角“%1”</translation>
-    </message>
-    <message>
-        <source>synchronisation of the clips</source>
-        <translation>视频的同步</translation>
-    </message>
-    <message>
-        <source>flash the room lights once while both cameras record, or give --sync SECONDS</source>
-        <translation>请在两台相机录制时闪一次室内灯，或给出偏移</translation>
-    </message>
-    <message>
-        <source>gate &apos;%1&apos;</source>
-        <translation>计时门“%1”</translation>
-    </message>
-    <message>
-        <source>zone &apos;%1&apos;</source>
-        <translation>区域“%1”</translation>
-    </message>
-    <message>
-        <source>its ends are not on a floor of 1 km</source>
-        <translation>其端点不在 1 km 的地面内</translation>
-    </message>
-    <message>
-        <source>check the numbers</source>
-        <translation>请检查数字</translation>
-    </message>
-    <message>
-        <source>its ends are less than 1 mm apart</source>
-        <translation>其端点相距不足 1 mm</translation>
-    </message>
-    <message>
-        <source>give the two ends of the line that is to be passed</source>
-        <translation>请给出需通过的线的两个端点</translation>
-    </message>
-    <message>
-        <source>the name is there twice</source>
-        <translation>名称出现两次</translation>
-    </message>
-    <message>
-        <source>give each gate a name of its own</source>
-        <translation>请给每个门各自的名称</translation>
-    </message>
-    <message>
-        <source>gate &apos;%1&apos; is the start already</source>
-        <translation>门“%1”已是起点</translation>
-    </message>
-    <message>
-        <source>gate &apos;%1&apos; is the finish already</source>
-        <translation>门“%1”已是终点</translation>
-    </message>
-    <message>
-        <source>keep one start and one finish, or one gate with the role start_finish</source>
-        <translation>请保留一个起点和一个终点，或一个兼作两者的门</translation>
-    </message>
-    <message>
-        <source>reference path</source>
-        <translation>参考路径</translation>
-    </message>
-    <message>
-        <source>it has too few points</source>
-        <translation>点太少</translation>
-    </message>
-    <message>
-        <source>give two points or more, three where the path is closed</source>
-        <translation>请给出两个或以上的点，闭合路径需三个</translation>
-    </message>
-    <message>
-        <source>limits of a task</source>
-        <translation>任务的限值</translation>
-    </message>
-    <message>
-        <source>a limit is not above zero</source>
-        <translation>限值不大于零</translation>
-    </message>
-    <message>
-        <source>give the largest speed and acceleration that a robot can have in the task</source>
-        <translation>请给出任务中机器人可能的最大速度和加速度</translation>
-    </message>
-    <message>
-        <source>template of a task</source>
-        <translation>任务的模板</translation>
-    </message>
-    <message>
-        <source>a size is less than 1 mm</source>
-        <translation>某个尺寸小于 1 mm</translation>
-    </message>
-    <message>
-        <source>give the sizes in millimetres</source>
-        <translation>请以毫米给出尺寸</translation>
-    </message>
-    <message>
-        <source>scoring</source>
-        <translation>评分</translation>
-    </message>
-    <message>
-        <source>line %1 of the scoring</source>
-        <translation>评分的第 %1 行</translation>
-    </message>
-    <message>
-        <source>it names no figure</source>
-        <translation>没有指定指标</translation>
-    </message>
-    <message>
-        <source>choose what is scored</source>
-        <translation>请选择评分对象</translation>
-    </message>
-    <message>
-        <source>all points and no points are at the same value</source>
-        <translation>满分与零分对应同一数值</translation>
-    </message>
-    <message>
-        <source>give two values, between which the points rise</source>
-        <translation>请给出两个数值，分数在其间上升</translation>
-    </message>
-    <message>
-        <source>%1 points are too few for it</source>
-        <translation>%1 个点不够</translation>
-    </message>
-    <message>
-        <source>choose a longer range</source>
-        <translation>请选择更长的区间</translation>
-    </message>
-    <message>
-        <source>the robot was not measured there, so there is nothing to judge</source>
-        <translation>机器人在那里没有被测到，无从判断</translation>
-    </message>
-    <message>
-        <source>there is no such frame</source>
-        <translation>没有这一帧</translation>
-    </message>
-    <message>
-        <source>import of trial &apos;%1&apos;</source>
-        <translation>导入试验“%1”</translation>
-    </message>
-    <message>
-        <source>no video was given</source>
-        <translation>没有给出视频</translation>
-    </message>
-    <message>
-        <source>camera &apos;%1&apos; was given two videos</source>
-        <translation>给相机“%1”指定了两个视频</translation>
-    </message>
-    <message>
-        <source>give each view its own camera</source>
-        <translation>请给每个视角各自的相机</translation>
-    </message>
-    <message>
-        <source>views &apos;%1&apos; and &apos;%2&apos; have no time in common with an offset of %3 s</source>
-        <translation>视角“%1”和“%2”在偏移 %3 s 时没有共同时间</translation>
-    </message>
-    <message>
-        <source>check the files and the --sync offset</source>
-        <translation>请检查文件和偏移</translation>
-    </message>
-    <message>
-        <source>name a file</source>
-        <translation>请指定文件</translation>
-    </message>
-    <message>
-        <source>check the permissions of its folder</source>
-        <translation>请检查其文件夹的权限</translation>
-    </message>
-    <message>
-        <source>copy it from the camera again</source>
-        <translation>请从相机重新复制</translation>
-    </message>
-    <message>
-        <source>it is not a video of a kind that is read, or its header is damaged or missing (%1)</source>
-        <translation>不是可读类型的视频，或其文件头损坏或缺失（%1）</translation>
-    </message>
-    <message>
-        <source>give an MP4, MOV, MKV or AVI file</source>
-        <translation>请给出 MP4、MOV、MKV 或 AVI 文件</translation>
-    </message>
-    <message>
-        <source>copy it from the camera again if it was cut short</source>
-        <translation>若被截断，请从相机重新复制</translation>
-    </message>
-    <message>
-        <source>it holds no video stream that can be read</source>
-        <translation>其中没有可读的视频流</translation>
-    </message>
-    <message>
-        <source>give the file that the camera recorded</source>
-        <translation>请给出相机录制的文件</translation>
-    </message>
-    <message>
-        <source>there is no decoder for %1</source>
-        <translation>没有 %1 的解码器</translation>
-    </message>
-    <message>
-        <source>its decoder would not start (%1)</source>
-        <translation>其解码器无法启动（%1）</translation>
-    </message>
-    <message>
-        <source>convert it to H.264</source>
-        <translation>请转换为 H.264</translation>
-    </message>
-    <message>
-        <source>its data are damaged</source>
-        <translation>数据已损坏</translation>
-    </message>
-    <message>
-        <source>it is left out</source>
-        <translation>已舍去</translation>
-    </message>
-    <message>
-        <source>the video has no picture</source>
-        <translation>视频中没有图像</translation>
-    </message>
-    <message>
-        <source>it has no picture</source>
-        <translation>没有图像</translation>
-    </message>
-    <message>
-        <source>give another file</source>
-        <translation>请给出另一文件</translation>
-    </message>
-    <message>
-        <source>check that the folder exists, may be written to and has room</source>
-        <translation>请检查文件夹存在、可写且有空间</translation>
-    </message>
-    <message>
-        <source>cannot write the video %1</source>
-        <translation>无法写出视频 %1</translation>
-    </message>
-    <message>
-        <source>its name ends with neither .mkv nor .mp4</source>
-        <translation>其名称不以 .mkv 或 .mp4 结尾</translation>
-    </message>
-    <message>
-        <source>give it one of these endings</source>
-        <translation>请使用其中一种扩展名</translation>
-    </message>
-    <message>
-        <source>cannot write &apos;%1&apos;</source>
-        <translation>无法写出“%1”</translation>
-    </message>
-    <message>
-        <source>pack &apos;%1&apos;</source>
-        <translation>打包“%1”</translation>
-    </message>
-    <message>
-        <source>unpack &apos;%1&apos;</source>
-        <translation>解包“%1”</translation>
-    </message>
-    <message>
-        <source>unpack into &apos;%1&apos;</source>
-        <translation>解包到“%1”</translation>
-    </message>
-    <message>
-        <source>it is there already</source>
-        <translation>已存在</translation>
-    </message>
-    <message>
-        <source>choose a folder that is not there yet</source>
-        <translation>请选择尚不存在的文件夹</translation>
-    </message>
-    <message>
-        <source>it has become shorter meanwhile</source>
-        <translation>其间变短了</translation>
-    </message>
-    <message>
-        <source>wait until nobody writes to it, and try again</source>
-        <translation>请等到无人写入后重试</translation>
-    </message>
-    <message>
-        <source>there is no project in it</source>
-        <translation>其中没有项目</translation>
-    </message>
-    <message>
-        <source>it has too many files</source>
-        <translation>文件过多</translation>
-    </message>
-    <message>
-        <source>it unpacks to more than a hundred times its size</source>
-        <translation>解包后超过其大小的一百倍</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is in it twice</source>
-        <translation>其中“%1”出现了两次</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; does not belong into a packed project</source>
-        <translation>“%1”不属于打包的项目</translation>
-    </message>
-    <message>
-        <source>choose a file that Odograph has packed, and copy it anew if it is damaged</source>
-        <translation>请选择 Odograph 打包的文件，若损坏请重新复制</translation>
-    </message>
-    <message>
-        <source>it is written in UTF-16</source>
-        <translation>其编码为 UTF-16</translation>
-    </message>
-    <message>
-        <source>it is not a UTF-8 text file</source>
-        <translation>不是 UTF-8 文本文件</translation>
-    </message>
-    <message>
-        <source>save it again as &quot;CSV UTF-8&quot; or as a UTF-8 text</source>
-        <translation>请另存为 &quot;CSV UTF-8&quot; 或 UTF-8 文本</translation>
-    </message>
-    <message>
-        <source>save it again as UTF-8 text</source>
-        <translation>请另存为 UTF-8 文本</translation>
-    </message>
-    <message>
-        <source>it is larger than %1 KiB</source>
-        <translation>大于 %1 KiB</translation>
-    </message>
-    <message>
-        <source>check that it is the right file</source>
-        <translation>请检查是否为正确的文件</translation>
-    </message>
-    <message>
-        <source>its columns are separated by semicolons</source>
-        <translation>其列以分号分隔</translation>
-    </message>
-    <message>
-        <source>save it with commas, and with a point in its numbers</source>
-        <translation>请用逗号分隔、数字用小数点保存</translation>
-    </message>
-    <message>
-        <source>save it with commas</source>
-        <translation>请用逗号分隔保存</translation>
-    </message>
-    <message>
-        <source>it lacks the expected header line</source>
-        <translation>缺少所需的标题行</translation>
-    </message>
-    <message>
-        <source>it lacks the column %1</source>
-        <translation>缺少列 %1</translation>
-    </message>
-    <message>
-        <source>it has %1 cells instead of %2</source>
-        <translation>有 %1 个单元格，应为 %2 个</translation>
-    </message>
-    <message>
-        <source>a quoted cell does not end</source>
-        <translation>带引号的单元格没有结束</translation>
-    </message>
-    <message>
-        <source>close the quotes</source>
-        <translation>请补上引号</translation>
-    </message>
-    <message>
-        <source>%1 &apos;%2&apos; is not a finite number</source>
-        <translation>%1“%2”不是有限数</translation>
-    </message>
-    <message>
-        <source>the label is empty</source>
-        <translation>标号为空</translation>
-    </message>
-    <message>
-        <source>the label &apos;%1&apos; is in line %2 already</source>
-        <translation>标号“%1”已在第 %2 行</translation>
-    </message>
-    <message>
-        <source>the label &apos;%1&apos; is there twice</source>
-        <translation>标号“%1”出现两次</translation>
-    </message>
-    <message>
-        <source>give each marker a label</source>
-        <translation>请给每个标记一个标号</translation>
-    </message>
-    <message>
-        <source>give each marker a label of its own</source>
-        <translation>请给每个标记各自的标号</translation>
-    </message>
-    <message>
-        <source>give each point a label of its own</source>
-        <translation>请给每个点各自的标号</translation>
-    </message>
-    <message>
-        <source>there are no markers below the header</source>
-        <translation>标题行下没有标记</translation>
-    </message>
-    <message>
-        <source>write one line for each marker</source>
-        <translation>每个标记写一行</translation>
-    </message>
-    <message>
-        <source>mend these lines</source>
-        <translation>请修正这些行</translation>
-    </message>
-    <message>
-        <source>nothing was imported</source>
-        <translation>没有导入任何内容</translation>
-    </message>
-    <message>
-        <source>it has no team</source>
-        <translation>没有小组</translation>
-    </message>
-    <message>
-        <source>write a line with class and team below the header</source>
-        <translation>请在标题行下写一行班级和小组</translation>
-    </message>
-    <message>
-        <source>roster &apos;%1&apos;</source>
-        <translation>名单“%1”</translation>
-    </message>
-    <message>
-        <source>no track was given</source>
-        <translation>没有给出轨迹</translation>
-    </message>
-    <message>
-        <source>robot &apos;%1&apos; was given two tracks</source>
-        <translation>给机器人“%1”指定了两条轨迹</translation>
-    </message>
-    <message>
-        <source>give each robot one</source>
-        <translation>请给每个机器人一条</translation>
-    </message>
-    <message>
-        <source>its column &apos;%1&apos; is in a unit that is not known</source>
-        <translation>其列“%1”的单位未知</translation>
-    </message>
-    <message>
-        <source>give times in s or ms and places in m, cm or mm</source>
-        <translation>时间请用 s 或 ms，位置请用 m、cm 或 mm</translation>
-    </message>
-    <message>
-        <source>none of its tracks is called &apos;%1&apos;</source>
-        <translation>其中没有名为“%1”的轨迹</translation>
-    </message>
-    <message>
-        <source>give the robot the name of one of them</source>
-        <translation>请给机器人取其中之一的名称</translation>
-    </message>
-    <message>
-        <source>it has no samples</source>
-        <translation>没有采样点</translation>
-    </message>
-    <message>
-        <source>its times do not rise</source>
-        <translation>时间不递增</translation>
-    </message>
-    <message>
-        <source>import another file</source>
-        <translation>请导入另一文件</translation>
-    </message>
-    <message>
-        <source>look in &apos;%1&apos;</source>
-        <translation>在“%1”中查找</translation>
-    </message>
-    <message>
-        <source>check that the folder is there and may be read</source>
-        <translation>请检查文件夹是否存在且可读</translation>
-    </message>
-    <message>
-        <source>lost videos</source>
-        <translation>丢失的视频</translation>
-    </message>
-    <message>
-        <source>no video of this project is lost</source>
-        <translation>此项目没有丢失的视频</translation>
-    </message>
-    <message>
-        <source>there is nothing to do</source>
-        <translation>无需操作</translation>
-    </message>
-    <message>
-        <source>the lost video is not there</source>
-        <translation>丢失的视频不在那里</translation>
-    </message>
-    <message>
-        <source>none of the %1 lost videos is there</source>
-        <translation>%1 个丢失的视频都不在那里</translation>
-    </message>
-    <message>
-        <source>choose the folder where they were copied to</source>
-        <translation>请选择它们被复制到的文件夹</translation>
-    </message>
-    <message>
-        <source>%1 is there already</source>
-        <translation>%1 已存在</translation>
-    </message>
-    <message>
-        <source>open it, or choose another folder</source>
-        <translation>请打开它，或选择另一文件夹</translation>
-    </message>
-    <message>
-        <source>choose a folder you can write to, with 300 MB free</source>
-        <translation>请选择可写且有 300 MB 空间的文件夹</translation>
-    </message>
-    <message>
-        <source>take over the set-up of %1</source>
-        <translation>沿用 %1 的设置</translation>
-    </message>
-    <message>
-        <source>new project</source>
-        <translation>新项目</translation>
-    </message>
-    <message>
-        <source>taking over the set-up</source>
-        <translation>正在沿用设置</translation>
-    </message>
-    <message>
-        <source>speed limit</source>
-        <translation>速度限值</translation>
-    </message>
-    <message>
-        <source>acceleration limit</source>
-        <translation>加速度限值</translation>
-    </message>
-    <message>
-        <source>views disagree</source>
-        <translation>视角不一致</translation>
-    </message>
-    <message>
-        <source>low score</source>
-        <translation>得分低</translation>
-    </message>
-    <message>
-        <source>lost</source>
-        <translation>丢失</translation>
-    </message>
-    <message>
-        <source>duplicate frame</source>
-        <translation>重复帧</translation>
-    </message>
-    <message>
-        <source>interpolated</source>
-        <translation>插值</translation>
-    </message>
-    <message>
-        <source>by hand</source>
-        <translation>人工</translation>
-    </message>
-    <message>
-        <source>it says neither an address nor a serial number</source>
-        <translation>其中既没有地址也没有序列号</translation>
-    </message>
-    <message>
-        <source>give one as aravis:192.168.1.20 or aravis:SERIAL</source>
-        <translation>请给出如 aravis:192.168.1.20 或 aravis:SERIAL</translation>
-    </message>
-    <message>
-        <source>odograph cameras lists them</source>
-        <translation>odograph cameras 会列出它们</translation>
-    </message>
-    <message>
-        <source>take rate, exposure_ms, gain, format, size, trigger=software, packet_size or packet_delay_us, as in ?rate=30&amp;size=640x480</source>
-        <translation>请使用 rate、exposure_ms、gain、format、size、trigger=software、packet_size 或 packet_delay_us，如 ?rate=30&amp;size=640x480</translation>
-    </message>
-    <message>
-        <source>set it to something between</source>
-        <translation>请设为两者之间的值</translation>
-    </message>
-    <message>
-        <source>set it to something else</source>
-        <translation>请设为别的值</translation>
-    </message>
-    <message>
-        <source>it does not take this for %1 (%2)</source>
-        <translation>它不接受 %1 的这个值（%2）</translation>
-    </message>
-    <message>
-        <source>it does not take this size (%1)</source>
-        <translation>它不接受此尺寸（%1）</translation>
-    </message>
-    <message>
-        <source>it does not take this rate (%1)</source>
-        <translation>它不接受此帧率（%1）</translation>
-    </message>
-    <message>
-        <source>it does not take this exposure (%1)</source>
-        <translation>它不接受此曝光（%1）</translation>
-    </message>
-    <message>
-        <source>it does not take this gain (%1)</source>
-        <translation>它不接受此增益（%1）</translation>
-    </message>
-    <message>
-        <source>it does not take this packet size (%1)</source>
-        <translation>它不接受此数据包大小（%1）</translation>
-    </message>
-    <message>
-        <source>it does not take this packet delay (%1)</source>
-        <translation>它不接受此数据包延迟（%1）</translation>
-    </message>
-    <message>
-        <source>its pictures have %1 pixels at most</source>
-        <translation>其画面最大为 %1 像素</translation>
-    </message>
-    <message>
-        <source>ask it for a size within that</source>
-        <translation>请要求不超过它的尺寸</translation>
-    </message>
-    <message>
-        <source>it has no format %1 (%2)</source>
-        <translation>它没有格式 %1（%2）</translation>
-    </message>
-    <message>
-        <source>it has no pixel format that is understood</source>
-        <translation>它没有受支持的像素格式</translation>
-    </message>
-    <message>
-        <source>take a camera that has one of %1</source>
-        <translation>请使用具有 %1 之一的相机</translation>
-    </message>
-    <message>
-        <source>it has no software trigger (%1)</source>
-        <translation>它没有软件触发（%1）</translation>
-    </message>
-    <message>
-        <source>it does not tell its pixel format (%1)</source>
-        <translation>它没有告知像素格式（%1）</translation>
-    </message>
-    <message>
-        <source>its pixel format is not understood</source>
-        <translation>其像素格式不受支持</translation>
-    </message>
-    <message>
-        <source>ask it for one of %1</source>
-        <translation>请要求 %1 之一</translation>
-    </message>
-    <message>
-        <source>it does not tell its size (%1)</source>
-        <translation>它没有告知尺寸（%1）</translation>
-    </message>
-    <message>
-        <source>its pictures have no size</source>
-        <translation>其画面没有尺寸</translation>
-    </message>
-    <message>
-        <source>set its width and height</source>
-        <translation>请设置其宽和高</translation>
-    </message>
-    <message>
-        <source>it does not tell how large its pictures are (%1)</source>
-        <translation>它没有告知画面大小（%1）</translation>
-    </message>
-    <message>
-        <source>the system keeps only %1 kB of the network&apos;s packets</source>
-        <translation>系统只保留 %1 kB 的网络数据包</translation>
-    </message>
-    <message>
-        <source>there is no simulated camera %1</source>
-        <translation>没有模拟相机 %1</translation>
-    </message>
-    <message>
-        <source>take sim:A or sim:B</source>
-        <translation>请使用 sim:A 或 sim:B</translation>
-    </message>
-    <message>
-        <source>the picture</source>
-        <translation>图片</translation>
-    </message>
-    <message>
-        <source>write for instance v4l2:/dev/video0?size=1280x720&amp;rate=30&amp;format=MJPG</source>
-        <translation>请写成例如 v4l2:/dev/video0?size=1280x720&amp;rate=30&amp;format=MJPG</translation>
-    </message>
-    <message>
-        <source>all its pictures come damaged</source>
-        <translation>其画面全部损坏</translation>
-    </message>
-    <message>
-        <source>try another cable or port, or ask for fewer or smaller pictures</source>
-        <translation>请换一根线缆或一个接口，或要求更少或更小的画面</translation>
-    </message>
-    <message>
-        <source>it is there but sends no pictures</source>
-        <translation>它在，但没有发送画面</translation>
-    </message>
-    <message>
-        <source>look at its cable, or plug it in again if that lasts</source>
-        <translation>请检查线缆，若持续如此请重新插拔</translation>
-    </message>
-    <message>
-        <source>no camera gave a picture</source>
-        <translation>没有相机给出画面</translation>
-    </message>
-    <message>
-        <source>camera &apos;%1&apos; or its address &apos;%2&apos; was given twice</source>
-        <translation>相机“%1”或其地址“%2”给出了两次</translation>
-    </message>
-    <message>
-        <source>give one or more, like --camera A=sim:A</source>
-        <translation>请给出一个或多个，如 --camera A=sim:A</translation>
-    </message>
-    <message>
-        <source>it would take no time, or more than a day</source>
-        <translation>时长为零，或超过一天</translation>
-    </message>
-    <message>
-        <source>give the seconds, like 10</source>
-        <translation>请给出秒数，如 10</translation>
-    </message>
-    <message>
-        <source>what is kept from before is no time, or more than 10 s</source>
-        <translation>预先保留的时长无效，或超过 10 s</translation>
-    </message>
-    <message>
-        <source>give a pre-roll of 0 to 10 seconds</source>
-        <translation>请给出 0 到 10 秒的预录时长</translation>
-    </message>
-    <message>
-        <source>none of its cameras is registered to the floor, so there are no live positions to send</source>
-        <translation>没有一台相机已对地面配准，因此没有实时位置可发送</translation>
-    </message>
-    <message>
-        <source>run odograph register for one of them, or leave --ssl-vision out</source>
-        <translation>请配准其中一台，或去掉 --ssl-vision</translation>
-    </message>
-    <message>
-        <source>interface &apos;%1&apos; of live positions</source>
-        <translation>实时位置的网络接口“%1”</translation>
-    </message>
-    <message>
-        <source>choose one that `ip link` names, or lo to stay on this machine</source>
-        <translation>请选择 `ip link` 列出的接口，或选 lo 仅在本机使用</translation>
-    </message>
-    <message>
-        <source>this machine gives no socket</source>
-        <translation>本机无法提供套接字</translation>
-    </message>
-    <message>
-        <source>completing the recordings</source>
-        <translation>补全录像</translation>
-    </message>
-    <message>
-        <source>write the task as odograph task list --json shows one</source>
-        <translation>请按 odograph task list --json 所示的格式书写任务</translation>
-    </message>
-    <message>
-        <source>use a calibration file as ROS or OpenCV writes it</source>
-        <translation>请使用 ROS 或 OpenCV 所写的标定文件</translation>
-    </message>
-    <message>
-        <source>the entry &apos;%1&apos; is missing</source>
-        <translation>缺少条目“%1”</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not a finite number</source>
-        <translation>“%1”不是有限数</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not a whole number from %2 to %3</source>
-        <translation>“%1”不是 %2 到 %3 的整数</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; has %2 numbers instead of %3 × %4</source>
-        <translation>“%1”有 %2 个数，应为 %3 × %4 个</translation>
-    </message>
-    <message>
-        <source>&apos;camera_matrix&apos; is not a 3 × 3 matrix</source>
-        <translation>“camera_matrix”不是 3 × 3 矩阵</translation>
-    </message>
-    <message>
-        <source>&apos;camera_matrix&apos; is not of the form fx 0 cx, 0 fy cy, 0 0 1</source>
-        <translation>“camera_matrix”不是 fx 0 cx, 0 fy cy, 0 0 1 的形式</translation>
-    </message>
-    <message>
-        <source>&apos;distortion_coefficients&apos; is neither a row nor a column</source>
-        <translation>“distortion_coefficients”既不是一行也不是一列</translation>
-    </message>
-    <message>
-        <source>the lens model &apos;%1&apos; is not known (plumb_bob, rational_polynomial, equidistant are)</source>
-        <translation>镜头模型“%1”未知（已知 plumb_bob、rational_polynomial、equidistant）</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is left there from before</source>
-        <translation>“%1”是以前遗留在那里的</translation>
-    </message>
-    <message>
-        <source>the file holds no task</source>
-        <translation>文件中没有任务</translation>
-    </message>
-    <message>
-        <source>an object in braces is expected here</source>
-        <translation>此处应为花括号中的对象</translation>
-    </message>
-    <message>
-        <source>write one with %1</source>
-        <translation>请写一个含 %1 的对象</translation>
-    </message>
-    <message>
-        <source>the key &apos;%1&apos; is not known</source>
-        <translation>键“%1”未知</translation>
-    </message>
-    <message>
-        <source>use %1</source>
-        <translation>请使用 %1</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not above zero</source>
-        <translation>“%1”不大于零</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not a point [x, y] in mm</source>
-        <translation>“%1”不是以 mm 为单位的点 [x, y]</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not a list in brackets</source>
-        <translation>“%1”不是方括号中的列表</translation>
-    </message>
-    <message>
-        <source>the reference path is given by nothing</source>
-        <translation>没有给出参考路径</translation>
-    </message>
-    <message>
-        <source>the reference path is given twice</source>
-        <translation>参考路径给出了两次</translation>
-    </message>
-    <message>
-        <source>give one of points_mm, circle, figure_eight or slalom</source>
-        <translation>请给出 points_mm、circle、figure_eight、slalom 之一</translation>
-    </message>
-    <message>
-        <source>&apos;closed&apos; is neither true nor false</source>
-        <translation>“closed”既不是 true 也不是 false</translation>
-    </message>
-    <message>
-        <source>&apos;poles&apos; is not a whole number from 1 to 100</source>
-        <translation>“poles”不是 1 到 100 的整数</translation>
-    </message>
-    <message>
-        <source>the slalom ends where it starts</source>
-        <translation>绕桩的终点与起点相同</translation>
-    </message>
-    <message>
-        <source>the zone is given twice</source>
-        <translation>区域给出了两次</translation>
-    </message>
-    <message>
-        <source>the zone is given by nothing</source>
-        <translation>没有给出区域</translation>
-    </message>
-    <message>
-        <source>give corners_mm, all the way round, or two opposite corners as rectangle_mm</source>
-        <translation>请沿边界给出 corners_mm，或用 rectangle_mm 给出两个对角</translation>
-    </message>
-    <message>
-        <source>&apos;rectangle_mm&apos; is not two corners</source>
-        <translation>“rectangle_mm”不是两个角</translation>
-    </message>
-    <message>
-        <source>give two opposite corners: [[x, y], [x, y]]</source>
-        <translation>请给出两个对角：[[x, y], [x, y]]</translation>
-    </message>
-    <message>
-        <source>style &apos;%1&apos; of CSV</source>
-        <translation>CSV 样式“%1”</translation>
-    </message>
-    <message>
-        <source>there is no such style</source>
-        <translation>没有这种样式</translation>
-    </message>
-    <message>
-        <source>choose analysis, international or continental</source>
-        <translation>请选择 analysis、international 或 continental</translation>
-    </message>
-    <message>
-        <source>write it with digits, like 12.5, or leave the place blank</source>
-        <translation>请用数字书写，如 12.5，或留空</translation>
-    </message>
-    <message>
-        <source>write it with digits, like 12.5</source>
-        <translation>请用数字书写，如 12.5</translation>
-    </message>
-    <message>
-        <source>its time is that of the line before</source>
-        <translation>其时间与上一行相同</translation>
-    </message>
-    <message>
-        <source>its time is before that of the line before</source>
-        <translation>其时间早于上一行</translation>
-    </message>
-    <message>
-        <source>put the lines in the order of time, each time once</source>
-        <translation>请按时间排列各行，每个时间只出现一次</translation>
-    </message>
-    <message>
-        <source>it is more than a week after the first line</source>
-        <translation>比第一行晚一周以上</translation>
-    </message>
-    <message>
-        <source>check the unit of the times, and that all lines are of one run</source>
-        <translation>请检查时间单位，以及所有行都属于同一次运行</translation>
-    </message>
-    <message>
-        <source>its place is more than 100 km away</source>
-        <translation>其位置在 100 km 之外</translation>
-    </message>
-    <message>
-        <source>check the unit of the places: m, cm or mm</source>
-        <translation>请检查位置的单位：m、cm 或 mm</translation>
-    </message>
-    <message>
-        <source>the track has %1 position</source>
-        <translation>轨迹有 %1 个位置</translation>
-    </message>
-    <message>
-        <source>the track has %1 positions</source>
-        <translation>轨迹有 %1 个位置</translation>
-    </message>
-    <message>
-        <source>track &apos;%1&apos; has %2 position</source>
-        <translation>轨迹“%1”有 %2 个位置</translation>
-    </message>
-    <message>
-        <source>track &apos;%1&apos; has %2 positions</source>
-        <translation>轨迹“%1”有 %2 个位置</translation>
-    </message>
-    <message>
-        <source>choose a file with three positions or more</source>
-        <translation>请选择有三个或更多位置的文件</translation>
-    </message>
-    <message>
-        <source>choose a track with more positions</source>
-        <translation>请选择位置更多的轨迹</translation>
-    </message>
-    <message>
-        <source>none of its tracks has a position</source>
-        <translation>其中没有一条轨迹有位置</translation>
-    </message>
-    <message>
-        <source>it has %1 entry instead of the 8 of TUM</source>
-        <translation>有 %1 个条目，TUM 应为 8 个</translation>
-    </message>
-    <message>
-        <source>it has %1 entries instead of the 8 of TUM</source>
-        <translation>有 %1 个条目，TUM 应为 8 个</translation>
-    </message>
-    <message>
-        <source>write %1, or begin the file with the line %2</source>
-        <translation>请写 %1，或以 %2 行作为文件开头</translation>
-    </message>
-    <message>
-        <source>begin the file with the line %1, or write lines of %2</source>
-        <translation>请以 %1 行作为文件开头，或写成 %2 的各行</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not a time in seconds</source>
-        <translation>“%1”不是以秒为单位的时间</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is not a time</source>
-        <translation>“%1”不是时间</translation>
-    </message>
-    <message>
-        <source>one of its two places is blank</source>
-        <translation>两个位置值中有一个为空</translation>
-    </message>
-    <message>
-        <source>one of its two errors is blank</source>
-        <translation>两个误差值中有一个为空</translation>
-    </message>
-    <message>
-        <source>fill in both or none</source>
-        <translation>请两个都填或都不填</translation>
-    </message>
-    <message>
-        <source>it has %1 cell where the header has %2</source>
-        <translation>有 %1 个单元格，标题行有 %2 个</translation>
-    </message>
-    <message>
-        <source>it has %1 cells where the header has %2</source>
-        <translation>有 %1 个单元格，标题行有 %2 个</translation>
-    </message>
-    <message>
-        <source>give each line as many cells as the header</source>
-        <translation>请让每行的单元格数与标题行相同</translation>
-    </message>
-    <message>
-        <source>it has no header with a time, x and y, and is no TUM either</source>
-        <translation>没有含时间、x 和 y 的标题行，也不是 TUM</translation>
-    </message>
-    <message>
-        <source>it holds more than one document</source>
-        <translation>其中有不止一个文档</translation>
-    </message>
-    <message>
-        <source>it is nested more than %1 deep</source>
-        <translation>嵌套超过 %1 层</translation>
-    </message>
-    <message>
-        <source>it holds more than %1 values</source>
-        <translation>其中的值超过 %1 个</translation>
-    </message>
-    <message>
-        <source>the key &apos;%1&apos; is there twice</source>
-        <translation>键“%1”出现两次</translation>
-    </message>
-    <message>
-        <source>the archive library refused</source>
-        <translation>归档库拒绝了</translation>
-    </message>
-    <message>
-        <source>it has %1</source>
-        <translation>已有：%1</translation>
-    </message>
-    <message>
-        <source>give one or more, like --track R=run.csv</source>
-        <translation>请给出一个或多个，如 --track R=run.csv</translation>
-    </message>
-    <message>
-        <source>number &apos;%1&apos;</source>
-        <translation>数字“%1”</translation>
-    </message>
-    <message>
-        <source>colour &apos;%1&apos;</source>
-        <translation>颜色“%1”</translation>
-    </message>
-    <message>
-        <source>marker</source>
-        <translation>标记</translation>
-    </message>
-    <message>
-        <source>member</source>
-        <translation>成员</translation>
-    </message>
-    <message>
-        <source>pseudonym</source>
-        <translation>化名</translation>
-    </message>
-    <message>
-        <source>track</source>
-        <translation>轨迹</translation>
-    </message>
-    <message>
-        <source>gate</source>
-        <translation>计时门</translation>
-    </message>
-    <message>
-        <source>zone</source>
-        <translation>区域</translation>
-    </message>
-    <message>
-        <source>figure</source>
-        <translation>指标</translation>
-    </message>
-    <message>
-        <source>tag</source>
-        <translation>标签</translation>
-    </message>
-    <message>
-        <source>calibration</source>
-        <translation>标定</translation>
-    </message>
-    <message>
-        <source>registration</source>
-        <translation>配准</translation>
-    </message>
-    <message>
-        <source>lens</source>
-        <translation>镜头</translation>
-    </message>
-    <message>
-        <source>title of the project</source>
-        <translation>项目标题</translation>
-    </message>
-    <message>
-        <source>address of a camera</source>
-        <translation>相机地址</translation>
-    </message>
-    <message>
-        <source>origin of a calibration</source>
-        <translation>标定的来源</translation>
-    </message>
-    <message>
-        <source>reading of a track</source>
-        <translation>轨迹的读法</translation>
-    </message>
-    <message>
-        <source>words of a change</source>
-        <translation>更改的说明</translation>
-    </message>
-    <message>
-        <source>notes of a trial</source>
-        <translation>试验的备注</translation>
-    </message>
-    <message>
-        <source>path of a recording</source>
-        <translation>录像的路径</translation>
-    </message>
-    <message>
-        <source>path of a registration&apos;s picture</source>
-        <translation>配准图片的路径</translation>
-    </message>
-    <message>
-        <source>path of a calibration picture</source>
-        <translation>标定图片的路径</translation>
-    </message>
-    <message>
-        <source>name of a calibration picture</source>
-        <translation>标定图片的名称</translation>
-    </message>
-    <message>
-        <source>samples and profile differ in length</source>
-        <translation>采样点与运动曲线长度不一致</translation>
-    </message>
-    <message>
-        <source>it has more than %1 samples</source>
-        <translation>采样点超过 %1 个</translation>
-    </message>
-    <message>
-        <source>views and registrations differ in number</source>
-        <translation>视角与配准的数量不一致</translation>
-    </message>
-    <message>
-        <source>metric &apos;%1&apos;</source>
-        <translation>指标“%1”</translation>
-    </message>
-    <message>
-        <source>it is not a finite number</source>
-        <translation>不是有限数</translation>
-    </message>
-    <message>
-        <source>analysis %1 of the project</source>
-        <translation>项目的分析 %1</translation>
-    </message>
-    <message>
-        <source>its series are missing</source>
-        <translation>缺少其数据序列</translation>
-    </message>
-    <message>
-        <source>a spike refers to a sample that is not there</source>
-        <translation>有异常点指向不存在的采样点</translation>
-    </message>
-    <message>
-        <source>its stored series is not of the expected kind</source>
-        <translation>存储的序列类型不符</translation>
-    </message>
-    <message>
-        <source>its stored series has the unknown layout %1</source>
-        <translation>存储的序列采用未知的结构 %1</translation>
-    </message>
-    <message>
-        <source>its stored series announces %1 rows but holds %2 bytes</source>
-        <translation>存储的序列声明有 %1 行，却只有 %2 字节</translation>
-    </message>
-    <message>
-        <source>check the input that it was computed from</source>
-        <translation>请检查计算它所用的输入</translation>
-    </message>
-    <message>
-        <source>lens %1 of the project</source>
-        <translation>项目的镜头 %1</translation>
-    </message>
-    <message>
-        <source>registration %1 of the project</source>
-        <translation>项目的配准 %1</translation>
-    </message>
-    <message>
-        <source>it has no %1 with the number %2</source>
-        <translation>没有编号为 %2 的%1</translation>
-    </message>
-    <message>
-        <source>restore the project from a backup copy</source>
-        <translation>请从备份恢复项目</translation>
-    </message>
-    <message>
-        <source>it has no file</source>
-        <translation>没有文件</translation>
-    </message>
-    <message>
-        <source>name the video&apos;s file</source>
-        <translation>请指定视频文件</translation>
-    </message>
-    <message>
-        <source>its relative path leaves the project&apos;s folder</source>
-        <translation>其相对路径超出了项目文件夹</translation>
-    </message>
-    <message>
-        <source>copy the file beside the project</source>
-        <translation>请把文件复制到项目旁边</translation>
-    </message>
-    <message>
-        <source>its stored covariance is not a 6 by 6 matrix</source>
-        <translation>存储的协方差不是 6×6 矩阵</translation>
-    </message>
-    <message>
-        <source>its stored matrix of %1 numbers is not square</source>
-        <translation>存储的含 %1 个数的矩阵不是方阵</translation>
-    </message>
-    <message>
-        <source>track &apos;%1&apos;</source>
-        <translation>轨迹“%1”</translation>
-    </message>
-    <message>
-        <source>a position or its covariance is no number</source>
-        <translation>某个位置或其协方差不是数字</translation>
-    </message>
-    <message>
-        <source>truth of a trial</source>
-        <translation>试验的真值</translation>
-    </message>
-    <message>
-        <source>its series differ in length</source>
-        <translation>其各序列长度不一致</translation>
-    </message>
-    <message>
-        <source>give position, velocity and acceleration for each time</source>
-        <translation>请为每个时间给出位置、速度和加速度</translation>
-    </message>
-    <message>
-        <source>its stored setting &apos;%1&apos; is unknown</source>
-        <translation>存储的设置“%1”未知</translation>
-    </message>
-    <message>
-        <source>its reference path ends within a point</source>
-        <translation>其参考路径在一个点的中途结束</translation>
-    </message>
-    <message>
-        <source>its zone &apos;%1&apos; ends within a point</source>
-        <translation>其区域“%1”在一个点的中途结束</translation>
-    </message>
-    <message>
-        <source>raw times of recording %1</source>
-        <translation>录像 %1 的原始时间</translation>
-    </message>
-    <message>
-        <source>its recording has ended, and is kept</source>
-        <translation>其录制已结束，并已保留</translation>
-    </message>
-    <message>
-        <source>leave it</source>
-        <translation>请保持不变</translation>
-    </message>
-    <message>
-        <source>look for lost videos</source>
-        <translation>查找丢失的视频</translation>
-    </message>
-    <message>
-        <source>demo</source>
-        <translation>演示</translation>
-    </message>
-    <message>
-        <source>the planned camera</source>
-        <translation>计划中的相机</translation>
-    </message>
-    <message>
-        <source>from there it would see %1 of the layout&apos;s markers (%2), four are needed</source>
-        <translation>从那里只能看到布局中的 %1 个标记（%2），需要四个</translation>
-    </message>
-    <message>
-        <source>move it back or up, or choose a wider lens</source>
-        <translation>请把它后移或升高，或选用更广角的镜头</translation>
-    </message>
-    <message>
-        <source>the markers that it would see do not hold it</source>
-        <translation>所能看到的标记不足以确定它的位置</translation>
-    </message>
-    <message>
-        <source>it cannot stand %1 m above the floor</source>
-        <translation>它不能位于地面以上 %1 m</translation>
-    </message>
-    <message>
-        <source>give a height of 0.05 m to 100 m</source>
-        <translation>请给出 0.05 m 到 100 m 的高度</translation>
-    </message>
-    <message>
-        <source>it cannot stand %1 m away</source>
-        <translation>它不能位于 %1 m 之外</translation>
-    </message>
-    <message>
-        <source>give a distance of 0 m to 1000 m</source>
-        <translation>请给出 0 m 到 1000 m 的距离</translation>
-    </message>
-    <message>
-        <source>its field of view is %1°</source>
-        <translation>其视场角为 %1°</translation>
-    </message>
-    <message>
-        <source>give 2° to 150°, and the size of its pictures</source>
-        <translation>请给出 2° 到 150°，以及画面尺寸</translation>
-    </message>
-    <message>
-        <source>the best place for a camera</source>
-        <translation>相机的最佳位置</translation>
-    </message>
-    <message>
-        <source>the layout has %1 markers, four are needed</source>
-        <translation>布局有 %1 个标记，需要四个</translation>
-    </message>
-    <message>
-        <source>make a layout of four markers or more</source>
-        <translation>请建立有四个或更多标记的布局</translation>
-    </message>
-    <message>
-        <source>from nowhere within %1 m beyond the markers would it see four of them at the height and with the lens given</source>
-        <translation>以所给高度和镜头，在标记外 %1 m 范围内任何位置都看不到四个标记</translation>
-    </message>
-    <message>
-        <source>let it stand higher or farther away, or choose a wider lens</source>
-        <translation>请放得更高或更远，或选用更广角的镜头</translation>
-    </message>
-    <message>
-        <source>the board is seen too obliquely, at %1 degrees</source>
-        <translation>标定板过于倾斜，为 %1 度</translation>
-    </message>
-    <message>
-        <source>tilt it by 30 to 45 degrees</source>
-        <translation>请倾斜 30 到 45 度</translation>
-    </message>
-    <message>
-        <source>the board is too small</source>
-        <translation>标定板太小</translation>
-    </message>
-    <message>
-        <source>it fills %1 % of the picture</source>
-        <translation>仅占画面的 %1 %</translation>
-    </message>
-    <message>
-        <source>hold it closer to the camera</source>
-        <translation>请让它靠近相机</translation>
-    </message>
-    <message>
-        <source>it is %1×%2, the first picture %3×%4</source>
-        <translation>它为 %1×%2，第一张图片为 %3×%4</translation>
-    </message>
-    <message>
-        <source>use pictures of one camera at one resolution</source>
-        <translation>请使用同一相机、同一分辨率的图片</translation>
-    </message>
-    <message>
-        <source>the corners do not lie as on a flat board</source>
-        <translation>角点的位置不像在平整的标定板上</translation>
-    </message>
-    <message>
-        <source>glue the board onto something stiff and flat</source>
-        <translation>请把标定板贴在坚硬平整的物体上</translation>
-    </message>
-    <message>
-        <source>the board stands as in %1 already</source>
-        <translation>标定板的姿态与 %1 中相同</translation>
-    </message>
-    <message>
-        <source>the board stands as in a picture already taken</source>
-        <translation>标定板的姿态与已拍的图片相同</translation>
-    </message>
-    <message>
-        <source>move it elsewhere, turn it or tilt it</source>
-        <translation>请移动、旋转或倾斜它</translation>
-    </message>
-    <message>
-        <source>the board is not sharp</source>
-        <translation>标定板不清晰</translation>
-    </message>
-    <message>
-        <source>focus the camera, or give more light</source>
-        <translation>请对好焦，或增加光线</translation>
-    </message>
-    <message>
-        <source>the pictures ask for two focal lengths</source>
-        <translation>这些图片对应两个焦距</translation>
-    </message>
-    <message>
-        <source>%1 for about %2 px, %3 (such as %4) for about %5 px</source>
-        <translation>%1 张约 %2 px，%3 张（如 %4）约 %5 px</translation>
-    </message>
-    <message>
-        <source>it has %1 corners of the board, six are needed</source>
-        <translation>其中有标定板的 %1 个角点，需要六个</translation>
-    </message>
-    <message>
-        <source>show more of it</source>
-        <translation>请让更多部分可见</translation>
-    </message>
-    <message>
-        <source>a corner of it is not a number</source>
-        <translation>其中一个角点不是数字</translation>
-    </message>
-    <message>
-        <source>let the board be found in it again</source>
-        <translation>请在其中重新寻找标定板</translation>
-    </message>
-    <message>
-        <source>too few pictures to compare it with others</source>
-        <translation>图片太少，无法与其他模型比较</translation>
-    </message>
-    <message>
-        <source>name one like DICT_6X6_250, or leave it out</source>
-        <translation>请指定一个，如 DICT_6X6_250，或不填</translation>
-    </message>
-    <message>
-        <source>the markers that were read do not lie as on a ChArUco board</source>
-        <translation>读到的标记不像在 ChArUco 板上那样排列</translation>
-    </message>
-    <message>
-        <source>the markers that were read do not lie as on a ChArUco board of %1 inner corners</source>
-        <translation>读到的标记不像在 %1 内角点的 ChArUco 板上那样排列</translation>
-    </message>
-    <message>
-        <source>the pixel of point %1 is not a finite number</source>
-        <translation>点 %1 的像素不是有限数</translation>
-    </message>
-    <message>
-        <source>the pixel of marker %1 is not a finite number</source>
-        <translation>标记 %1 的像素不是有限数</translation>
-    </message>
-    <message>
-        <source>the place of marker %1 is not a finite number</source>
-        <translation>标记 %1 的位置不是有限数</translation>
-    </message>
-    <message>
-        <source>point %1 lies outside the picture of %2 (%3)</source>
-        <translation>点 %1 位于 %2 的画面（%3）之外</translation>
-    </message>
-    <message>
-        <source>check which columns belong to which camera</source>
-        <translation>请检查哪些列属于哪台相机</translation>
-    </message>
-    <message>
-        <source>this camera</source>
-        <translation>此相机</translation>
-    </message>
-    <message>
-        <source>camera &apos;%1&apos; is there twice</source>
-        <translation>相机“%1”出现两次</translation>
-    </message>
-    <message>
-        <source>name each camera once</source>
-        <translation>每台相机请只指定一次</translation>
-    </message>
-    <message>
-        <source>the σ of the tape measure is not above 0</source>
-        <translation>卷尺的 σ 不大于 0</translation>
-    </message>
-    <message>
-        <source>give some 2 mm</source>
-        <translation>可给出约 2 mm</translation>
-    </message>
-    <message>
-        <source>no pose</source>
-        <translation>无法求得位姿</translation>
-    </message>
-    <message>
-        <source>%1 lies where this camera&apos;s lens cannot have put it</source>
-        <translation>%1 位于此相机镜头不可能成像的位置</translation>
-    </message>
-    <message>
-        <source>check its pixel and the camera&apos;s intrinsics</source>
-        <translation>请检查其像素和相机内参</translation>
-    </message>
-    <message>
-        <source>spread the points over the floor, not along a line</source>
-        <translation>请把点分散到地面各处，不要排成一条线</translation>
-    </message>
-    <message>
-        <source>both an angle and a pair of markers were given for X</source>
-        <translation>对 X 轴同时给出了角度和一对标记</translation>
-    </message>
-    <message>
-        <source>both a marker and a point were given for the origin</source>
-        <translation>对原点同时给出了标记和点</translation>
-    </message>
-    <message>
-        <source>unit &apos;%1&apos;</source>
-        <translation>单位“%1”</translation>
-    </message>
-    <message>
-        <source>it is not known</source>
-        <translation>未知</translation>
-    </message>
-    <message>
-        <source>use mm, cm, m or inch</source>
-        <translation>请使用 mm、cm、m 或 inch</translation>
-    </message>
-    <message>
-        <source>a length factor of %1 makes no floor</source>
-        <translation>长度倍数 %1 无法构成地面</translation>
-    </message>
-    <message>
-        <source>give a number above 0</source>
-        <translation>请给出大于 0 的数</translation>
-    </message>
-    <message>
-        <source>the origin or the angle is not a finite number</source>
-        <translation>原点或角度不是有限数</translation>
-    </message>
-    <message>
-        <source>give plain numbers</source>
-        <translation>请给出普通数字</translation>
-    </message>
-    <message>
-        <source>check the unit of the layout</source>
-        <translation>请检查布局的单位</translation>
-    </message>
-    <message>
-        <source>it is given in mm</source>
-        <translation>应以 mm 给出</translation>
-    </message>
-    <message>
-        <source>no homography</source>
-        <translation>无法求得单应</translation>
-    </message>
-    <message>
-        <source>four points are needed, %1 given</source>
-        <translation>需要四个点，给出了 %1 个</translation>
-    </message>
-    <message>
-        <source>add points</source>
-        <translation>请添加点</translation>
-    </message>
-    <message>
-        <source>a coordinate of %1 is not a finite number</source>
-        <translation>%1 的一个坐标不是有限数</translation>
-    </message>
-    <message>
-        <source>%1 lie at one place</source>
-        <translation>%1 位于同一处</translation>
-    </message>
-    <message>
-        <source>%1 lie at one place in the picture</source>
-        <translation>%1 在画面中位于同一处</translation>
-    </message>
-    <message>
-        <source>%1 lie on one line</source>
-        <translation>%1 共线</translation>
-    </message>
-    <message>
-        <source>%1 lie on one line in the picture</source>
-        <translation>%1 在画面中共线</translation>
-    </message>
-    <message>
-        <source>use four points of which no three are in line</source>
-        <translation>请使用其中任意三点不共线的四个点</translation>
-    </message>
-    <message>
-        <source>%1 would lie beyond the horizon</source>
-        <translation>%1 将位于地平线之外</translation>
-    </message>
-    <message>
-        <source>the order of the points crosses over like a bow tie</source>
-        <translation>点的顺序像蝴蝶结一样交叉</translation>
-    </message>
-    <message>
-        <source>check which point is which</source>
-        <translation>请检查各点的对应</translation>
-    </message>
-    <message>
-        <source>the points do not determine it</source>
-        <translation>这些点无法确定它</translation>
-    </message>
-    <message>
-        <source>spread the points</source>
-        <translation>请把点分散开</translation>
-    </message>
-    <message>
-        <source>the chain has no links</source>
-        <translation>链中没有环节</translation>
-    </message>
-    <message>
-        <source>give at least one</source>
-        <translation>请至少给出一个</translation>
-    </message>
-    <message>
-        <source>link %1 of %2 of the chain is singular</source>
-        <translation>链的第 %1 环（共 %2 环）是奇异的</translation>
-    </message>
-    <message>
-        <source>use four points in it of which no three are in line</source>
-        <translation>请在该环中使用其中任意三点不共线的四个点</translation>
-    </message>
-    <message>
-        <source>the picture size %1 is not positive</source>
-        <translation>画面尺寸 %1 不为正</translation>
-    </message>
-    <message>
-        <source>one of the values is not a finite number</source>
-        <translation>其中一个值不是有限数</translation>
-    </message>
-    <message>
-        <source>the focal length %1 px is not positive</source>
-        <translation>焦距 %1 px 不为正</translation>
-    </message>
-    <message>
-        <source>%1 distortion coefficients do not belong to this lens model</source>
-        <translation>%1 个畸变系数不适用于此镜头模型</translation>
-    </message>
-    <message>
-        <source>the covariance has the wrong size</source>
-        <translation>协方差的尺寸不对</translation>
-    </message>
-    <message>
-        <source>no picture could be read</source>
-        <translation>没有一张图片可读</translation>
-    </message>
-    <message>
-        <source>calibration picture &apos;%1&apos;</source>
-        <translation>标定图片“%1”</translation>
-    </message>
-    <message>
-        <source>intrinsics of camera &apos;%1&apos;</source>
-        <translation>相机“%1”的内参</translation>
-    </message>
-    <message>
-        <source>run odograph calibrate, or odograph intrinsics import</source>
-        <translation>请标定它，或导入其内参</translation>
-    </message>
-    <message>
-        <source>markers for camera &apos;%1&apos;</source>
-        <translation>相机“%1”的标记</translation>
-    </message>
-    <message>
-        <source>give --pixels pixels.csv, --image picture.png or --video clip.mp4</source>
-        <translation>请给出 --pixels pixels.csv、--image picture.png 或 --video clip.mp4</translation>
-    </message>
-    <message>
-        <source>calibrate it, import its intrinsics, or give --image or --video as well</source>
-        <translation>请标定它、导入其内参，或同时给出 --image 或 --video</translation>
-    </message>
-    <message>
-        <source>registration of camera &apos;%1&apos; with the lens in force</source>
-        <translation>用生效的镜头对相机“%1”的配准</translation>
-    </message>
-    <message>
-        <source>camera &apos;%1&apos; has none of that number</source>
-        <translation>相机“%1”没有此编号</translation>
-    </message>
-    <message>
-        <source>see its revisions for those there are</source>
-        <translation>请在其版本列表中查看现有的</translation>
-    </message>
-    <message>
-        <source>calibration %1</source>
-        <translation>标定 %1</translation>
-    </message>
-    <message>
-        <source>registration %1</source>
-        <translation>配准 %1</translation>
-    </message>
-    <message>
-        <source>one view saw the robot in fewer than %1 pictures</source>
-        <translation>有一个视角看到机器人的画面少于 %1 幅</translation>
-    </message>
-    <message>
-        <source>the views hardly ever saw the robot at the same time</source>
-        <translation>各视角几乎从未同时看到机器人</translation>
-    </message>
-    <message>
-        <source>the robot stood still or ran straight at constant speed, so every offset fits</source>
-        <translation>机器人静止或匀速直行，因此任何偏移都吻合</translation>
-    </message>
-    <message>
-        <source>the views&apos; tracks do not resemble one another</source>
-        <translation>各视角的轨迹彼此不相似</translation>
-    </message>
-    <message>
-        <source>the views&apos; tracks do not coincide at any offset looked at</source>
-        <translation>在所查看的任何偏移下各视角的轨迹都不重合</translation>
-    </message>
-    <message>
-        <source>the motion repeats itself</source>
-        <translation>运动是重复的</translation>
-    </message>
-    <message>
-        <source>offsets of %1 s and %2 s fit alike</source>
-        <translation>偏移 %1 s 和 %2 s 同样吻合</translation>
-    </message>
-    <message>
-        <source>neither view shows a flash of light</source>
-        <translation>两个视角都没有闪光</translation>
-    </message>
-    <message>
-        <source>only one of the views shows a flash of light</source>
-        <translation>只有一个视角有闪光</translation>
-    </message>
-    <message>
-        <source>the light flickers</source>
-        <translation>光线在闪烁</translation>
-    </message>
-    <message>
-        <source>the flashes of light in the views do not belong together</source>
-        <translation>各视角的闪光互不对应</translation>
-    </message>
-    <message>
-        <source>the flashes of light fit alike at offsets of %1 s and %2 s</source>
-        <translation>闪光在偏移 %1 s 和 %2 s 处同样吻合</translation>
-    </message>
-    <message>
-        <source>%1, and neither view shows a flash of light</source>
-        <translation>%1，且两个视角都没有闪光</translation>
-    </message>
-    <message>
-        <source>%1, and only one of the views shows a flash of light</source>
-        <translation>%1，且只有一个视角有闪光</translation>
-    </message>
-    <message>
-        <source>%1, and the light flickers</source>
-        <translation>%1，且光线在闪烁</translation>
-    </message>
-    <message>
-        <source>%1, and the flashes of light in the views do not belong together</source>
-        <translation>%1，且各视角的闪光互不对应</translation>
-    </message>
-    <message>
-        <source>%1, and the flashes of light fit alike at offsets of %2 s and %3 s</source>
-        <translation>%1，且闪光在偏移 %2 s 和 %3 s 处同样吻合</translation>
-    </message>
-    <message>
-        <source>%1, so it is taken as begun together</source>
-        <translation>%1，因此按同时开始处理</translation>
-    </message>
-    <message>
-        <source>fit of %1</source>
-        <translation>拟合（%1）</translation>
-    </message>
-    <message>
-        <source>a constant</source>
-        <translation>常数</translation>
-    </message>
-    <message>
-        <source>a straight line</source>
-        <translation>直线</translation>
-    </message>
-    <message>
-        <source>a parabola</source>
-        <translation>抛物线</translation>
-    </message>
-    <message>
-        <source>%1 point is too few for it</source>
-        <translation>%1 个点太少</translation>
-    </message>
-    <message>
-        <source>the robot does not move in %1</source>
-        <translation>机器人在 %1 中没有移动</translation>
-    </message>
-    <message>
-        <source>the robot hardly moves in %1</source>
-        <translation>机器人在 %1 中几乎没有移动</translation>
-    </message>
-    <message>
-        <source>choose a run with motion</source>
-        <translation>请选择有运动的运行</translation>
-    </message>
-    <message>
-        <source>%1 drives the way in the other direction than %2</source>
-        <translation>%1 的行驶方向与 %2 相反</translation>
-    </message>
-    <message>
-        <source>choose runs in the same direction</source>
-        <translation>请选择方向相同的运行</translation>
-    </message>
-    <message>
-        <source>%1 has no stretch of the way in common with the task&apos;s path</source>
-        <translation>%1 与任务路径没有共同路段</translation>
-    </message>
-    <message>
-        <source>%1 has no stretch of the way in common with %2</source>
-        <translation>%1 与 %2 没有共同路段</translation>
-    </message>
-    <message>
-        <source>choose runs of the same task</source>
-        <translation>请选择同一任务的运行</translation>
-    </message>
-    <message>
-        <source>%1 does not pass a start gate</source>
-        <translation>%1 没有通过起点门</translation>
-    </message>
-    <message>
-        <source>align by motion onset or distance</source>
-        <translation>请按运动起点或距离对齐</translation>
-    </message>
-    <message>
-        <source>the robot of %1 drives already when it is first seen</source>
-        <translation>%1 的机器人首次出现时已在行驶</translation>
-    </message>
-    <message>
-        <source>align by distance</source>
-        <translation>请按距离对齐</translation>
-    </message>
-    <message>
-        <source>a moment of each run is needed to align them by hand</source>
-        <translation>手动对齐需要每次运行的一个时刻</translation>
-    </message>
-    <message>
-        <source>tell one for each</source>
-        <translation>请为每次运行指定一个</translation>
-    </message>
-    <message>
-        <source>the moment told for %1 lies outside of it</source>
-        <translation>为 %1 指定的时刻在其范围之外</translation>
-    </message>
-    <message>
-        <source>tell one between its first and last frame</source>
-        <translation>请指定首帧与末帧之间的时刻</translation>
-    </message>
-    <message>
-        <source>%1 was not seen at the place to align by</source>
-        <translation>%1 在对齐位置没有被看到</translation>
-    </message>
-    <message>
-        <source>choose a place that both runs pass</source>
-        <translation>请选择两次运行都经过的位置</translation>
-    </message>
-    <message>
-        <source>there is no such template</source>
-        <translation>没有这样的模板</translation>
-    </message>
-    <message>
-        <source>template &apos;%1&apos;</source>
-        <translation>模板“%1”</translation>
-    </message>
-    <message>
-        <source>rule &apos;%1&apos;</source>
-        <translation>规则“%1”</translation>
-    </message>
-    <message>
-        <source>use stay_inside or stay_outside</source>
-        <translation>请使用 stay_inside 或 stay_outside</translation>
-    </message>
-    <message>
-        <source>smoother %1</source>
-        <translation>平滑器 %1</translation>
-    </message>
-    <message>
-        <source>there is none of that name</source>
-        <translation>没有此名称</translation>
-    </message>
-    <message>
-        <source>use rts, savgol, tracker or none</source>
-        <translation>请使用 rts、savgol、tracker 或 none</translation>
-    </message>
-    <message>
-        <source>robot &apos;%1&apos; was not tracked in it, but %2</source>
-        <translation>其中没有跟踪机器人“%1”，跟踪了 %2</translation>
-    </message>
-    <message>
-        <source>track it, or choose another</source>
-        <translation>请跟踪它，或选择另一个</translation>
-    </message>
-    <message>
-        <source>track it, or choose another with --robot</source>
-        <translation>请跟踪它，或用 --robot 选择另一个</translation>
-    </message>
-    <message>
-        <source>none of its tracks is called &apos;%1&apos;; it has %2</source>
-        <translation>其中没有名为“%1”的轨迹；已有：%2</translation>
-    </message>
-    <message>
-        <source>run odograph track first</source>
-        <translation>请先跟踪</translation>
-    </message>
-    <message>
-        <source>run odograph track without --again first</source>
-        <translation>请先不带 --again 进行跟踪</translation>
-    </message>
-    <message>
-        <source>analyse them anew with</source>
-        <translation>请用以下命令重新分析</translation>
-    </message>
-    <message>
-        <source>choose one with --robot</source>
-        <translation>请用 --robot 选择一个</translation>
-    </message>
-    <message>
-        <source>frame %1 of trial &apos;%2&apos;</source>
-        <translation>试验“%2”的第 %1 帧</translation>
-    </message>
-    <message>
-        <source>%1 s of trial &apos;%2&apos;</source>
-        <translation>试验“%2”的 %1 s</translation>
-    </message>
-    <message>
-        <source>the analysis has no sample</source>
-        <translation>该分析没有采样点</translation>
-    </message>
-    <message>
-        <source>track the trial again</source>
-        <translation>请重新跟踪该试验</translation>
-    </message>
-    <message>
-        <source>choose a time from %1 s to %2 s</source>
-        <translation>请选择 %1 s 到 %2 s 之间的时间</translation>
-    </message>
-    <message>
-        <source>choose a frame with a measurement</source>
-        <translation>请选择有测量的帧</translation>
-    </message>
-    <message>
-        <source>nothing was said by hand there</source>
-        <translation>那里没有手动标注</translation>
-    </message>
-    <message>
-        <source>see the flags by_hand in odograph export</source>
-        <translation>请查看 odograph export 中的 by_hand 标记</translation>
-    </message>
-    <message>
-        <source>tracking</source>
-        <translation>跟踪</translation>
-    </message>
-    <message>
-        <source>add one with</source>
-        <translation>请用以下命令添加一个</translation>
-    </message>
-    <message>
-        <source>cannot render %1</source>
-        <translation>无法渲染 %1</translation>
-    </message>
-    <message>
-        <source>rendering %1</source>
-        <translation>渲染 %1</translation>
-    </message>
-    <message>
-        <source>camera %1 takes no frame while the scene lasts</source>
-        <translation>场景持续期间相机 %1 没有拍到帧</translation>
-    </message>
-    <message>
-        <source>give the scene a longer duration or start the camera earlier</source>
-        <translation>请延长场景时长，或更早启动相机</translation>
-    </message>
-    <message>
-        <source>a picture cannot be coded</source>
-        <translation>无法对画面编码</translation>
-    </message>
-    <message>
-        <source>JPEG does not have its layout of colours</source>
-        <translation>JPEG 不支持其颜色排列</translation>
-    </message>
-    <message>
-        <source>let the camera give another format</source>
-        <translation>请让相机输出其他格式</translation>
-    </message>
-    <message>
-        <source>cannot decode all of a frame</source>
-        <translation>无法完整解码一帧</translation>
-    </message>
-    <message>
-        <source>its sound part is used</source>
-        <translation>使用其完好部分</translation>
-    </message>
-    <message>
-        <source>its time scale was not found where the muxer should have put it</source>
-        <translation>在复用器应写入的位置没有找到时间刻度</translation>
-    </message>
-    <message>
-        <source>report this as a bug</source>
-        <translation>请将此作为缺陷报告</translation>
-    </message>
-    <message>
-        <source>its header could not be rewritten</source>
-        <translation>无法重写其文件头</translation>
-    </message>
-    <message>
-        <source>check that there is room on the disk</source>
-        <translation>请检查磁盘是否有空间</translation>
-    </message>
-    <message>
-        <source>a packet there is damaged</source>
-        <translation>那里的一个数据包已损坏</translation>
-    </message>
-    <message>
-        <source>its header promises %1</source>
-        <translation>其文件头声明为 %1</translation>
-    </message>
-    <message>
-        <source>not one whole frame is in it</source>
-        <translation>其中没有一帧完整</translation>
-    </message>
-    <message>
-        <source>its time stamps span %1</source>
-        <translation>其时间戳跨度为 %1</translation>
-    </message>
-    <message>
-        <source>it says that it has %1 pixels</source>
-        <translation>其声明有 %1 像素</translation>
-    </message>
-    <message>
-        <source>picture</source>
-        <translation>图片</translation>
-    </message>
-    <message>
-        <source>picture &apos;%1&apos;</source>
-        <translation>图片“%1”</translation>
-    </message>
-    <message>
-        <source>it could not be packed</source>
-        <translation>无法打包</translation>
-    </message>
-    <message>
-        <source>check the folder, the free space, and that the name ends in .png or .jpg</source>
-        <translation>请检查文件夹、可用空间，以及名称以 .png 或 .jpg 结尾</translation>
-    </message>
-    <message>
-        <source>it could not be written</source>
-        <translation>无法写出</translation>
-    </message>
-    <message>
-        <source>its format is not known</source>
-        <translation>其格式未知</translation>
-    </message>
-    <message>
-        <source>the size of its pictures could not be found out</source>
-        <translation>无法得知其画面尺寸</translation>
-    </message>
-    <message>
-        <source>its pixel format %1 is not read</source>
-        <translation>不读取像素格式 %1</translation>
-    </message>
-    <message>
-        <source>its pixel format (unknown) is not read</source>
-        <translation>不读取其（未知的）像素格式</translation>
-    </message>
-    <message>
-        <source>convert it to 8-bit YUV, e.g. ffmpeg -i FILE -pix_fmt yuv420p NEW.mp4</source>
-        <translation>请转换为 8 位 YUV，例如 ffmpeg -i FILE -pix_fmt yuv420p NEW.mp4</translation>
-    </message>
-    <message>
-        <source>frames of this size or chroma format cannot be encoded</source>
-        <translation>无法对此尺寸或色度格式的帧编码</translation>
-    </message>
-    <message>
-        <source>use 4:2:0, 4:2:2 or 4:4:4</source>
-        <translation>请使用 4:2:0、4:2:2 或 4:4:4</translation>
-    </message>
-    <message>
-        <source>install Debian&apos;s libavcodec with libx264</source>
-        <translation>请安装 Debian 带 libx264 的 libavcodec</translation>
-    </message>
-    <message>
-        <source>the chroma siting could not be set (%1)</source>
-        <translation>无法设置色度采样位置（%1）</translation>
-    </message>
-    <message>
-        <source>install Debian&apos;s libavcodec</source>
-        <translation>请安装 Debian 的 libavcodec</translation>
-    </message>
-    <message>
-        <source>FFV1 does not go into MP4</source>
-        <translation>FFV1 不能放入 MP4</translation>
-    </message>
-    <message>
-        <source>use the ending .mkv</source>
-        <translation>请使用扩展名 .mkv</translation>
-    </message>
-    <message>
-        <source>its frame rate is not positive</source>
-        <translation>其帧率不为正</translation>
-    </message>
-    <message>
-        <source>give the frames per second, e.g. 30</source>
-        <translation>请给出每秒帧数，例如 30</translation>
-    </message>
-    <message>
-        <source>start the video again</source>
-        <translation>请重新开始该视频</translation>
-    </message>
-    <message>
-        <source>its format differs from the video&apos;s</source>
-        <translation>其格式与视频不同</translation>
-    </message>
-    <message>
-        <source>write one format to a file</source>
-        <translation>一个文件只写一种格式</translation>
-    </message>
-    <message>
-        <source>its time is not after the frame&apos;s before it</source>
-        <translation>其时间不晚于前一帧</translation>
-    </message>
-    <message>
-        <source>write the frames in order, at least a microsecond apart</source>
-        <translation>请按顺序写入帧，间隔至少一微秒</translation>
-    </message>
-    <message>
-        <source>it is finished</source>
-        <translation>已完成</translation>
-    </message>
-    <message>
-        <source>start it again</source>
-        <translation>请重新开始</translation>
-    </message>
-    <message>
-        <source>no frame was written to it</source>
-        <translation>没有写入任何帧</translation>
-    </message>
-    <message>
-        <source>write at least one</source>
-        <translation>请至少写入一帧</translation>
-    </message>
-    <message>
-        <source>give one view or more, like --video A=a.mp4</source>
-        <translation>请给出一个或多个视角，如 --video A=a.mp4</translation>
-    </message>
-    <message>
-        <source>%1 views were given and the offsets of %2</source>
-        <translation>给出了 %1 个视角和 %2 个偏移</translation>
-    </message>
-    <message>
-        <source>give one offset for each view but the first, like --sync 0.1,0.2, or use --sync auto</source>
-        <translation>请为除第一个外的每个视角给出一个偏移，如 --sync 0.1,0.2，或使用 --sync auto</translation>
-    </message>
-    <message>
-        <source>frame %1 of &apos;%2&apos;</source>
-        <translation>“%2”的第 %1 帧</translation>
-    </message>
-    <message>
-        <source>choose one from %1 to %2</source>
-        <translation>请从 %1 到 %2 中选择</translation>
-    </message>
-    <message>
-        <source>its only one is frame 0</source>
-        <translation>只有第 0 帧</translation>
-    </message>
-    <message>
-        <source>there is no such role</source>
-        <translation>没有这样的角色</translation>
-    </message>
-    <message>
-        <source>role &apos;%1&apos;</source>
-        <translation>角色“%1”</translation>
-    </message>
-    <message>
-        <source>from a flash of light, to %1 ms only, for %2</source>
-        <translation>由闪光得出，仅精确到 %1 ms，因为%2</translation>
-    </message>
-    <message>
-        <source>%1 frames left out</source>
-        <translation>略去 %1 帧</translation>
-    </message>
-    <message>
-        <source>their time stamps repeat the frame before</source>
-        <translation>其时间戳与前一帧重复</translation>
-    </message>
-    <message>
-        <source>ends early at %1</source>
-        <translation>在 %1 处提前结束</translation>
-    </message>
-    <message>
-        <source>the file has no time stamps</source>
-        <translation>文件没有时间戳</translation>
-    </message>
-    <message>
-        <source>an even %1 frames/s is assumed</source>
-        <translation>假定为均匀的 %1 帧/s</translation>
-    </message>
-    <message>
-        <source>Simulated camera %1</source>
-        <translation>模拟相机 %1</translation>
-    </message>
-    <message>
-        <source>%1 at %2 frames/s</source>
-        <translation>%1，%2 帧/s</translation>
-    </message>
-    <message>
-        <source>check that all lines are of one run</source>
-        <translation>请检查所有行都属于同一次运行</translation>
-    </message>
-    <message>
-        <source>it sends no pictures</source>
-        <translation>它没有发送画面</translation>
-    </message>
-    <message>
-        <source>check its cable</source>
-        <translation>请检查其线缆</translation>
-    </message>
-    <message>
-        <source>it is taken up again by itself</source>
-        <translation>它会自动恢复</translation>
-    </message>
-    <message>
-        <source>it has been away</source>
-        <translation>它曾断开</translation>
-    </message>
-    <message>
-        <source>wait: it is taken up again</source>
-        <translation>请稍候：它会恢复</translation>
-    </message>
-    <message>
-        <source>its pictures come incomplete</source>
-        <translation>其画面不完整</translation>
-    </message>
-    <message>
-        <source>check its cable and the network</source>
-        <translation>请检查其线缆和网络</translation>
-    </message>
-    <message>
-        <source>ask for a smaller size or rate</source>
-        <translation>请要求更小的尺寸或帧率</translation>
-    </message>
-    <message>
-        <source>it answers, but sends no pictures</source>
-        <translation>它有响应，但没有发送画面</translation>
-    </message>
-    <message>
-        <source>check its trigger and this computer&apos;s firewall</source>
-        <translation>请检查其触发设置和本机防火墙</translation>
-    </message>
-    <message>
-        <source>it failed (%1)</source>
-        <translation>它出错了（%1）</translation>
-    </message>
-    <message>
-        <source>unplug it and plug it in again if that lasts</source>
-        <translation>若持续如此，请拔下后重新插上</translation>
-    </message>
-    <message>
-        <source>no picture has come for %1</source>
-        <translation>已有 %1 没有画面</translation>
-    </message>
-    <message>
-        <source>look at its cable</source>
-        <translation>请查看其线缆</translation>
-    </message>
-    <message>
-        <source>take it off and put it on again if it stays so</source>
-        <translation>若仍如此，请拔下后重新接上</translation>
-    </message>
-    <message>
-        <source>its disk has only %1 MB left, of which %2 are kept free</source>
-        <translation>其磁盘仅剩 %1 MB，其中 %2 MB 要保持空闲</translation>
-    </message>
-    <message>
-        <source>the disk of %1</source>
-        <translation>%1 的磁盘</translation>
-    </message>
-    <message>
-        <source>it is too slow</source>
-        <translation>它太慢了</translation>
-    </message>
-    <message>
-        <source>a picture has waited %1 s for it, and %2 % of the room to wait in is taken</source>
-        <translation>有画面等待了 %1 s，等待空间已占用 %2 %</translation>
-    </message>
-    <message>
-        <source>nothing is lost yet</source>
-        <translation>尚未丢失任何内容</translation>
-    </message>
-    <message>
-        <source>end what else writes to it</source>
-        <translation>请停止其他写入它的程序</translation>
-    </message>
-    <message>
-        <source>pictures are being lost</source>
-        <translation>正在丢失画面</translation>
-    </message>
-    <message>
-        <source>record to another disk, or fewer cameras</source>
-        <translation>请录制到另一磁盘，或减少相机</translation>
-    </message>
-    <message>
-        <source>Exposure and gain</source>
-        <translation>曝光和增益</translation>
-    </message>
-    <message>
-        <source>line %1 has no team</source>
-        <translation>第 %1 行没有小组</translation>
-    </message>
-    <message>
-        <source>line %1 has no class for team &apos;%2&apos;</source>
-        <translation>第 %1 行没有小组“%2”的班级</translation>
-    </message>
-    <message>
-        <source>line %1 names team &apos;%2&apos; again, as line %3</source>
-        <translation>第 %1 行再次出现小组“%2”，与第 %3 行相同</translation>
-    </message>
-    <message>
-        <source>and %1 lines more</source>
-        <translation>另有 %1 行</translation>
-    </message>
-    <message>
-        <source>line %1</source>
-        <translation>第 %1 行</translation>
-    </message>
-    <message>
-        <source>positions to %1 mm, as the file says</source>
-        <translation>位置精度 %1 mm，依文件所述</translation>
-    </message>
-    <message>
-        <source>positions to %1 mm, as estimated from them</source>
-        <translation>位置精度 %1 mm，由数据估计</translation>
-    </message>
-    <message>
-        <source>the file&apos;s track &apos;%1&apos;</source>
-        <translation>文件中的轨迹“%1”</translation>
-    </message>
-    <message>
-        <source>its times count from %1 s</source>
-        <translation>其时间从 %1 s 起算</translation>
-    </message>
-    <message>
-        <source>a value is too large to be stored</source>
-        <translation>有一个值太大，无法保存</translation>
-    </message>
-    <message>
-        <source>split the recording into shorter ones</source>
-        <translation>请把录像分成较短的几段</translation>
-    </message>
-    <message>
-        <source>%1 is missing</source>
-        <translation>缺少 %1</translation>
-    </message>
-    <message>
-        <source>put the file back in its place, and open the project again</source>
-        <translation>请把文件放回原处，并重新打开项目</translation>
-    </message>
-    <message>
-        <source>camera &apos;%1&apos; is not registered to the floor</source>
-        <translation>相机“%1”未对地面配准</translation>
-    </message>
-    <message>
-        <source>glue the board onto something stiff</source>
-        <translation>请把标定板贴在坚硬的物体上</translation>
-    </message>
-    <message>
-        <source>its corners do not lie as on a flat board</source>
-        <translation>其角点的位置不像在平整的标定板上</translation>
-    </message>
-    <message>
-        <source>point %1 lies outside the picture of the camera to register (%2)</source>
-        <translation>点 %1 位于待配准相机的画面（%2）之外</translation>
-    </message>
-    <message>
-        <source>its numbers look like %1, then it would stand %2 m above the floor</source>
-        <translation>其数值像是%1，那样它将位于地面以上 %2 m</translation>
-    </message>
-    <message>
-        <source>metres</source>
-        <translation>米</translation>
-    </message>
-    <message>
-        <source>inches</source>
-        <translation>英寸</translation>
-    </message>
-    <message>
-        <source>centimetres</source>
-        <translation>厘米</translation>
-    </message>
-    <message>
-        <source>thousandths of a mm</source>
-        <translation>千分之一毫米</translation>
-    </message>
-    <message>
-        <source>tenths of a mm</source>
-        <translation>十分之一毫米</translation>
-    </message>
-    <message>
-        <source>with %1 and %2 exchanged they fit to %3 px</source>
-        <translation>若交换 %1 和 %2，则吻合到 %3 px</translation>
-    </message>
-    <message>
-        <source>%1 % of what was measured is beyond the limits of task &apos;%2&apos;, so that they were left out</source>
-        <translation>所测数据的 %1 % 超出任务“%2”的限值，因此未采用这些限值</translation>
-    </message>
-    <message>
-        <source>nearly all that was measured is beyond the limits of task &apos;%1&apos;, so that they were left out</source>
-        <translation>所测数据几乎都超出任务“%1”的限值，因此未采用这些限值</translation>
-    </message>
-    <message>
-        <source>give the task the limits of its fastest robot</source>
-        <translation>请为任务设定其最快机器人的限值</translation>
-    </message>
-    <message>
-        <source>copy &apos;%1&apos;, which is sound, to a new name and open that, and keep the damaged file</source>
-        <translation>请把完好的“%1”复制为新名称并打开该副本，同时保留损坏的文件</translation>
-    </message>
-    <message>
-        <source>the disk could not be read, and nothing was changed</source>
-        <translation>无法读取磁盘，未作任何更改</translation>
-    </message>
-    <message>
-        <source>it lies on a network disk (%1), where a recording can stall and two computers can damage it</source>
-        <translation>它位于网络磁盘（%1）上，录制可能停顿，两台计算机可能损坏它</translation>
-    </message>
-    <message>
-        <source>it lies in a folder that %1 copies while it changes, so that a copy may have half a change</source>
-        <translation>它位于 %1 会在其更改时复制的文件夹中，副本可能只含一半更改</translation>
-    </message>
-    <message>
-        <source>keep it on a disk of this computer, and pack it to share it</source>
-        <translation>请把它保存在本机磁盘上，需要共享时请打包</translation>
-    </message>
-    <message>
-        <source>printing on &apos;%1&apos;</source>
-        <translation>在“%1”上打印</translation>
-    </message>
-    <message>
-        <source>it cannot be reached</source>
-        <translation>无法连接</translation>
-    </message>
-    <message>
-        <source>it takes no further page</source>
-        <translation>它不再接收页面</translation>
-    </message>
-    <message>
-        <source>it did not take the pages</source>
-        <translation>它没有接收这些页面</translation>
-    </message>
-    <message>
-        <source>look at the printer and its queue, or save the report as PDF</source>
-        <translation>请检查打印机及其队列，或将报告保存为 PDF</translation>
-    </message>
-    <message>
-        <source>report &apos;%1&apos;</source>
-        <translation>报告“%1”</translation>
-    </message>
-    <message>
-        <source>it has no page</source>
-        <translation>它没有页面</translation>
-    </message>
-    <message>
-        <source>choose a trial or a class</source>
-        <translation>请选择一次试验或一个班级</translation>
-    </message>
-    <message>
-        <source>cannot decode the video</source>
-        <translation>无法解码该视频</translation>
-    </message>
-    <message>
-        <source>cannot read the picture %1</source>
-        <translation>无法读取图片 %1</translation>
-    </message>
-    <message>
-        <source>cannot do this</source>
-        <translation>无法执行此操作</translation>
-    </message>
-    <message>
-        <source>the cameras</source>
-        <translation>相机</translation>
-    </message>
-    <message>
-        <source>live tracking</source>
-        <translation>实时跟踪</translation>
-    </message>
-    <message>
-        <source>a picture of camera %1</source>
-        <translation>相机 %1 的一张图片</translation>
-    </message>
-    <message>
-        <source>this computer has not enough free memory for it</source>
-        <translation>这台计算机没有足够的可用内存</translation>
-    </message>
-    <message>
-        <source>this computer gives no further thread</source>
-        <translation>这台计算机无法再创建线程</translation>
-    </message>
-    <message>
-        <source>too many files are open</source>
-        <translation>打开的文件太多</translation>
-    </message>
-    <message>
-        <source>what was saved is safe</source>
-        <translation>已保存的内容是安全的</translation>
-    </message>
-    <message>
-        <source>its frame rate varies, pictures are %1 to %2 ms apart</source>
-        <translation>其帧率不恒定，图片间隔为 %1 到 %2 ms</translation>
-    </message>
-    <message>
-        <source>each counts at its own time</source>
-        <translation>每张图片按其自身的时间计算</translation>
-    </message>
-    <message>
-        <source>frame times of &apos;%1&apos;</source>
-        <translation>“%1”的帧时间</translation>
-    </message>
-    <message>
-        <source>calibration %1 of the project</source>
-        <translation>项目的标定 %1</translation>
-    </message>
-    <message>
-        <source>observations %1 of the project</source>
-        <translation>项目的观测 %1</translation>
-    </message>
-    <message>
-        <source>truth of trial %1</source>
-        <translation>试验 %1 的真值</translation>
-    </message>
-    <message>
-        <source>the list of changes</source>
-        <translation>更改记录</translation>
-    </message>
-    <message>
-        <source>registration of camera &apos;%1&apos; through &apos;%2&apos;</source>
-        <translation>通过“%2”对相机“%1”的配准</translation>
-    </message>
-    <message>
-        <source>point %1</source>
-        <translation>点 %1</translation>
-    </message>
-    <message>
-        <source>checking halves against one another</source>
-        <translation>正在用两半相互校验</translation>
-    </message>
-    <message>
-        <source>completing a recording that was cut off</source>
-        <translation>正在补全中断的录像</translation>
-    </message>
-    <message>
-        <source>done</source>
-        <translation>完成</translation>
-    </message>
-    <message>
-        <source>fitting the lens to %1 pictures</source>
-        <translation>正在用 %1 张图片拟合镜头</translation>
-    </message>
-    <message>
-        <source>looking about the best place</source>
-        <translation>正在最佳位置周围搜索</translation>
-    </message>
-    <message>
-        <source>looking for the board in %1</source>
-        <translation>正在 %1 中寻找标定板</translation>
-    </message>
-    <message>
-        <source>making the hash of %1</source>
-        <translation>正在计算 %1 的校验值</translation>
-    </message>
-    <message>
-        <source>packing %1</source>
-        <translation>正在打包 %1</translation>
-    </message>
-    <message>
-        <source>unpacking</source>
-        <translation>正在解包</translation>
-    </message>
-    <message>
-        <source>reading %1</source>
-        <translation>正在读取 %1</translation>
-    </message>
-    <message>
-        <source>reading line %1</source>
-        <translation>正在读取第 %1 行</translation>
-    </message>
-    <message>
-        <source>removing %1</source>
-        <translation>正在删除 %1</translation>
-    </message>
-    <message>
-        <source>tracking, picture %1 of %2</source>
-        <translation>正在跟踪，第 %1 幅，共 %2 幅</translation>
-    </message>
-    <message>
-        <source>The world axes were changed afterwards</source>
-        <translation>之后更改过世界坐标轴</translation>
-    </message>
-    <message>
-        <source>The world axes were changed afterwards, and all lengths multiplied by %1</source>
-        <translation>之后更改过世界坐标轴，并把所有长度乘以 %1</translation>
-    </message>
-    <message>
-        <source>It was made through registration %1 of the project</source>
-        <translation>它是通过项目的配准 %1 作出的</translation>
-    </message>
-    <message>
-        <source>the video of camera %1 in trial &apos;%2&apos; lies elsewhere and is another file than it was, and not in the packed project</source>
-        <translation>试验“%2”中相机 %1 的视频位于别处，且已不是原来的文件，未包含在打包项目中</translation>
-    </message>
-    <message>
-        <source>another program uses it (open in %1)</source>
-        <translation>另一程序正在使用它（已在 %1 中打开）</translation>
-    </message>
-    <message>
-        <source>its USB bus has no room left for its pictures (the bus is full, not the disk)</source>
-        <translation>其 USB 总线已没有带宽传输图像（满的是总线，不是磁盘）</translation>
-    </message>
-    <message>
-        <source>no sound backup lies beside it</source>
-        <translation>旁边没有完好的备份</translation>
-    </message>
-    <message>
-        <source>its file is no longer there</source>
-        <translation>其文件已不在</translation>
-    </message>
-    <message>
-        <source>the project&apos;s file is no longer there</source>
-        <translation>项目文件已不在</translation>
-    </message>
-    <message>
-        <source>put its disk or folder back where it was</source>
-        <translation>请把其磁盘或文件夹放回原处</translation>
-    </message>
-    <message>
-        <source>what was recorded so far is there</source>
-        <translation>到目前为止录制的内容在那里</translation>
-    </message>
-    <message>
-        <source>nothing was recorded</source>
-        <translation>什么也没有录制</translation>
-    </message>
-    <message>
-        <source>the disk has become read-only, the change was not saved</source>
-        <translation>磁盘已变为只读，更改未保存</translation>
-    </message>
-    <message>
-        <source>with %1 called %2 they fit to %3 px</source>
-        <translation>若将 %1 称为 %2，则吻合到 %3 px</translation>
-    </message>
-    <message>
-        <source>its pictures have more than 100 megapixels or 32000 pixels a side</source>
-        <translation>其画面超过 1 亿像素或单边 32000 像素</translation>
-    </message>
-    <message>
-        <source>more than 50 megapixels or 32000 pixels a side are not read</source>
-        <translation>超过 5000 万像素或单边 32000 像素则不读取</translation>
-    </message>
-    <message>
-        <source>its results are not those that its analysis gave</source>
-        <translation>其结果与分析得出的结果不一致</translation>
-    </message>
-    <message>
-        <source>they were changed in the file</source>
-        <translation>它们在文件中被更改过</translation>
-    </message>
-    <message>
-        <source>run odograph check, or analyse the trial again</source>
-        <translation>请运行 odograph check，或重新分析该试验</translation>
-    </message>
-    <message>
-        <source>it has no name</source>
-        <translation>没有名称</translation>
-    </message>
-    <message>
-        <source>its folder cannot be used (%1)</source>
-        <translation>无法使用其文件夹（%1）</translation>
-    </message>
-    <message>
-        <source>choose another folder</source>
-        <translation>请换个文件夹</translation>
-    </message>
-    <message>
-        <source>it is a named pipe</source>
-        <translation>是命名管道</translation>
-    </message>
-    <message>
-        <source>it is a socket</source>
-        <translation>是套接字</translation>
-    </message>
-    <message>
-        <source>it is a device</source>
-        <translation>是设备</translation>
-    </message>
-    <message>
-        <source>it is the project itself</source>
-        <translation>是项目文件本身</translation>
-    </message>
-    <message>
-        <source>it is the log, the lock or a backup of a project</source>
-        <translation>是项目的日志、锁或备份文件</translation>
-    </message>
-    <message>
-        <source>it is in the media folder of project &apos;%1&apos;</source>
-        <translation>位于项目“%1”的媒体文件夹中</translation>
-    </message>
-    <message>
-        <source>it is an input of the same call</source>
-        <translation>是同一次调用的输入文件</translation>
-    </message>
-    <message>
-        <source>it is a recording of the project</source>
-        <translation>是项目的录像</translation>
-    </message>
-    <message>
-        <source>it is another project</source>
-        <translation>是另一个项目</translation>
-    </message>
-    <message>
-        <source>it is a database</source>
-        <translation>是数据库</translation>
-    </message>
-    <message>
-        <source>a file of another kind has that name</source>
-        <translation>另一种类型的文件已使用该名称</translation>
-    </message>
-    <message>
-        <source>choose another name, or replace it with --force</source>
-        <translation>请换个名称，或用 --force 替换</translation>
-    </message>
-    <message>
-        <source>choose another name or folder</source>
-        <translation>请换个名称或文件夹</translation>
-    </message>
-    <message>
-        <source>the file has more than 1.5 million places</source>
-        <translation>文件中的位置超过 150 万个</translation>
-    </message>
-    <message>
-        <source>it is longer than 8 MiB</source>
-        <translation>超过 8 MiB</translation>
-    </message>
-    <message>
-        <source>folder &apos;%1&apos;</source>
-        <translation>文件夹“%1”</translation>
-    </message>
-    <message>
-        <source>it holds an invisible character, %1</source>
-        <translation>其中有不可见字符 %1</translation>
-    </message>
-    <message>
-        <source>it has more than %1 markers</source>
-        <translation>标记超过 %1 个</translation>
-    </message>
-    <message>
-        <source>leave out those that no camera sees</source>
-        <translation>去掉没有相机能看到的标记</translation>
-    </message>
-    <message>
-        <source>marker &apos;%1&apos; is not on a floor of 1 km</source>
-        <translation>标记“%1”不在 1 公里的地面范围内</translation>
-    </message>
-    <message>
-        <source>it is larger than %1 m</source>
-        <translation>它大于 %1 米</translation>
-    </message>
-    <message>
-        <source>it has %1 views</source>
-        <translation>它有 %1 个视角</translation>
-    </message>
-    <message>
-        <source>it has %1 robots</source>
-        <translation>它有 %1 个机器人</translation>
-    </message>
-    <message>
-        <source>%1: texts of more than %2 characters: %3</source>
-        <translation>%1：超过 %2 个字符的文本：%3</translation>
-    </message>
-    <message>
-        <source>%1: numbers beyond %2: %3</source>
-        <translation>%1：超出 %2 的数：%3</translation>
-    </message>
-    <message>
-        <source>%1: more than %2 of one %3: %4</source>
-        <translation>%1：同一 %3 超过 %2 个：%4</translation>
-    </message>
-    <message>
-        <source>the rest is not read; change it here, or where the file comes from</source>
-        <translation>其余部分不读取；请在此处或文件来源处更改</translation>
-    </message>
-    <message>
-        <source>trial %1 of the project</source>
-        <translation>项目的试验 %1</translation>
-    </message>
-    <message>
-        <source>a value to be stored is not a number of ordinary size</source>
-        <translation>要存储的值不是正常大小的数</translation>
-    </message>
-    <message>
-        <source>look for stray files</source>
-        <translation>查找无归属的文件</translation>
-    </message>
-    <message>
-        <source>remove stray files</source>
-        <translation>移除无归属的文件</translation>
-    </message>
-    <message>
-        <source>cannot remove &apos;%1&apos;</source>
-        <translation>无法移除“%1”</translation>
-    </message>
-    <message>
-        <source>check the rights of the project&apos;s folder</source>
-        <translation>请检查项目文件夹的权限</translation>
-    </message>
-    <message>
-        <source>another program is writing or removing it just now</source>
-        <translation>另一程序正在写入或移除它</translation>
-    </message>
-    <message>
-        <source>its videos are kept in &apos;%1&apos;; put the project back, and run odograph check P.odo --adopt</source>
-        <translation>其视频保留在“%1”中；请将项目放回原处，然后运行 odograph check P.odo --adopt</translation>
-    </message>
-    <message>
-        <source>something unexpected happened (%1)</source>
-        <translation>发生了意外情况（%1）</translation>
-    </message>
-    <message>
-        <source>try again, and report it if it happens again</source>
-        <translation>请重试；如再次发生请报告</translation>
-    </message>
-    <message>
-        <source>its frame rate is not between 0.1 and 100,000 frames a second</source>
-        <translation>帧率不在每秒 0.1 到 100,000 帧之间</translation>
-    </message>
-    <message>
-        <source>give the rate at which the camera took the frames</source>
-        <translation>请给出相机拍摄的帧率</translation>
-    </message>
-    <message>
-        <source>looking through the media folder</source>
-        <translation>正在查看媒体文件夹</translation>
-    </message>
-    <message>
-        <source>it is a project that is open here</source>
-        <translation>它是此处已打开的项目</translation>
-    </message>
-    <message>
-        <source>choose another file</source>
-        <translation>请选择其他文件</translation>
-    </message>
-    <message>
-        <source>put the file back in its place</source>
-        <translation>请将文件放回原处</translation>
-    </message>
-    <message>
-        <source>its folder is gone, and there is no home folder to rescue it to</source>
-        <translation>它的文件夹已不存在，也没有可用于抢救的主文件夹</translation>
-    </message>
-    <message>
-        <source>it could not be copied to be read (%1)</source>
-        <translation>无法复制以供读取（%1）</translation>
-    </message>
-    <message>
-        <source>copy it with the files beside it to a folder that you may write to, and open the copy</source>
-        <translation>请将它与旁边的文件一起复制到您可写入的文件夹，然后打开副本</translation>
-    </message>
-    <message>
-        <source>analysing position %1</source>
-        <translation>正在分析位置 %1</translation>
-    </message>
-    <message>
-        <source>check of the project</source>
-        <translation>项目检查</translation>
-    </message>
-    <message>
-        <source>checking the database</source>
-        <translation>正在检查数据库</translation>
-    </message>
-    <message>
-        <source>checking %1</source>
-        <translation>正在检查 %1</translation>
-    </message>
-    <message>
-        <source>project &apos;%1&apos; beside it may use them, and cannot be read (%2)</source>
-        <translation>旁边的项目“%1”可能在使用它们，但无法读取（%2）</translation>
-    </message>
-    <message>
-        <source>open that project, or move it to a folder of its own with its videos</source>
-        <translation>请打开该项目，或将其连同视频移到单独的文件夹</translation>
-    </message>
-    <message>
-        <source>another program wrote over its file while it was open; nothing more was stored</source>
-        <translation>打开期间另一个程序覆盖了其文件；此后未保存任何内容</translation>
-    </message>
-    <message>
-        <source>open it again; if you were recording, look for stray files (odograph check --adopt)</source>
-        <translation>请重新打开；如果当时正在录制，请查找无归属的文件（odograph check --adopt）</translation>
-    </message>
-    <message>
-        <source>the project&apos;s file was deleted, renamed or replaced; recording goes on, and what is in it is rescued at the end</source>
-        <translation>项目文件被删除、重命名或替换；录制继续进行，结束时将挽救其内容</translation>
-    </message>
-    <message>
-        <source>the project&apos;s file was deleted, renamed or replaced meanwhile; what was in it is rescued in &apos;%1&apos;, which is the project from now on</source>
-        <translation>项目文件在此期间被删除、重命名或替换；其内容已挽救到“%1”，今后它就是项目</translation>
-    </message>
-    <message>
-        <source>its file was deleted, renamed or replaced while it was open; nothing was stored</source>
-        <translation>打开期间其文件被删除、重命名或替换；未保存任何内容</translation>
-    </message>
-    <message>
-        <source>it is in a media folder beside a project</source>
-        <translation>它位于某个项目旁的媒体文件夹中</translation>
-    </message>
-    <message>
-        <source>Odograph uses such names for temporary files</source>
-        <translation>Odograph 将此类名称用于临时文件</translation>
-    </message>
-    <message>
-        <source>a name ending in .odo is for a project</source>
-        <translation>以 .odo 结尾的名称只用于项目</translation>
-    </message>
-    <message>
-        <source>give the project a title</source>
-        <translation>请给项目起个标题</translation>
-    </message>
-    <message>
-        <source>put it back in its place and try again</source>
-        <translation>请将其放回原处，然后重试</translation>
-    </message>
-    <message>
-        <source>its folder has &apos;%1&apos;, the log or journal of another file of this name</source>
-        <translation>其文件夹中有“%1”，它是另一个同名文件的日志</translation>
-    </message>
-    <message>
-        <source>choose another name, or move &apos;%1&apos; to another folder first</source>
-        <translation>请选择其他名称，或先把“%1”移到其他文件夹</translation>
-    </message>
-    <message>
-        <source>the log beside it (&apos;%1&apos;) belongs to another file or to another state of this one</source>
-        <translation>旁边的日志（“%1”）属于另一个文件，或属于此文件的另一个状态</translation>
-    </message>
-    <message>
-        <source>move the log to another folder to open the file without it, or put the file back that the log belongs to</source>
-        <translation>请把日志移到其他文件夹，以便不带日志打开此文件；或放回日志所属的文件</translation>
-    </message>
-    <message>
-        <source>it is a folder or a device, not a file</source>
-        <translation>它是文件夹或设备，不是文件</translation>
-    </message>
-    <message>
-        <source>put the original file back in its place</source>
-        <translation>请把原来的文件放回原处</translation>
-    </message>
-    <message>
-        <source>add the robot without a colour, so that it is found by how it differs from the floor</source>
-        <translation>请添加没有颜色的机器人，这样会按它与地面的差别来寻找</translation>
-    </message>
-    <message>
-        <source>tell no colour, so that it is found by how it differs from the floor</source>
-        <translation>不要指定颜色，这样会按它与地面的差别来寻找</translation>
-    </message>
-    <message>
-        <source>check that the robot moves in the pictures, that a colour that was told is the one it has there, and that the light is sufficient</source>
-        <translation>请检查机器人在画面中是否移动、指定的颜色是否与画面中的一致、光线是否充足</translation>
-    </message>
-    <message>
-        <source>its reference point is farther from its centre than %1 m</source>
-        <translation>其参考点距中心超过 %1 m</translation>
-    </message>
-    <message>
-        <source>a reference point beside its centre takes a heading, which is not known where the height changes</source>
-        <translation>偏离中心的参考点需要朝向，而高度变化时朝向未知</translation>
-    </message>
-    <message>
-        <source>leave out one of the two</source>
-        <translation>请去掉其中之一</translation>
-    </message>
-    <message>
-        <source>its reference point lies beside its centre, but its outlines do not tell its heading</source>
-        <translation>其参考点偏离中心，但其轮廓无法给出朝向</translation>
-    </message>
-    <message>
-        <source>give it the reference point 0,0 and track again</source>
-        <translation>请把参考点设为 0,0 后重新跟踪</translation>
-    </message>
-    <message>
-        <source>another sample was judged by hand while this one was analysed</source>
-        <translation>分析此样本时，另一个样本被手动判定</translation>
-    </message>
-    <message>
-        <source>say it again for frame %1</source>
-        <translation>请对第 %1 帧再指定一次</translation>
-    </message>
-    <message>
-        <source>give each a colour of its own</source>
-        <translation>请给每个机器人一种自己的颜色</translation>
-    </message>
-    <message>
-        <source>track only the robots that are in the pictures (--robot)</source>
-        <translation>请只跟踪画面中的机器人 (--robot)</translation>
-    </message>
-    <message>
-        <source>from %1 s to %2 s it is doubtful whether this is %3 or %4</source>
-        <translation>从 %1 秒到 %2 秒，无法确定这是 %3 还是 %4</translation>
-    </message>
-    <message>
-        <source>from %1 s to %2 s it is doubtful whether this is %3 or another robot of its look</source>
-        <translation>从 %1 秒到 %2 秒，无法确定这是 %3 还是外观相同的另一台机器人</translation>
-    </message>
-    <message>
-        <source>from %1 s to %2 s (the first of %3 times) it is doubtful whether this is %4 or %5</source>
-        <translation>从 %1 秒到 %2 秒（共 %3 次中的第一次），无法确定这是 %4 还是 %5</translation>
-    </message>
-    <message>
-        <source>from %1 s to %2 s (the first of %3 times) it is doubtful whether this is %4 or another robot of its look</source>
-        <translation>从 %1 秒到 %2 秒（共 %3 次中的第一次），无法确定这是 %4 还是外观相同的另一台机器人</translation>
-    </message>
-    <message>
-        <source>in %1 of %2 pictures the views have it at places far apart</source>
-        <translation>%2 幅画面中有 %1 幅，各视角给出的位置相距很远</translation>
-    </message>
-    <message>
-        <source>one of them follows something else, or is not where it was registered</source>
-        <translation>其中一个视角跟踪了别的东西，或者相机不在配准时的位置</translation>
-    </message>
-    <message>
-        <source>look at the outlines, and tell the robot&apos;s colour or keep others out of the pictures</source>
-        <translation>请查看轮廓，并指定机器人的颜色，或不要让其他东西进入画面</translation>
-    </message>
-    <message>
-        <source>robot &apos;%1&apos; in view &apos;%2&apos;</source>
-        <translation>视角“%2”中的机器人“%1”</translation>
-    </message>
-    <message>
-        <source>robot &apos;%1&apos; pointed out in view &apos;%2&apos;</source>
-        <translation>在视角“%2”中指出的机器人“%1”</translation>
-    </message>
-    <message>
-        <source>nothing stands out from the floor at %1,%2 at %3 s for some frames</source>
-        <translation>在 %3 秒时，%1,%2 处有数帧没有任何东西与地面不同</translation>
-    </message>
-    <message>
-        <source>point it out where all of it is seen and it moves</source>
-        <translation>请在能看到整个机器人且它在移动的地方指出</translation>
-    </message>
-    <message>
-        <source>it is found by its colour</source>
-        <translation>它是按颜色找到的</translation>
-    </message>
-    <message>
-        <source>pick its colour again, or take the colour from it</source>
-        <translation>请重新选取它的颜色，或去掉它的颜色</translation>
-    </message>
-    <message>
-        <source>the trial has no such view</source>
-        <translation>该试验没有这个视角</translation>
-    </message>
-    <message>
-        <source>name one of its cameras</source>
-        <translation>请指定它的一台相机</translation>
-    </message>
-    <message>
-        <source>the view has no picture at that time</source>
-        <translation>该视角在那个时刻没有画面</translation>
-    </message>
-    <message>
-        <source>name a time within the trial, in seconds</source>
-        <translation>请指定试验之内的时刻，以秒为单位</translation>
-    </message>
-    <message>
-        <source>the place lies outside the picture</source>
-        <translation>该位置在画面之外</translation>
-    </message>
-    <message>
-        <source>name it in pixels from the picture&apos;s top left corner</source>
-        <translation>请以像素为单位、从画面左上角算起指定</translation>
-    </message>
-    <message>
-        <source>it is not tracked in trial &apos;%1&apos;</source>
-        <translation>试验“%1”中没有跟踪它</translation>
-    </message>
-    <message>
-        <source>name one of its robots</source>
-        <translation>请指定它的一个机器人</translation>
-    </message>
-    <message>
-        <source>hidden behind %1 in view %2</source>
-        <translation>在视角 %2 中被 %1 遮挡</translation>
-    </message>
-    <message>
-        <source>partly hidden behind %1 in view %2</source>
-        <translation>在视角 %2 中被 %1 部分遮挡</translation>
-    </message>
-    <message>
-        <source>one outline with %1 in view %2</source>
-        <translation>在视角 %2 中与 %1 连成一个轮廓</translation>
-    </message>
-    <message>
-        <source>cut by the frame&apos;s edge in view %1</source>
-        <translation>在视角 %1 中被画面边缘截断</translation>
-    </message>
-    <message>
-        <source>not visible in view %1</source>
-        <translation>在视角 %1 中不可见</translation>
-    </message>
-    <message>
-        <source>outline smaller than usual in view %1</source>
-        <translation>在视角 %1 中轮廓比平时小</translation>
-    </message>
-    <message>
-        <source>outline larger than usual in view %1</source>
-        <translation>在视角 %1 中轮廓比平时大</translation>
-    </message>
-    <message>
-        <source>in %1 of %2 pictures the views contradict one another</source>
-        <translation>%2 幅画面中有 %1 幅，各视角相互矛盾</translation>
-    </message>
-    <message>
-        <source>they put it %1 mm apart</source>
-        <translation>它们给出的位置相差 %1 mm</translation>
-    </message>
-    <message>
-        <source>a camera was moved after it was registered, the views are out of step, or the robot&apos;s height is not what was told</source>
-        <translation>某台相机在配准后被移动、各视角不同步，或机器人的高度与所给的不符</translation>
-    </message>
-    <message>
-        <source>register the cameras again</source>
-        <translation>请重新配准相机</translation>
-    </message>
-    <message>
-        <source>the views put it %1 mm apart</source>
-        <translation>各视角给出的位置相差 %1 mm</translation>
-    </message>
-    <message>
-        <source>a camera was moved after it was registered, the videos belong to other cameras, or one view follows something else</source>
-        <translation>某台相机在配准后被移动、视频属于其他相机，或某个视角跟踪了别的东西</translation>
-    </message>
-    <message>
-        <source>look at the outlines, and register the cameras again</source>
-        <translation>请查看轮廓，并重新配准相机</translation>
-    </message>
-    <message>
-        <source>a key is no text, or a bracket is not closed</source>
-        <translation>某个键不是文本，或者括号没有闭合</translation>
-    </message>
-    <message>
-        <source>anchors and aliases are not understood</source>
-        <translation>不支持锚点和别名</translation>
-    </message>
-    <message>
-        <source>it is no valid YAML (%1)</source>
-        <translation>不是有效的 YAML（%1）</translation>
-    </message>
-</context>
-<context>
     <name>DoubtfulStretches</name>
     <message>
         <source>Which robot? Until %1</source>
@@ -7371,28 +1068,12 @@ The method follows S. Park, “Computational Vision for Automatic Tracking and O
 <context>
     <name>OwnChanges</name>
     <message>
-        <source>nothing was changed here</source>
-        <translation>此处未作任何更改</translation>
-    </message>
-    <message>
-        <source>what was changed before is taken back in the window&apos;s menu Edit</source>
-        <translation>之前的更改请在窗口的“编辑”菜单中撤销</translation>
-    </message>
-    <message>
         <source>Done: %1. Ctrl+Z takes it back.</source>
         <translation>已完成：%1。可用 Ctrl+Z 撤回。</translation>
     </message>
     <message>
-        <source>undo</source>
-        <translation>撤销</translation>
-    </message>
-    <message>
         <source>Undone: %1.</source>
         <translation>已撤销：%1。</translation>
-    </message>
-    <message>
-        <source>redo</source>
-        <translation>重做</translation>
     </message>
     <message>
         <source>Made again: %1.</source>
@@ -7806,6 +1487,42 @@ The method follows S. Park, “Computational Vision for Automatic Tracking and O
         <source>±: %1.</source>
         <translation>±：%1。</translation>
     </message>
+    <message>
+        <source>jump</source>
+        <translation>跳跃</translation>
+    </message>
+    <message>
+        <source>speed limit</source>
+        <translation>速度限值</translation>
+    </message>
+    <message>
+        <source>acceleration limit</source>
+        <translation>加速度限值</translation>
+    </message>
+    <message>
+        <source>views disagree</source>
+        <translation>视角不一致</translation>
+    </message>
+    <message>
+        <source>low score</source>
+        <translation>得分低</translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation>丢失</translation>
+    </message>
+    <message>
+        <source>duplicate frame</source>
+        <translation>重复帧</translation>
+    </message>
+    <message>
+        <source>interpolated</source>
+        <translation>插值</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>人工</translation>
+    </message>
 </context>
 <context>
     <name>ReportStills</name>
@@ -7966,6 +1683,37 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>%1 points at %2 or more, none at %3 or less</source>
         <translation>%2 或更高时得 %1 分，%3 或更低时不得分</translation>
+    </message>
+</context>
+<context>
+    <name>ShownMessageWords</name>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1 or %2</source>
+        <translation>%1 或 %2</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 和 %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1; %2</translation>
     </message>
 </context>
 <context>
@@ -8171,18 +1919,6 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>Robot:</source>
         <translation>机器人：</translation>
-    </message>
-    <message>
-        <source>export of %1</source>
-        <translation>导出 %1</translation>
-    </message>
-    <message>
-        <source>it has not been tracked yet</source>
-        <translation>尚未跟踪</translation>
-    </message>
-    <message>
-        <source>track it first</source>
-        <translation>请先跟踪</translation>
     </message>
     <message>
         <source>Export %1</source>
@@ -8480,6 +2216,5963 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>Odograph</source>
         <translation>Odograph</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.a_constant</name>
+    <message>
+        <source>a constant</source>
+        <translation>常数</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.a_parabola</name>
+    <message>
+        <source>a parabola</source>
+        <translation>抛物线</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.a_straight_line</name>
+    <message>
+        <source>a straight line</source>
+        <translation>直线</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.align_by_distance</name>
+    <message>
+        <source>align by distance</source>
+        <translation>请按距离对齐</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.align_otherwise</name>
+    <message>
+        <source>align by motion onset or distance</source>
+        <translation>请按运动起点或距离对齐</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.check_numbers</name>
+    <message>
+        <source>check the numbers</source>
+        <translation>请检查数字</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.choose_another_run</name>
+    <message>
+        <source>choose another run as well</source>
+        <translation>请再选一次运行</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.choose_common_place</name>
+    <message>
+        <source>choose a place that both runs pass</source>
+        <translation>请选择两次运行都经过的位置</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.choose_figure</name>
+    <message>
+        <source>choose what is scored</source>
+        <translation>请选择评分对象</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.choose_longer_range</name>
+    <message>
+        <source>choose a longer range</source>
+        <translation>请选择更长的区间</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.choose_motion</name>
+    <message>
+        <source>choose a run with motion</source>
+        <translation>请选择有运动的运行</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.choose_same_direction</name>
+    <message>
+        <source>choose runs in the same direction</source>
+        <translation>请选择方向相同的运行</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.choose_same_task</name>
+    <message>
+        <source>choose runs of the same task</source>
+        <translation>请选择同一任务的运行</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.comparison</name>
+    <message>
+        <source>comparison</source>
+        <translation>比较</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.comparison_of</name>
+    <message>
+        <source>comparison of %1</source>
+        <translation>%1 的比较</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.corners_in_order</name>
+    <message>
+        <source>give the corners in order, all the way round</source>
+        <translation>请按顺序绕一圈给出顶点</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.corners_off_floor</name>
+    <message>
+        <source>its corners are not on a floor of 1 km</source>
+        <translation>其顶点不在 1 km 的地面内</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.corners_once</name>
+    <message>
+        <source>give each corner once</source>
+        <translation>每个顶点只给一次</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.corners_too_near</name>
+    <message>
+        <source>two corners are less than 1 mm apart</source>
+        <translation>两个顶点相距不足 1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.draw_coarsely</name>
+    <message>
+        <source>draw it more coarsely</source>
+        <translation>请画得粗略些</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.ends_off_floor</name>
+    <message>
+        <source>its ends are not on a floor of 1 km</source>
+        <translation>其端点不在 1 km 的地面内</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.ends_too_near</name>
+    <message>
+        <source>its ends are less than 1 mm apart</source>
+        <translation>其端点相距不足 1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.few_corners</name>
+    <message>
+        <source>it has less than three corners</source>
+        <translation>顶点少于三个</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.few_points</name>
+    <message>
+        <source>it has too few points</source>
+        <translation>点太少</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.finish_is_there</name>
+    <message>
+        <source>gate &apos;%1&apos; is the finish already</source>
+        <translation>门“%1”已是终点</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.fit_of</name>
+    <message>
+        <source>fit of %1</source>
+        <translation>拟合（%1）</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.gate</name>
+    <message>
+        <source>gate &apos;%1&apos;</source>
+        <translation>计时门“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.give_another_number</name>
+    <message>
+        <source>give another number</source>
+        <translation>请给出另一个数字</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.give_corners</name>
+    <message>
+        <source>give the corners of its outline, all the way round</source>
+        <translation>请绕一圈给出其轮廓的顶点</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.give_ends</name>
+    <message>
+        <source>give the two ends of the line that is to be passed</source>
+        <translation>请给出需通过的线的两个端点</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.give_limits</name>
+    <message>
+        <source>give the largest speed and acceleration that a robot can have in the task</source>
+        <translation>请给出任务中机器人可能的最大速度和加速度</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.give_place</name>
+    <message>
+        <source>give where it lies in millimetres</source>
+        <translation>请以毫米给出其位置</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.give_points</name>
+    <message>
+        <source>give points from 1 to 1000, below zero for a penalty</source>
+        <translation>请给出 1 到 1000 的分数，扣分用负数</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.give_sizes</name>
+    <message>
+        <source>give the sizes in millimetres</source>
+        <translation>请以毫米给出尺寸</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.give_three_numbers</name>
+    <message>
+        <source>give three numbers</source>
+        <translation>请给出三个数字</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.give_two_points</name>
+    <message>
+        <source>give two points or more, three where the path is closed</source>
+        <translation>请给出两个或以上的点，闭合路径需三个</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.give_two_values</name>
+    <message>
+        <source>give two values, between which the points rise</source>
+        <translation>请给出两个数值，分数在其间上升</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.join_zones</name>
+    <message>
+        <source>join zones that lie beside one another</source>
+        <translation>请合并相邻的区域</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.keep_what_matters</name>
+    <message>
+        <source>keep those that matter</source>
+        <translation>请保留重要的</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.limit_not_positive</name>
+    <message>
+        <source>a limit is not above zero</source>
+        <translation>限值不大于零</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.limits</name>
+    <message>
+        <source>limits of a task</source>
+        <translation>任务的限值</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.line_of_scoring</name>
+    <message>
+        <source>line %1 of the scoring</source>
+        <translation>评分的第 %1 行</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.little_motion</name>
+    <message>
+        <source>the robot hardly moves in %1</source>
+        <translation>机器人在 %1 中几乎没有移动</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.many_corners</name>
+    <message>
+        <source>it has more than %1 corners</source>
+        <translation>顶点超过 %1 个</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.many_lines</name>
+    <message>
+        <source>it has more than %1 lines</source>
+        <translation>超过 %1 行</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.many_points</name>
+    <message>
+        <source>it has more than %1 points</source>
+        <translation>点数超过 %1</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.many_zones</name>
+    <message>
+        <source>the task has %1 zones already</source>
+        <translation>任务已有 %1 个区域</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.moment_outside</name>
+    <message>
+        <source>the moment told for %1 lies outside of it</source>
+        <translation>为 %1 指定的时刻在其范围之外</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.moments_missing</name>
+    <message>
+        <source>a moment of each run is needed to align them by hand</source>
+        <translation>手动对齐需要每次运行的一个时刻</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.name_each_gate</name>
+    <message>
+        <source>give each gate a name of its own</source>
+        <translation>请给每个门各自的名称</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.name_each_zone</name>
+    <message>
+        <source>give each zone a name of its own</source>
+        <translation>请给每个区域各自的名称</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.name_twice</name>
+    <message>
+        <source>the name is there twice</source>
+        <translation>名称出现两次</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.no_figure</name>
+    <message>
+        <source>it names no figure</source>
+        <translation>没有指定指标</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.no_motion</name>
+    <message>
+        <source>the robot does not move in %1</source>
+        <translation>机器人在 %1 中没有移动</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.no_onset</name>
+    <message>
+        <source>the robot of %1 drives already when it is first seen</source>
+        <translation>%1 的机器人首次出现时已在行驶</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.no_start_gate</name>
+    <message>
+        <source>%1 does not pass a start gate</source>
+        <translation>%1 没有通过起点门</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.no_such_role</name>
+    <message>
+        <source>there is no such role</source>
+        <translation>没有这样的角色</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.no_such_rule</name>
+    <message>
+        <source>there is no such rule of a zone</source>
+        <translation>没有这样的区域规则</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.no_such_template</name>
+    <message>
+        <source>there is no such template</source>
+        <translation>没有这样的模板</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.not_on_tasks_path</name>
+    <message>
+        <source>%1 has no stretch of the way in common with the task&apos;s path</source>
+        <translation>%1 与任务路径没有共同路段</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.not_seen_there</name>
+    <message>
+        <source>%1 was not seen at the place to align by</source>
+        <translation>%1 在对齐位置没有被看到</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.nothing_in_common</name>
+    <message>
+        <source>%1 has no stretch of the way in common with %2</source>
+        <translation>%1 与 %2 没有共同路段</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.number_is_none</name>
+    <message>
+        <source>a number in it is none</source>
+        <translation>其中有一个不是数字</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.one_point_too_few</name>
+    <message>
+        <source>%1 point is too few for it</source>
+        <translation>%1 个点太少</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.one_start_and_finish</name>
+    <message>
+        <source>keep one start and one finish, or one gate with the role start_finish</source>
+        <translation>请保留一个起点和一个终点，或一个兼作两者的门</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.other_direction</name>
+    <message>
+        <source>%1 drives the way in the other direction than %2</source>
+        <translation>%1 的行驶方向与 %2 相反</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.outline_crosses</name>
+    <message>
+        <source>its outline crosses itself</source>
+        <translation>其轮廓自相交叉</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.path_too_short</name>
+    <message>
+        <source>it is shorter than 1 mm</source>
+        <translation>短于 1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.place_no_number</name>
+    <message>
+        <source>its place is not a number</source>
+        <translation>其位置不是数字</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.points_off_floor</name>
+    <message>
+        <source>its points are not on a floor of 1 km</source>
+        <translation>其点不在 1 km 的地面内</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.points_out_of_range</name>
+    <message>
+        <source>its points are 0, or beyond 1000</source>
+        <translation>分数为 0 或超过 1000</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.points_too_few</name>
+    <message>
+        <source>%1 points are too few for it</source>
+        <translation>%1 个点不够</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.reference_path</name>
+    <message>
+        <source>reference path</source>
+        <translation>参考路径</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.role</name>
+    <message>
+        <source>role &apos;%1&apos;</source>
+        <translation>角色“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.rule</name>
+    <message>
+        <source>rule &apos;%1&apos;</source>
+        <translation>规则“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.same_values</name>
+    <message>
+        <source>all points and no points are at the same value</source>
+        <translation>满分与零分对应同一数值</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.sample_coarsely</name>
+    <message>
+        <source>sample it more coarsely</source>
+        <translation>请取更稀疏的点</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.scoring</name>
+    <message>
+        <source>scoring</source>
+        <translation>评分</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.size_too_small</name>
+    <message>
+        <source>a size is less than 1 mm</source>
+        <translation>某个尺寸小于 1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.start_is_there</name>
+    <message>
+        <source>gate &apos;%1&apos; is the start already</source>
+        <translation>门“%1”已是起点</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.takes_two_runs</name>
+    <message>
+        <source>it takes two runs</source>
+        <translation>需要两次运行</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.tell_moment_inside</name>
+    <message>
+        <source>tell one between its first and last frame</source>
+        <translation>请指定首帧与末帧之间的时刻</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.tell_moments</name>
+    <message>
+        <source>tell one for each</source>
+        <translation>请为每次运行指定一个</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.template</name>
+    <message>
+        <source>template &apos;%1&apos;</source>
+        <translation>模板“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.template_of_task</name>
+    <message>
+        <source>template of a task</source>
+        <translation>任务的模板</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.use_a_rule</name>
+    <message>
+        <source>use stay_inside or stay_outside</source>
+        <translation>请使用 stay_inside 或 stay_outside</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.use_one_of</name>
+    <message>
+        <source>use %1</source>
+        <translation>请使用 %1</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.wrong_poles</name>
+    <message>
+        <source>a slalom has 1 to 100 poles, not %1</source>
+        <translation>回转赛道有 1 到 100 根杆，而非 %1</translation>
+    </message>
+</context>
+<context>
+    <name>analysis.zone</name>
+    <message>
+        <source>zone &apos;%1&apos;</source>
+        <translation>区域“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>base.camera</name>
+    <message>
+        <source>camera &apos;%1&apos;</source>
+        <translation>相机“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>base.cancelled</name>
+    <message>
+        <source>cancelled</source>
+        <translation>已取消</translation>
+    </message>
+</context>
+<context>
+    <name>base.cannot_do_this</name>
+    <message>
+        <source>cannot do this</source>
+        <translation>无法执行此操作</translation>
+    </message>
+</context>
+<context>
+    <name>base.class</name>
+    <message>
+        <source>class &apos;%1&apos;</source>
+        <translation>班级“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>base.close_other_programs</name>
+    <message>
+        <source>close other programs and try again</source>
+        <translation>请关闭其他程序后重试</translation>
+    </message>
+</context>
+<context>
+    <name>base.colon</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>base.colour</name>
+    <message>
+        <source>colour &apos;%1&apos;</source>
+        <translation>颜色“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>base.comma</name>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>base.file</name>
+    <message>
+        <source>file &apos;%1&apos;</source>
+        <translation>文件“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>base.foreign</name>
+    <message>
+        <source>%1</source>
+        <translation>%1</translation>
+    </message>
+</context>
+<context>
+    <name>base.is_device</name>
+    <message>
+        <source>it is a device</source>
+        <translation>是设备</translation>
+    </message>
+</context>
+<context>
+    <name>base.is_folder</name>
+    <message>
+        <source>it is a folder</source>
+        <translation>是文件夹</translation>
+    </message>
+</context>
+<context>
+    <name>base.is_pipe</name>
+    <message>
+        <source>it is a named pipe</source>
+        <translation>是命名管道</translation>
+    </message>
+</context>
+<context>
+    <name>base.is_socket</name>
+    <message>
+        <source>it is a socket</source>
+        <translation>是套接字</translation>
+    </message>
+</context>
+<context>
+    <name>base.layout</name>
+    <message>
+        <source>layout &apos;%1&apos;</source>
+        <translation>布局“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>base.length</name>
+    <message>
+        <source>length &apos;%1&apos;</source>
+        <translation>长度“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>base.marker</name>
+    <message>
+        <source>marker %1</source>
+        <translation>标记 %1</translation>
+    </message>
+</context>
+<context>
+    <name>base.name</name>
+    <message>
+        <source>%1</source>
+        <translation>%1</translation>
+    </message>
+</context>
+<context>
+    <name>base.no_colour</name>
+    <message>
+        <source>not of the form #rrggbb</source>
+        <translation>不是 #rrggbb 形式</translation>
+    </message>
+</context>
+<context>
+    <name>base.no_files</name>
+    <message>
+        <source>too many files are open</source>
+        <translation>打开的文件太多</translation>
+    </message>
+</context>
+<context>
+    <name>base.no_length</name>
+    <message>
+        <source>not a number with the unit mm, cm or m</source>
+        <translation>不是带单位 mm、cm 或 m 的数字</translation>
+    </message>
+</context>
+<context>
+    <name>base.no_memory</name>
+    <message>
+        <source>this computer has not enough free memory for it</source>
+        <translation>这台计算机没有足够的可用内存</translation>
+    </message>
+</context>
+<context>
+    <name>base.no_number</name>
+    <message>
+        <source>not a finite decimal number</source>
+        <translation>不是有限的十进制数</translation>
+    </message>
+</context>
+<context>
+    <name>base.no_thread</name>
+    <message>
+        <source>this computer gives no further thread</source>
+        <translation>这台计算机无法再创建线程</translation>
+    </message>
+</context>
+<context>
+    <name>base.none</name>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+</context>
+<context>
+    <name>base.nothing_changed</name>
+    <message>
+        <source>nothing was changed</source>
+        <translation>没有任何更改</translation>
+    </message>
+</context>
+<context>
+    <name>base.number</name>
+    <message>
+        <source>number &apos;%1&apos;</source>
+        <translation>数字“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>base.quoted_name</name>
+    <message>
+        <source>&apos;%1&apos;</source>
+        <translation>&apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.robot</name>
+    <message>
+        <source>robot &apos;%1&apos;</source>
+        <translation>机器人“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>base.robot_in_trial</name>
+    <message>
+        <source>robot &apos;%1&apos; in trial &apos;%2&apos;</source>
+        <translation>试验“%2”中的机器人“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>base.saved_is_safe</name>
+    <message>
+        <source>what was saved is safe</source>
+        <translation>已保存的内容是安全的</translation>
+    </message>
+</context>
+<context>
+    <name>base.semicolon</name>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1; %2</translation>
+    </message>
+</context>
+<context>
+    <name>base.space</name>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+</context>
+<context>
+    <name>base.task</name>
+    <message>
+        <source>task &apos;%1&apos;</source>
+        <translation>任务“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>base.team</name>
+    <message>
+        <source>team &apos;%1&apos;</source>
+        <translation>小组“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>base.trial</name>
+    <message>
+        <source>trial &apos;%1&apos;</source>
+        <translation>试验“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>base.try_again_and_report</name>
+    <message>
+        <source>try again, and report it if it happens again</source>
+        <translation>请重试；如再次发生请报告</translation>
+    </message>
+</context>
+<context>
+    <name>base.unexpected</name>
+    <message>
+        <source>something unexpected happened (%1)</source>
+        <translation>发生了意外情况（%1）</translation>
+    </message>
+</context>
+<context>
+    <name>base.view_in_trial</name>
+    <message>
+        <source>view &apos;%1&apos; in trial &apos;%2&apos;</source>
+        <translation>试验“%2”中的视角“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>base.wordless_exception</name>
+    <message>
+        <source>an exception without words</source>
+        <translation>没有文字说明的程序异常</translation>
+    </message>
+</context>
+<context>
+    <name>base.write_colour</name>
+    <message>
+        <source>write it like #d72328</source>
+        <translation>请写成 #d72328 的形式</translation>
+    </message>
+</context>
+<context>
+    <name>base.write_length</name>
+    <message>
+        <source>write it like 25mm, 2.5cm or 0.3m</source>
+        <translation>请写成 25mm、2.5cm 或 0.3m 的形式</translation>
+    </message>
+</context>
+<context>
+    <name>base.write_number</name>
+    <message>
+        <source>write it with digits and a point, like 12.5</source>
+        <translation>请用数字和小数点书写，如 12.5</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.add_floor_points</name>
+    <message>
+        <source>add points of the floor, such as corners of tiles</source>
+        <translation>请增加地面上的点，如地砖的角</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.all_agree</name>
+    <message>
+        <source>The markers and the cameras agree with one another.</source>
+        <translation>标记与相机彼此一致。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.axes_changed</name>
+    <message>
+        <source>The world axes were changed afterwards.</source>
+        <translation>之后更改过世界坐标轴。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.axes_changed_and_scaled</name>
+    <message>
+        <source>The world axes were changed afterwards, and all lengths multiplied by %1.</source>
+        <translation>之后更改过世界坐标轴，并把所有长度乘以 %1。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.axes_no_number</name>
+    <message>
+        <source>the origin or the angle is not a finite number</source>
+        <translation>原点或角度不是有限数</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.axes_not_changed</name>
+    <message>
+        <source>the axes of layout &apos;%1&apos; cannot be changed</source>
+        <translation>无法更改布局“%1”的坐标轴</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.best_place</name>
+    <message>
+        <source>the best place for a camera</source>
+        <translation>相机的最佳位置</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_blurred</name>
+    <message>
+        <source>the board is blurred</source>
+        <translation>标定板模糊</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_cut_off</name>
+    <message>
+        <source>the board is cut off</source>
+        <translation>标定板被截断</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_fills</name>
+    <message>
+        <source>it fills %1 of the picture</source>
+        <translation>仅占画面的 %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_in_one_place</name>
+    <message>
+        <source>all %1 pictures show the board in one place, the %2 %3 of the picture</source>
+        <translation>全部 %1 张图片中标定板都在同一处（%2，占画面 %3）</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_not_flat</name>
+    <message>
+        <source>the corners do not lie as on a flat board</source>
+        <translation>角点的位置不像在平整的标定板上</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_not_sharp</name>
+    <message>
+        <source>the board is not sharp</source>
+        <translation>标定板不清晰</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_of_other_size</name>
+    <message>
+        <source>this board has %1 inner corners, %2 was asked for</source>
+        <translation>此标定板有 %1 个内角点，要求的是 %2</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_part_seen</name>
+    <message>
+        <source>only %1 of its %2 inner corners are seen</source>
+        <translation>%2 个内角点中只看到 %1 个</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_stands_as_before</name>
+    <message>
+        <source>the board stands as in a picture already taken</source>
+        <translation>标定板的姿态与已拍的图片相同</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_stands_as_in</name>
+    <message>
+        <source>the board stands as in %1 already</source>
+        <translation>标定板的姿态与 %1 中相同</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_too_oblique</name>
+    <message>
+        <source>the board is seen too obliquely, at %1 degrees</source>
+        <translation>标定板过于倾斜，为 %1 度</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.board_too_small</name>
+    <message>
+        <source>the board is too small</source>
+        <translation>标定板太小</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.calibrate_to_rely</name>
+    <message>
+        <source>Calibrate it for positions to rely on.</source>
+        <translation>请标定它以得到可靠的位置。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.camera_alone_says</name>
+    <message>
+        <source>Camera &apos;%1&apos; alone says %2</source>
+        <translation>相机“%1”单独给出 %2</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.camera_below_floor</name>
+    <message>
+        <source>seen in this order the camera would be below the floor</source>
+        <translation>按此顺序相机将位于地面以下</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.camera_moved</name>
+    <message>
+        <source>%1 has moved %2 = %3</source>
+        <translation>%1 移动了 %2 = %3</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.camera_sees_elsewhere</name>
+    <message>
+        <source>%1 sees %2 %3 from where the others do</source>
+        <translation>%1 看到的 %2 与其他相机相差 %3</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.camera_sees_too_few</name>
+    <message>
+        <source>camera &apos;%1&apos; sees only %2 of the markers</source>
+        <translation>相机“%1”只看到 %2 个标记</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.camera_stands_low</name>
+    <message>
+        <source>The camera would stand only %1 above the floor</source>
+        <translation>相机距地面只有 %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.camera_still</name>
+    <message>
+        <source>%1 stands where it was registered</source>
+        <translation>%1 仍在配准时的位置</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.camera_too_high</name>
+    <message>
+        <source>the camera would stand %1 above the floor</source>
+        <translation>相机距地面将有 %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.camera_too_low</name>
+    <message>
+        <source>the camera would stand only %1 above the floor</source>
+        <translation>相机距地面只有 %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.camera_twice</name>
+    <message>
+        <source>camera &apos;%1&apos; is there twice</source>
+        <translation>相机“%1”出现两次</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.cameras_undetermined</name>
+    <message>
+        <source>the markers do not determine where the cameras stand</source>
+        <translation>这些标记无法确定相机位置</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.cannot_be_calibrated</name>
+    <message>
+        <source>the camera cannot be calibrated</source>
+        <translation>无法标定相机</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.centimetres</name>
+    <message>
+        <source>centimetres</source>
+        <translation>厘米</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_all</name>
+    <message>
+        <source>check the layout, the labels and the intrinsics</source>
+        <translation>请检查布局、标号和内参</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_both_lenses</name>
+    <message>
+        <source>check its pixels and the intrinsics of both cameras</source>
+        <translation>请检查其像素和两台相机的内参</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_both_pixels</name>
+    <message>
+        <source>check its pixels in both pictures</source>
+        <translation>请检查它在两个画面中的像素</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_columns</name>
+    <message>
+        <source>check which columns belong to which camera</source>
+        <translation>请检查哪些列属于哪台相机</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_labels</name>
+    <message>
+        <source>check these labels</source>
+        <translation>请检查这些标号</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_layout_places</name>
+    <message>
+        <source>check the layout&apos;s places and their unit, cover other round things, or mark the markers by hand</source>
+        <translation>请检查布局的位置和单位，遮住其他圆形物，或手动标出标记</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_length</name>
+    <message>
+        <source>Check the length itself, whether it lies on the floor, and the places of the markers.</source>
+        <translation>请检查长度本身、它是否在地面上以及标记的位置。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_one_camera</name>
+    <message>
+        <source>check that all are of one camera, at one zoom and focus</source>
+        <translation>请检查都来自同一相机、同一变焦与对焦</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_pictures</name>
+    <message>
+        <source>check that all pictures are sharp, of one flat board and of one camera at one zoom and focus</source>
+        <translation>请检查所有图片清晰，且为同一块平整标定板、同一相机、同一变焦与对焦</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_pixel_and_lens</name>
+    <message>
+        <source>check its pixel and the camera&apos;s intrinsics</source>
+        <translation>请检查其像素和相机内参</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_place_and_pixel</name>
+    <message>
+        <source>check its place and its pixel</source>
+        <translation>请检查其位置和像素</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_point_labels</name>
+    <message>
+        <source>check which label belongs to which point in %1 and in this camera</source>
+        <translation>请检查 %1 与本相机中标号和点的对应</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_signs</name>
+    <message>
+        <source>check the signs of the layout</source>
+        <translation>请检查布局的正负号</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.check_unit</name>
+    <message>
+        <source>check the unit of the layout</source>
+        <translation>请检查布局的单位</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.checking_halves</name>
+    <message>
+        <source>checking halves against one another</source>
+        <translation>正在用两半相互校验</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.choose_floor_points</name>
+    <message>
+        <source>choose points of the floor</source>
+        <translation>请选择地面上的点</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.choose_others</name>
+    <message>
+        <source>choose others</source>
+        <translation>请另选</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.clear_view</name>
+    <message>
+        <source>clear the view of the markers</source>
+        <translation>请让标记露出来</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.common_and_unknown_markers</name>
+    <message>
+        <source>there are %1 (%2), and the layout does not know %3</source>
+        <translation>现有 %1 个（%2），布局中没有 %3</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.common_markers</name>
+    <message>
+        <source>there are %1 (%2)</source>
+        <translation>现有 %1 个（%2）</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.convert_unit</name>
+    <message>
+        <source>convert its unit.</source>
+        <translation>请换算其单位。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.corner_left_out</name>
+    <message>
+        <source>1 corner that stands out was left out, in %1.</source>
+        <translation>舍去了 1 个突出的角点，位于 %1。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.corner_no_number</name>
+    <message>
+        <source>a corner of it is not a number</source>
+        <translation>其中一个角点不是数字</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.corner_unclear</name>
+    <message>
+        <source>a corner of the board cannot be made out</source>
+        <translation>标定板有一个角点无法辨认</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.corners_disagree</name>
+    <message>
+        <source>%1 of the corners do not agree with the others</source>
+        <translation>%1 的角点与其余不一致</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.corners_kept_in</name>
+    <message>
+        <source>%1 corners that stand out side by side were kept, in %2</source>
+        <translation>保留了 %1 个相邻的突出角点，位于 %2</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.corners_kept_most_in</name>
+    <message>
+        <source>%1 corners that stand out side by side were kept, most in %2</source>
+        <translation>保留了 %1 个相邻的突出角点，大多位于 %2</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.corners_left_out_in</name>
+    <message>
+        <source>%1 corners that stand out were left out, in %2.</source>
+        <translation>舍去了 %1 个突出的角点，位于 %2。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.corners_left_out_most_in</name>
+    <message>
+        <source>%1 corners that stand out were left out, most in %2.</source>
+        <translation>舍去了 %1 个突出的角点，大多位于 %2。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.corners_not_flat</name>
+    <message>
+        <source>its corners do not lie as on a flat board</source>
+        <translation>其角点的位置不像在平整的标定板上</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.correct_layout</name>
+    <message>
+        <source>correct the layout</source>
+        <translation>请更正布局</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.correct_pixels</name>
+    <message>
+        <source>correct the pixels</source>
+        <translation>请更正像素</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.count_corners</name>
+    <message>
+        <source>count the inner corners, or leave the size out</source>
+        <translation>请数一数内角点，或不填尺寸</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.disagree_in</name>
+    <message>
+        <source>%1 of the corners disagree, in %2</source>
+        <translation>%1 的角点不一致，位于 %2</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.disagree_most_in</name>
+    <message>
+        <source>%1 of the corners disagree, most in %2</source>
+        <translation>%1 的角点不一致，大多位于 %2</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.done</name>
+    <message>
+        <source>done</source>
+        <translation>完成</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.edges_wide</name>
+    <message>
+        <source>its edges are %1 pixels wide</source>
+        <translation>其边缘宽 %1 像素</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.ends_on_one_pixel</name>
+    <message>
+        <source>both ends lie on one pixel of camera &apos;%1&apos;</source>
+        <translation>两个端点位于相机“%1”的同一像素</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.far_edge</name>
+    <message>
+        <source>at the far edge</source>
+        <translation>远边</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.far_left_corner</name>
+    <message>
+        <source>in the far left corner</source>
+        <translation>远处左角</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.far_right_corner</name>
+    <message>
+        <source>in the far right corner</source>
+        <translation>远处右角</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.few_corners_seen</name>
+    <message>
+        <source>only %1 corners of the board are seen</source>
+        <translation>只看到标定板的 %1 个角点</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.fifth_would</name>
+    <message>
+        <source>a fifth would.</source>
+        <translation>第五个就可以。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.find_board_again</name>
+    <message>
+        <source>let the board be found in it again</source>
+        <translation>请在其中重新寻找标定板</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.first_end_beyond</name>
+    <message>
+        <source>the first end lies at or beyond the horizon of camera &apos;%1&apos;</source>
+        <translation>第一个端点位于相机“%1”的地平线或其外</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.fisheye</name>
+    <message>
+        <source>fisheye</source>
+        <translation>鱼眼</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.fisheye_lens</name>
+    <message>
+        <source>Fisheye lens</source>
+        <translation>鱼眼镜头</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.fitting_lens</name>
+    <message>
+        <source>fitting the lens to %1 pictures</source>
+        <translation>正在用 %1 张图片拟合镜头</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.floor_not_registered</name>
+    <message>
+        <source>the floor cannot be registered</source>
+        <translation>无法配准地面</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.floor_part_unseen</name>
+    <message>
+        <source>%1 of the floor among the markers is not seen.</source>
+        <translation>标记之间有 %1 的地面看不到。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.floor_unseen</name>
+    <message>
+        <source>None of the floor among the markers is seen.</source>
+        <translation>标记之间的地面完全看不到。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.floor_unsure</name>
+    <message>
+        <source>the floor among the points is known only to ±%1</source>
+        <translation>点之间的地面只能确定到 ±%1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.focal_length_estimated</name>
+    <message>
+        <source>The camera was taken as free of distortion, its focal length estimated from the markers (%1 ± %2).</source>
+        <translation>相机按无畸变处理，焦距由标记估计（%1 ± %2）。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.focal_length_groups</name>
+    <message>
+        <source>%1 for about %2, %3 (such as %4) for about %5</source>
+        <translation>%1 张约 %2，%3 张（如 %4）约 %5</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.focal_length_guessed</name>
+    <message>
+        <source>The camera was taken as free of distortion, its focal length guessed (%1), since this view does not determine it.</source>
+        <translation>相机按无畸变处理，焦距为假定值（%1），因为此视角无法确定它。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.focal_length_taken</name>
+    <message>
+        <source>The camera was taken as free of distortion, its focal length as %1.</source>
+        <translation>相机按无畸变处理，焦距取为 %1。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.focal_length_unsure</name>
+    <message>
+        <source>the pictures determine the focal length only to %1</source>
+        <translation>这些图片只能把焦距确定到 %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.focus_or_light</name>
+    <message>
+        <source>focus the camera, or give more light</source>
+        <translation>请对好焦，或增加光线</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.foretells_as_well</name>
+    <message>
+        <source>it foretells pictures held out to %1, the %2 one no better (%3)</source>
+        <translation>它对留出图片的预测为 %1，%2模型并不更好（%3）</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.foretells_better</name>
+    <message>
+        <source>it foretells pictures held out to %1, the %2 one only to %3</source>
+        <translation>它对留出图片的预测为 %1，%2模型仅为 %3</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.foretells_by_chance</name>
+    <message>
+        <source>it foretells pictures held out to %1, the %2 one to %3, which may be chance</source>
+        <translation>它对留出图片的预测为 %1，%2模型为 %3，可能是偶然</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.four_common_markers</name>
+    <message>
+        <source>four markers are needed that the layout and the picture have in common</source>
+        <translation>需要布局与画面共有的四个标记</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.four_markers_unchecked</name>
+    <message>
+        <source>Four markers hardly check one another</source>
+        <translation>四个标记几乎无法互相校验</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.four_points_unchecked</name>
+    <message>
+        <source>Four points hardly check one another</source>
+        <translation>四个点几乎无法互相校验</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.four_shared_points</name>
+    <message>
+        <source>four points are needed that both cameras see</source>
+        <translation>需要两台相机都能看到的四个点</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.give_board_size</name>
+    <message>
+        <source>give 3x3 at least, like 9x6, or leave the size out</source>
+        <translation>请至少给出 3x3，如 9x6，或不填尺寸</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.give_distance</name>
+    <message>
+        <source>give a distance of 0 m to 1000 m</source>
+        <translation>请给出 0 m 到 1000 m 的距离</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.give_field_of_view</name>
+    <message>
+        <source>give 2° to 150°, and the size of its pictures</source>
+        <translation>请给出 2° 到 150°，以及画面尺寸</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.give_height</name>
+    <message>
+        <source>give a height of 0.05 m to 100 m</source>
+        <translation>请给出 0.05 m 到 100 m 的高度</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.give_one_of_them</name>
+    <message>
+        <source>give one of them</source>
+        <translation>请给出其中之一</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.give_plain_numbers</name>
+    <message>
+        <source>give plain numbers</source>
+        <translation>请给出普通数字</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.give_positive_number</name>
+    <message>
+        <source>give a number above 0</source>
+        <translation>请给出大于 0 的数</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.give_square_size</name>
+    <message>
+        <source>give it like 25mm</source>
+        <translation>请写成 25mm 的形式</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.give_tape_sigma</name>
+    <message>
+        <source>give some 2 mm</source>
+        <translation>可给出约 2 mm</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.give_taped_length</name>
+    <message>
+        <source>give the length as it was measured with a tape</source>
+        <translation>请给出用卷尺量得的长度</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.glue_board</name>
+    <message>
+        <source>glue the board onto something stiff</source>
+        <translation>请把标定板贴在坚硬的物体上</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.glue_board_flat</name>
+    <message>
+        <source>glue the board onto something stiff and flat</source>
+        <translation>请把标定板贴在坚硬平整的物体上</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.good</name>
+    <message>
+        <source>Good: %1.</source>
+        <translation>良好：%1。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.halves_contradict</name>
+    <message>
+        <source>two halves of the pictures give focal lengths that differ by %1</source>
+        <translation>两半图片得出的焦距相差 %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.halves_foretell</name>
+    <message>
+        <source>each half of them foretells the other to %1</source>
+        <translation>各半互相预测到 %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.halves_foretell_apart</name>
+    <message>
+        <source>each half of them foretells the other to %1, %2 apart at worst on that floor</source>
+        <translation>各半互相预测到 %1，在该地面上最多相差 %2</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.hold_board_closer</name>
+    <message>
+        <source>hold it closer to the camera</source>
+        <translation>请让它靠近相机</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.hold_board_still</name>
+    <message>
+        <source>hold it still, and focus the camera</source>
+        <translation>请保持不动，并对好焦</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.inches</name>
+    <message>
+        <source>inches</source>
+        <translation>英寸</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.inside</name>
+    <message>
+        <source>inside</source>
+        <translation>内部</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.inside_expected_error</name>
+    <message>
+        <source>inside the expected error of %1.</source>
+        <translation>在预期误差 %1 以内。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.keep_board_clear</name>
+    <message>
+        <source>keep the board clear and well lit</source>
+        <translation>请保持标定板无遮挡且光线良好</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.keep_whole_board</name>
+    <message>
+        <source>keep the whole board in the picture</source>
+        <translation>请让整块标定板都在画面内</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.label_each_point</name>
+    <message>
+        <source>give each point a label of its own</source>
+        <translation>请给每个点各自的标号</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.labels_called</name>
+    <message>
+        <source>with %1 called %2 they fit to %3</source>
+        <translation>若将 %1 称为 %2，则吻合到 %3</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.labels_exchanged</name>
+    <message>
+        <source>with %1 and %2 exchanged they fit to %3</source>
+        <translation>若交换 %1 和 %2，则吻合到 %3</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.lay_stick_nearer</name>
+    <message>
+        <source>lay the stick on the floor, nearer to the camera</source>
+        <translation>请把标尺放在地面上离相机更近处</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.layout_in_mm</name>
+    <message>
+        <source>it is given in mm</source>
+        <translation>应以 mm 给出</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.layout_not_in_mm</name>
+    <message>
+        <source>if that is wrong, the layout&apos;s numbers are no mm</source>
+        <translation>如果不对，则布局中的数字不是 mm</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.layout_too_small</name>
+    <message>
+        <source>the layout has %1 markers, four are needed</source>
+        <translation>布局有 %1 个标记，需要四个</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.layout_written_mirrored</name>
+    <message>
+        <source>if the layout was written down mirrored, correct its signs and add it anew</source>
+        <translation>若布局记成了镜像，请更正正负号后重新添加</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.leave_one_tag</name>
+    <message>
+        <source>leave one of them on the floor</source>
+        <translation>请只在地面留一个</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.leave_out_pictures</name>
+    <message>
+        <source>leave out these pictures if the board is bent, cut or covered there.</source>
+        <translation>如果标定板在那里弯曲、被截断或遮挡，请去掉这些图片。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.left_edge</name>
+    <message>
+        <source>at the left edge</source>
+        <translation>左边</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.length_factor</name>
+    <message>
+        <source>a length factor of %1 makes no floor</source>
+        <translation>长度倍数 %1 无法构成地面</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.length_is</name>
+    <message>
+        <source>The length is %1 ± %2.</source>
+        <translation>长度为 %1 ± %2。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.length_longer</name>
+    <message>
+        <source>It is %1 longer than the %2 told</source>
+        <translation>比给出的 %2 长 %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.length_shorter</name>
+    <message>
+        <source>It is %1 shorter than the %2 told</source>
+        <translation>比给出的 %2 短 %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.length_unmeasured</name>
+    <message>
+        <source>the length cannot be measured</source>
+        <translation>无法测量长度</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.length_unseen</name>
+    <message>
+        <source>no camera was given that sees it</source>
+        <translation>没有给出能看到它的相机</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.lens_on_floor</name>
+    <message>
+        <source>±%1 in the middle and ±%2 at worst (%3) on %4, as far as the lens is concerned</source>
+        <translation>就镜头而言，在%4上中间 ±%1，最差 ±%2（%3）</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.lens_told</name>
+    <message>
+        <source>told</source>
+        <translation>由人指定</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.lens_unknown_elsewhere</name>
+    <message>
+        <source>how the lens bends elsewhere stays unknown</source>
+        <translation>其他位置的畸变仍未知</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.likely_unit</name>
+    <message>
+        <source>its numbers look like %1, then it would stand %2 above the floor</source>
+        <translation>其数值像是%1，那样它将位于地面以上 %2</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.look_at</name>
+    <message>
+        <source>Look at %1</source>
+        <translation>请查看 %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.look_at_ends</name>
+    <message>
+        <source>look whether the same ends are marked in each picture, and register it again if they are.</source>
+        <translation>查看每个画面是否标出了相同的端点；若是，请重新配准。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.look_at_pictures</name>
+    <message>
+        <source>look at these pictures and leave out those that are blurred, bent or of another board.</source>
+        <translation>查看这些图片，去掉模糊、弯曲或属于另一块标定板的。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.looking_about</name>
+    <message>
+        <source>looking about the best place</source>
+        <translation>正在最佳位置周围搜索</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.make_larger_layout</name>
+    <message>
+        <source>make a layout of four markers or more</source>
+        <translation>请建立有四个或更多标记的布局</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.mark_ends_in_one</name>
+    <message>
+        <source>mark its ends in one picture at least</source>
+        <translation>请至少在一个画面中标出其端点</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.mark_more</name>
+    <message>
+        <source>mark more of the layout&apos;s markers, under the layout&apos;s names</source>
+        <translation>请按布局的名称标出更多布局中的标记</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.mark_there_again</name>
+    <message>
+        <source>mark it there again.</source>
+        <translation>请在那里重新标出。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.mark_two_ends</name>
+    <message>
+        <source>mark the two ends where they are seen</source>
+        <translation>请在看到处标出两个端点</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.mark_where_seen</name>
+    <message>
+        <source>mark each of them where it is seen</source>
+        <translation>请分别标在看到的位置</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.marker_against_lens</name>
+    <message>
+        <source>%1 lies where this camera&apos;s lens cannot have put it</source>
+        <translation>%1 位于此相机镜头不可能成像的位置</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.marker_beyond_horizon</name>
+    <message>
+        <source>marker %1 would lie at or beyond the horizon</source>
+        <translation>标记 %1 将位于地平线或其外</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.marker_moved</name>
+    <message>
+        <source>Marker %1 has moved %2 = %3, %4 has not</source>
+        <translation>标记 %1 移动了 %2 = %3，%4 没有移动</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.marker_off_by_all</name>
+    <message>
+        <source>%1 is %2 off by all cameras</source>
+        <translation>按所有相机，%1 偏离 %2</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.marker_off_by_one</name>
+    <message>
+        <source>%1 is %2 off by the one camera that sees it</source>
+        <translation>按唯一看见 %1 的相机，它偏离 %2</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.marker_pixel_no_number</name>
+    <message>
+        <source>the pixel of marker %1 is not a finite number</source>
+        <translation>标记 %1 的像素不是有限数</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.marker_place_no_number</name>
+    <message>
+        <source>the place of marker %1 is not a finite number</source>
+        <translation>标记 %1 的位置不是有限数</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.marker_twice_in_layout</name>
+    <message>
+        <source>marker %1 stands twice in the layout</source>
+        <translation>标记 %1 在布局中出现两次</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.marker_twice_in_picture</name>
+    <message>
+        <source>marker %1 stands twice in the picture</source>
+        <translation>标记 %1 在画面中出现两次</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_at_one_place</name>
+    <message>
+        <source>markers %1 and %2 lie at one place of the floor</source>
+        <translation>标记 %1 和 %2 位于地面同一处</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_fit</name>
+    <message>
+        <source>%1 markers fit to %2 RMS (worst %3, %4), and the floor among them is known to ±%5</source>
+        <translation>%1 个标记拟合到 %2 RMS（最差 %3，%4），其间地面已知到 ±%5</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_fit_many_ways</name>
+    <message>
+        <source>in %1 ways they fit the layout equally well, which looks the same from several sides</source>
+        <translation>布局从多个方向看相同，有 %1 种方式同样吻合</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_fit_together</name>
+    <message>
+        <source>with %1 together %2 markers fit to %3 RMS, and the floor among them is known to ±%4</source>
+        <translation>与 %1 一起，%2 个标记拟合到 %3 RMS，其间地面已知到 ±%4</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_found</name>
+    <message>
+        <source>%1 of %2 were found, four are needed</source>
+        <translation>%2 个中找到 %1 个，需要四个</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_in_place</name>
+    <message>
+        <source>%1 markers lie within %2 = %3 of their places.</source>
+        <translation>%1 个标记与原位相差在 %2 = %3 以内。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_mirrored</name>
+    <message>
+        <source>the markers are mirrored</source>
+        <translation>标记呈镜像</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_missing</name>
+    <message>
+        <source>missing: %1</source>
+        <translation>缺少：%1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_moved</name>
+    <message>
+        <source>Markers %1 have moved %2 = %3, %4 has not</source>
+        <translation>标记 %1 移动了 %2 = %3，%4 没有移动</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_nearly_on_line</name>
+    <message>
+        <source>the markers lie so nearly on one line (%1 the most) that the floor is known only to ±%2</source>
+        <translation>标记几乎共线（%1 最甚），地面只能确定到 ±%2</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_not_found</name>
+    <message>
+        <source>the floor markers cannot be found</source>
+        <translation>找不到地面标记</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_not_told_apart</name>
+    <message>
+        <source>the markers cannot be told apart</source>
+        <translation>无法区分各标记</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_on_one_pixel</name>
+    <message>
+        <source>markers %1 and %2 lie on one pixel</source>
+        <translation>标记 %1 和 %2 位于同一像素</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_read</name>
+    <message>
+        <source>%1 of its markers could be read</source>
+        <translation>只读出 %1 个标记</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.markers_too_close</name>
+    <message>
+        <source>markers %1 and %2 lie only %3 apart, too close for two of four</source>
+        <translation>标记 %1 和 %2 仅相距 %3，对四个中的两个来说太近</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.measure_again</name>
+    <message>
+        <source>mark and measure them again, or add another</source>
+        <translation>请重新标出并测量，或再加一个</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.measure_it_again</name>
+    <message>
+        <source>measure it again.</source>
+        <translation>请重新测量。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.measure_or_mark_again</name>
+    <message>
+        <source>measure it, or mark it in the picture, again.</source>
+        <translation>请重新测量，或在画面中重新标出。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.metres</name>
+    <message>
+        <source>metres</source>
+        <translation>米</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.middle_and_corner</name>
+    <message>
+        <source>±%1 in the middle, ±%2 in the corner near %3.</source>
+        <translation>中间 ±%1，%3 附近的角 ±%2。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.middle_and_edge</name>
+    <message>
+        <source>±%1 in the middle, ±%2 at the edge near %3.</source>
+        <translation>中间 ±%1，%3 附近的边缘 ±%2。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.middle_and_near</name>
+    <message>
+        <source>±%1 in the middle, ±%2 near %3.</source>
+        <translation>中间 ±%1，%3 附近 ±%2。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.misfit_most_at</name>
+    <message>
+        <source>%1 RMS, most at %2 (%3)</source>
+        <translation>%1 RMS，%2 处最大（%3）</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.misfit_unexplained</name>
+    <message>
+        <source>the %1 markers misfit by %2 (%3) and check one another too little to tell which of them</source>
+        <translation>%1 个标记偏差 %2（%3），彼此校验不足，无法判断是哪一个</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.more_pictures</name>
+    <message>
+        <source>More pictures (%1 or more) would make it surer.</source>
+        <translation>更多图片（%1 张或以上）会更可靠。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.move_board</name>
+    <message>
+        <source>move it elsewhere, turn it or tilt it</source>
+        <translation>请移动、旋转或倾斜它</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.move_planned_back</name>
+    <message>
+        <source>move it back or up, or choose a wider lens</source>
+        <translation>请把它后移或升高，或选用更广角的镜头</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.name_dictionary</name>
+    <message>
+        <source>name one like DICT_6X6_250, or leave it out</source>
+        <translation>请指定一个，如 DICT_6X6_250，或不填</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.name_each_camera</name>
+    <message>
+        <source>name each camera once</source>
+        <translation>每台相机请只指定一次</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.name_each_marker</name>
+    <message>
+        <source>give each marker a name of its own</source>
+        <translation>请给每个标记各自的名称</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.name_one_marker</name>
+    <message>
+        <source>name one of %1</source>
+        <translation>请从 %1 中指定一个</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.name_two_apart</name>
+    <message>
+        <source>name two that lie apart</source>
+        <translation>请指定相距的两个</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.near_edge</name>
+    <message>
+        <source>at the near edge</source>
+        <translation>近边</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.near_left_corner</name>
+    <message>
+        <source>in the near left corner</source>
+        <translation>近处左角</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.near_right_corner</name>
+    <message>
+        <source>in the near right corner</source>
+        <translation>近处右角</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_board_found</name>
+    <message>
+        <source>no board found</source>
+        <translation>没有找到标定板</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_charuco</name>
+    <message>
+        <source>the markers that were read do not lie as on a ChArUco board</source>
+        <translation>读到的标记不像在 ChArUco 板上那样排列</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_charuco_of_size</name>
+    <message>
+        <source>the markers that were read do not lie as on a ChArUco board of %1 inner corners</source>
+        <translation>读到的标记不像在 %1 内角点的 ChArUco 板上那样排列</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_common_marker</name>
+    <message>
+        <source>no two of the cameras see the same marker</source>
+        <translation>没有两台相机看到同一标记</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_dictionary</name>
+    <message>
+        <source>there is no marker dictionary %1</source>
+        <translation>没有标记字典 %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_flat_floor</name>
+    <message>
+        <source>the markers do not fit a flat floor</source>
+        <translation>标记与平坦地面不符</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_lens_fits</name>
+    <message>
+        <source>no lens fits these pictures</source>
+        <translation>没有镜头模型适合这些图片</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_millimetres</name>
+    <message>
+        <source>no figure in millimetres, since this lens holds only for a part of the picture</source>
+        <translation>无毫米数值，因为此镜头模型只适用于画面的一部分</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_other_lens</name>
+    <message>
+        <source>no other model fits</source>
+        <translation>没有其他模型适合</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_pose</name>
+    <message>
+        <source>no pose</source>
+        <translation>无法求得位姿</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.no_such_marker</name>
+    <message>
+        <source>it has no marker %1</source>
+        <translation>没有标记 %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.not_all_foretold</name>
+    <message>
+        <source>not all</source>
+        <translation>并非全部</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.not_found_again</name>
+    <message>
+        <source>Not found again: %1.</source>
+        <translation>未能再次找到：%1。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.not_registered_through</name>
+    <message>
+        <source>the camera cannot be registered through another</source>
+        <translation>无法通过另一相机配准</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.not_registered_together</name>
+    <message>
+        <source>the cameras cannot be registered together</source>
+        <translation>无法联合配准这些相机</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.other_order_fits</name>
+    <message>
+        <source>the markers fit only to %1, but %2</source>
+        <translation>标记只拟合到 %1，但 %2</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.other_picture_size</name>
+    <message>
+        <source>it is %1×%2, the first picture %3×%4</source>
+        <translation>它为 %1×%2，第一张图片为 %3×%4</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.outside_expected_error</name>
+    <message>
+        <source>outside the expected error of %1.</source>
+        <translation>超出预期误差 %1。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.picture_covered</name>
+    <message>
+        <source>Only %1 of the picture was covered</source>
+        <translation>只覆盖了画面的 %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.picture_stands_out</name>
+    <message>
+        <source>its %1 stand out.</source>
+        <translation>其 %1 显得突出。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.picture_too_small</name>
+    <message>
+        <source>the picture is too small</source>
+        <translation>图像太小</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.picture_with_corners</name>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.picture_without_size</name>
+    <message>
+        <source>the picture has no size</source>
+        <translation>图像没有尺寸</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pictures_fit</name>
+    <message>
+        <source>%1 pictures fit to %2, focal length %3 ± %4</source>
+        <translation>%1 张图片拟合到 %2，焦距 %3 ± %4</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.pictures_fit_halves_apart</name>
+    <message>
+        <source>%1 pictures fit to %2, focal length %3 ± %4, %5 apart at worst on that floor</source>
+        <translation>%1 张图片拟合到 %2，焦距 %3 ± %4，在该地面上最多相差 %5</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.place_left</name>
+    <message>
+        <source>left</source>
+        <translation>左</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.place_lower</name>
+    <message>
+        <source>lower</source>
+        <translation>下</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.place_lower_left</name>
+    <message>
+        <source>lower left</source>
+        <translation>左下</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.place_lower_right</name>
+    <message>
+        <source>lower right</source>
+        <translation>右下</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.place_middle</name>
+    <message>
+        <source>middle</source>
+        <translation>中间</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.place_right</name>
+    <message>
+        <source>right</source>
+        <translation>右</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.place_upper</name>
+    <message>
+        <source>upper</source>
+        <translation>上</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.place_upper_left</name>
+    <message>
+        <source>upper left</source>
+        <translation>左上</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.place_upper_right</name>
+    <message>
+        <source>upper right</source>
+        <translation>右上</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.planned_camera</name>
+    <message>
+        <source>the planned camera</source>
+        <translation>计划中的相机</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.planned_distance</name>
+    <message>
+        <source>it cannot stand %1 away</source>
+        <translation>它不能位于 %1 之外</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.planned_field_of_view</name>
+    <message>
+        <source>its field of view is %1</source>
+        <translation>其视场角为 %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.planned_height</name>
+    <message>
+        <source>it cannot stand %1 above the floor</source>
+        <translation>它不能位于地面以上 %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.planned_not_held</name>
+    <message>
+        <source>the markers that it would see do not hold it</source>
+        <translation>所能看到的标记不足以确定它的位置</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.planned_sees_too_few</name>
+    <message>
+        <source>from there it would see %1 of the layout&apos;s markers (%2), four are needed</source>
+        <translation>从那里只能看到布局中的 %1 个标记（%2），需要四个</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.point_against_lens</name>
+    <message>
+        <source>point %1 lies where a lens cannot have put it</source>
+        <translation>点 %1 位于镜头不可能成像的位置</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.point_beyond_horizon</name>
+    <message>
+        <source>point %1 would lie at or beyond the horizon</source>
+        <translation>点 %1 将位于地平线或其外</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.point_beyond_through</name>
+    <message>
+        <source>point %1 lies at or beyond the horizon of %2</source>
+        <translation>点 %1 位于 %2 的地平线或其外</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.point_outside_own</name>
+    <message>
+        <source>point %1 lies outside the picture of the camera to register (%2)</source>
+        <translation>点 %1 位于待配准相机的画面（%2）之外</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.point_outside_through</name>
+    <message>
+        <source>point %1 lies outside the picture of %2 (%3)</source>
+        <translation>点 %1 位于 %2 的画面（%3）之外</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.point_pixel_no_number</name>
+    <message>
+        <source>the pixel of point %1 is not a finite number</source>
+        <translation>点 %1 的像素不是有限数</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.point_twice</name>
+    <message>
+        <source>point %1 is there twice</source>
+        <translation>点 %1 出现两次</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.points_fit</name>
+    <message>
+        <source>through %1 %2 points of the floor fit to %3 RMS (worst %4, %5), and the floor among them is known to ±%6, of which ±%7 come from %8</source>
+        <translation>通过%1，%2 个地面点拟合到 %3 RMS（最差 %4，%5），其间地面已知到 ±%6，其中 ±%7 来自 %8</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.points_mirrored</name>
+    <message>
+        <source>the points are mirrored between the pictures of the two cameras</source>
+        <translation>两台相机画面中的点互为镜像</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.points_on_one_pixel</name>
+    <message>
+        <source>points %1 and %2 lie on one pixel</source>
+        <translation>点 %1 和 %2 位于同一像素</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.points_undetermined</name>
+    <message>
+        <source>the points do not determine where the camera stands</source>
+        <translation>这些点无法确定相机位置</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.poor</name>
+    <message>
+        <source>Poor: %1.</source>
+        <translation>较差：%1。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.poor_measure_again</name>
+    <message>
+        <source>Poor, measure the markers again: %1.</source>
+        <translation>较差，请重新测量标记：%1。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.put_marker_back</name>
+    <message>
+        <source>put it back, or measure again and register all cameras.</source>
+        <translation>请放回原位，或重新测量并配准所有相机。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.put_markers_back</name>
+    <message>
+        <source>put them back, or measure again and register all cameras.</source>
+        <translation>请把它们放回原位，或重新测量并配准所有相机。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.rational</name>
+    <message>
+        <source>rational</source>
+        <translation>有理式</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.rational_lens</name>
+    <message>
+        <source>Rational lens</source>
+        <translation>有理式镜头</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.register_before_recording</name>
+    <message>
+        <source>register it again before you record.</source>
+        <translation>录制前请重新配准。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.register_by_more</name>
+    <message>
+        <source>register it by more of them first</source>
+        <translation>请先用更多标记配准它</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.register_if_gone</name>
+    <message>
+        <source>if they are gone or the camera looks elsewhere, register it again</source>
+        <translation>若标记已不在或相机朝向别处，请重新配准</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.register_one_by_one</name>
+    <message>
+        <source>register the cameras one by one by this layout first</source>
+        <translation>请先按此布局逐台配准相机</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.reverse_both</name>
+    <message>
+        <source>reverse both (a half turn), or turn the axes</source>
+        <translation>请同时反转两者（转半圈），或旋转坐标轴</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.reversed_x_alone</name>
+    <message>
+        <source>reversing X alone would mirror the floor, and no camera above it sees it so</source>
+        <translation>只反转 X 会使地面镜像，其上的相机看不到这样的地面</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.reversed_y_alone</name>
+    <message>
+        <source>reversing Y alone would mirror the floor, and no camera above it sees it so</source>
+        <translation>只反转 Y 会使地面镜像，其上的相机看不到这样的地面</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.right_edge</name>
+    <message>
+        <source>at the right edge</source>
+        <translation>右边</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.same_attitude</name>
+    <message>
+        <source>all %1 pictures show the board in nearly the same attitude, which does not determine the focal length</source>
+        <translation>全部 %1 张图片中标定板姿态几乎相同，无法确定焦距</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.second_end_beyond</name>
+    <message>
+        <source>the second end lies at or beyond the horizon of camera &apos;%1&apos;</source>
+        <translation>第二个端点位于相机“%1”的地平线或其外</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.see_same_floor</name>
+    <message>
+        <source>let them see some of the same floor</source>
+        <translation>请让它们看到部分相同的地面</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.sees_too_few_anywhere</name>
+    <message>
+        <source>from nowhere within %1 beyond the markers would it see four of them at the height and with the lens given</source>
+        <translation>以所给高度和镜头，在标记外 %1 范围内任何位置都看不到四个标记</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.sentence</name>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.shapes_fit_nowhere</name>
+    <message>
+        <source>none of the ways to name the %1 rings and dots fits the layout</source>
+        <translation>%1 个圆环和圆点的任何命名方式都与布局不符</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.shared_points</name>
+    <message>
+        <source>there are %1</source>
+        <translation>现有 %1 个</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.show_board_larger</name>
+    <message>
+        <source>show the board larger, sharp and well lit</source>
+        <translation>请把标定板拍得更大、清晰、光线良好</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.show_everywhere</name>
+    <message>
+        <source>show the board in the middle and near each corner of the picture, and closer</source>
+        <translation>请在画面中间和各角附近更近地展示标定板</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.show_missing_tags</name>
+    <message>
+        <source>show the missing tags (AprilTag 36h11, numbered from 0 in the layout&apos;s order) or rings, or mark the markers by hand</source>
+        <translation>请展示缺少的标签码（AprilTag 36h11，按布局顺序从 0 编号）或圆环，或手动标出标记</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.show_more_of_board</name>
+    <message>
+        <source>show more of the board</source>
+        <translation>请多展示一些标定板</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.show_more_of_it</name>
+    <message>
+        <source>show more of it</source>
+        <translation>请让更多部分可见</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.show_more_shapes</name>
+    <message>
+        <source>show more of them, larger or in better light, or mark the markers by hand</source>
+        <translation>请展示更多、更大或更亮的，或手动标出标记</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.show_near_edges</name>
+    <message>
+        <source>show the board near its edges too.</source>
+        <translation>也请在画面边缘附近展示标定板。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.show_one_charuco</name>
+    <message>
+        <source>show one ChArUco board</source>
+        <translation>请展示一块 ChArUco 标定板</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.show_whole_board</name>
+    <message>
+        <source>show the whole board, flat, sharp and well lit</source>
+        <translation>请展示整块标定板，平整、清晰、光线良好</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.spread_markers</name>
+    <message>
+        <source>spread the markers over the floor</source>
+        <translation>请把标记分散到地面各处</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.spread_or_register_better</name>
+    <message>
+        <source>spread the points over the floor, or register %1 better first</source>
+        <translation>请把点分散到地面各处，或先更好地配准 %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.spread_points</name>
+    <message>
+        <source>spread the points over the floor, not along a line</source>
+        <translation>请把点分散到地面各处，不要排成一条线</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.spread_them</name>
+    <message>
+        <source>spread them over the floor</source>
+        <translation>请把它们分散到地面各处</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.squares_without_size</name>
+    <message>
+        <source>the squares have no size</source>
+        <translation>方格没有尺寸</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.stand_higher</name>
+    <message>
+        <source>let it stand higher or farther away, or choose a wider lens</source>
+        <translation>请放得更高或更远，或选用更广角的镜头</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.standard</name>
+    <message>
+        <source>standard</source>
+        <translation>标准</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.standard_lens</name>
+    <message>
+        <source>Standard lens</source>
+        <translation>标准镜头</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.tag_seen_often</name>
+    <message>
+        <source>tag %1 (marker %2) is seen %3 times</source>
+        <translation>标签码 %1（标记 %2）出现 %3 次</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.take_ten</name>
+    <message>
+        <source>take ten or more, the board tilted differently in each</source>
+        <translation>请拍十张或以上，每张标定板倾斜不同</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.tape_sigma_not_positive</name>
+    <message>
+        <source>the σ of the tape measure is not above 0</source>
+        <translation>卷尺的 σ 不大于 0</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.tell_by_hand</name>
+    <message>
+        <source>tell by hand which of them is %1</source>
+        <translation>请手动指出哪一个是 %1</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.tenths_of_mm</name>
+    <message>
+        <source>tenths of a mm</source>
+        <translation>十分之一毫米</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.thousandths_of_mm</name>
+    <message>
+        <source>thousandths of a mm</source>
+        <translation>千分之一毫米</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.tilt_board</name>
+    <message>
+        <source>take pictures with the board tilted by 30 to 45 degrees, to each side</source>
+        <translation>请把标定板向各侧倾斜 30 到 45 度拍摄</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.tilt_less</name>
+    <message>
+        <source>tilt it by 30 to 45 degrees</source>
+        <translation>请倾斜 30 到 45 度</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.told_board_too_small</name>
+    <message>
+        <source>a board of %1 inner corners is too small</source>
+        <translation>%1 内角点的标定板太小</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.told_length_not_positive</name>
+    <message>
+        <source>the told length is not above 0</source>
+        <translation>给出的长度不大于 0</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.too_few_corners</name>
+    <message>
+        <source>it has %1 corners of the board, six are needed</source>
+        <translation>其中有标定板的 %1 个角点，需要六个</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.too_few_found_again</name>
+    <message>
+        <source>%1 of its %2 markers were found again, two are needed</source>
+        <translation>其 %2 个标记中重新找到 %1 个，需要两个</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.too_few_pictures</name>
+    <message>
+        <source>three pictures of the board are needed, %1 can be used</source>
+        <translation>需要三张标定板图片，可用 %1 张</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.too_few_shapes</name>
+    <message>
+        <source>%1 rings or dots were found, four are needed</source>
+        <translation>找到 %1 个圆环或圆点，需要四个</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.too_few_to_compare</name>
+    <message>
+        <source>too few pictures to compare it with others</source>
+        <translation>图片太少，无法与其他模型比较</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.too_frontal</name>
+    <message>
+        <source>the board is seen too nearly frontal</source>
+        <translation>标定板过于正对相机</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.too_small_for_board</name>
+    <message>
+        <source>the picture is too small to hold a board</source>
+        <translation>图像太小，容不下标定板</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.two_cameras_needed</name>
+    <message>
+        <source>there is %1 camera on layout &apos;%2&apos;, two are needed</source>
+        <translation>布局“%2”上有 %1 台相机，需要两台</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.two_directions</name>
+    <message>
+        <source>both an angle and a pair of markers were given for X</source>
+        <translation>对 X 轴同时给出了角度和一对标记</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.two_focal_lengths</name>
+    <message>
+        <source>the pictures ask for two focal lengths</source>
+        <translation>这些图片对应两个焦距</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.two_origins</name>
+    <message>
+        <source>both a marker and a point were given for the origin</source>
+        <translation>对原点同时给出了标记和点</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.typical_testbed</name>
+    <message>
+        <source>a %1 × %2 floor seen from %3 above</source>
+        <translation>从 %3 高处看的 %1 × %2 地面</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.unit</name>
+    <message>
+        <source>unit &apos;%1&apos;</source>
+        <translation>单位“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.unit_unknown</name>
+    <message>
+        <source>it is not known</source>
+        <translation>未知</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.unseen_middle_corner</name>
+    <message>
+        <source>The middle is not seen, ±%1 in the corner near %2.</source>
+        <translation>中间看不到，%2 附近的角 ±%1。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.unseen_middle_edge</name>
+    <message>
+        <source>The middle is not seen, ±%1 at the edge near %2.</source>
+        <translation>中间看不到，%2 附近的边缘 ±%1。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.unseen_middle_near</name>
+    <message>
+        <source>The middle is not seen, ±%1 near %2.</source>
+        <translation>中间看不到，%2 附近 ±%1。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.usable</name>
+    <message>
+        <source>Usable: %1.</source>
+        <translation>可用：%1。</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.use_another_picture</name>
+    <message>
+        <source>use another picture</source>
+        <translation>请换一张图片</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.use_camera_picture</name>
+    <message>
+        <source>use a picture of the camera</source>
+        <translation>请使用该相机的图像</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.use_camera_pictures</name>
+    <message>
+        <source>use pictures of the camera</source>
+        <translation>请使用该相机的图像</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.use_known_unit</name>
+    <message>
+        <source>use mm, cm, m or inch</source>
+        <translation>请使用 mm、cm、m 或 inch</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.use_one_camera</name>
+    <message>
+        <source>use pictures of one camera at one zoom and focus</source>
+        <translation>请使用同一相机、同一变焦与对焦的图片</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.use_one_resolution</name>
+    <message>
+        <source>use pictures of one camera at one resolution</source>
+        <translation>请使用同一相机、同一分辨率的图片</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.were_kept</name>
+    <message>
+        <source>they were kept</source>
+        <translation>它们已保留</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.whether_moved</name>
+    <message>
+        <source>whether %1 has moved cannot be told</source>
+        <translation>无法判断 %1 是否移动</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.wrong_by_more</name>
+    <message>
+        <source>it may be wrong by much more</source>
+        <translation>误差可能大得多</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.x_without_length</name>
+    <message>
+        <source>the markers that X is to run along lie at one place</source>
+        <translation>X 轴所经的标记位于同一处</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.y_left_of_x</name>
+    <message>
+        <source>seen from above, Y must point to the left of X</source>
+        <translation>从上方看，Y 必须指向 X 的左侧</translation>
+    </message>
+</context>
+<context>
+    <name>capture.access_to_cameras</name>
+    <message>
+        <source>Access to cameras</source>
+        <translation>相机访问权限</translation>
+    </message>
+</context>
+<context>
+    <name>capture.all_pictures_damaged</name>
+    <message>
+        <source>all its pictures come damaged</source>
+        <translation>其画面全部损坏</translation>
+    </message>
+</context>
+<context>
+    <name>capture.answers_but_silent</name>
+    <message>
+        <source>it answers, but sends no pictures</source>
+        <translation>它有响应，但没有发送画面</translation>
+    </message>
+</context>
+<context>
+    <name>capture.answers_but_silent_advice</name>
+    <message>
+        <source>check its trigger and this computer&apos;s firewall</source>
+        <translation>请检查其触发设置和本机防火墙</translation>
+    </message>
+</context>
+<context>
+    <name>capture.aravis_place_missing</name>
+    <message>
+        <source>it says neither an address nor a serial number</source>
+        <translation>其中既没有地址也没有序列号</translation>
+    </message>
+</context>
+<context>
+    <name>capture.aravis_wishes</name>
+    <message>
+        <source>take rate, exposure_ms, gain, format, size, trigger=software, packet_size or packet_delay_us, as in ?rate=30&amp;size=640x480</source>
+        <translation>请使用 rate、exposure_ms、gain、format、size、trigger=software、packet_size 或 packet_delay_us，如 ?rate=30&amp;size=640x480</translation>
+    </message>
+</context>
+<context>
+    <name>capture.ask_for_less</name>
+    <message>
+        <source>ask for a smaller size or rate</source>
+        <translation>请要求更小的尺寸或帧率</translation>
+    </message>
+</context>
+<context>
+    <name>capture.ask_for_other_mode</name>
+    <message>
+        <source>ask for another size or format</source>
+        <translation>请要求其他尺寸或格式</translation>
+    </message>
+</context>
+<context>
+    <name>capture.ask_for_something_else</name>
+    <message>
+        <source>ask it for something else, or leave that to the camera</source>
+        <translation>请要求其他值，或交由相机决定</translation>
+    </message>
+</context>
+<context>
+    <name>capture.ask_for_usable_format</name>
+    <message>
+        <source>ask it for one of %1</source>
+        <translation>请要求 %1 之一</translation>
+    </message>
+</context>
+<context>
+    <name>capture.ask_within_sensor</name>
+    <message>
+        <source>ask it for a size within that</source>
+        <translation>请要求不超过它的尺寸</translation>
+    </message>
+</context>
+<context>
+    <name>capture.automatics_held</name>
+    <message>
+        <source>exposure, gain, white balance and focus are held</source>
+        <translation>曝光、增益、白平衡和对焦已固定</translation>
+    </message>
+</context>
+<context>
+    <name>capture.automatics_of_camera</name>
+    <message>
+        <source>Automatics, camera %1</source>
+        <translation>自动功能，相机 %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.buffer_enough</name>
+    <message>
+        <source>up to %1, enough for network cameras</source>
+        <translation>最大 %1，足够网络相机使用</translation>
+    </message>
+</context>
+<context>
+    <name>capture.buffer_not_known</name>
+    <message>
+        <source>the system does not say how large it may be (net.core.rmem_max)</source>
+        <translation>系统没有给出其最大值（net.core.rmem_max）</translation>
+    </message>
+</context>
+<context>
+    <name>capture.buffer_small</name>
+    <message>
+        <source>only %1</source>
+        <translation>仅 %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.buffer_without_use</name>
+    <message>
+        <source>%1, which only network cameras would find too small</source>
+        <translation>%1，仅对网络相机太小</translation>
+    </message>
+</context>
+<context>
+    <name>capture.bus_of_speed_shared</name>
+    <message>
+        <source>cameras %1 share the bus %2, of %3</source>
+        <translation>相机 %1 共用总线 %2（%3）</translation>
+    </message>
+</context>
+<context>
+    <name>capture.bus_shared</name>
+    <message>
+        <source>cameras %1 share the bus %2</source>
+        <translation>相机 %1 共用总线 %2</translation>
+    </message>
+</context>
+<context>
+    <name>capture.came_back_changed</name>
+    <message>
+        <source>it came back with pictures of another size or format</source>
+        <translation>恢复后图像的尺寸或格式变了</translation>
+    </message>
+</context>
+<context>
+    <name>capture.camera_at_address</name>
+    <message>
+        <source>camera %1</source>
+        <translation>相机 %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.camera_does_not_deliver</name>
+    <message>
+        <source>a camera does not deliver</source>
+        <translation>有一台相机没有输出</translation>
+    </message>
+</context>
+<context>
+    <name>capture.cameras_are_listed</name>
+    <message>
+        <source>odograph cameras lists them</source>
+        <translation>odograph cameras 会列出它们</translation>
+    </message>
+</context>
+<context>
+    <name>capture.cameras_will_lose</name>
+    <message>
+        <source>%1 will lose pictures</source>
+        <translation>%1 会丢帧</translation>
+    </message>
+</context>
+<context>
+    <name>capture.cannot_be_opened</name>
+    <message>
+        <source>it cannot be opened (%1)</source>
+        <translation>无法打开（%1）</translation>
+    </message>
+</context>
+<context>
+    <name>capture.check_cable</name>
+    <message>
+        <source>check its cable</source>
+        <translation>请检查其线缆</translation>
+    </message>
+</context>
+<context>
+    <name>capture.check_cable_and_address</name>
+    <message>
+        <source>check its cable and address</source>
+        <translation>请检查其电缆和地址</translation>
+    </message>
+</context>
+<context>
+    <name>capture.check_cable_and_network</name>
+    <message>
+        <source>check its cable and the network</source>
+        <translation>请检查其线缆和网络</translation>
+    </message>
+</context>
+<context>
+    <name>capture.check_power_and_cable</name>
+    <message>
+        <source>check its power and cable</source>
+        <translation>请检查其电源和电缆</translation>
+    </message>
+</context>
+<context>
+    <name>capture.check_power_and_network</name>
+    <message>
+        <source>check its power and cable, and that this computer has an address in the camera&apos;s network</source>
+        <translation>请检查其电源和电缆，以及本机在相机网络中有地址</translation>
+    </message>
+</context>
+<context>
+    <name>capture.check_usb_rights</name>
+    <message>
+        <source>check that you may use it (a udev rule), and that no other program does</source>
+        <translation>请检查是否有权使用（udev 规则），且没有其他程序占用</translation>
+    </message>
+</context>
+<context>
+    <name>capture.choose_another_value</name>
+    <message>
+        <source>choose another one</source>
+        <translation>请另选一个</translation>
+    </message>
+</context>
+<context>
+    <name>capture.choose_listed</name>
+    <message>
+        <source>choose one of those that odograph cameras lists</source>
+        <translation>请选择 odograph cameras 列出的相机</translation>
+    </message>
+</context>
+<context>
+    <name>capture.choose_of_offer</name>
+    <message>
+        <source>choose of what it offers</source>
+        <translation>请从其提供的模式中选择</translation>
+    </message>
+</context>
+<context>
+    <name>capture.choose_value_between</name>
+    <message>
+        <source>choose a value between</source>
+        <translation>请选择其间的值</translation>
+    </message>
+</context>
+<context>
+    <name>capture.close_that_program</name>
+    <message>
+        <source>close that program</source>
+        <translation>请关闭该程序</translation>
+    </message>
+</context>
+<context>
+    <name>capture.connect_right_camera</name>
+    <message>
+        <source>connect the one that belongs there, or begin anew with this one</source>
+        <translation>请接上原来的相机，或用这一台重新开始</translation>
+    </message>
+</context>
+<context>
+    <name>capture.control_automatic</name>
+    <message>
+        <source>%1 cannot be set while it is automatic</source>
+        <translation>%1 处于自动时无法设置</translation>
+    </message>
+</context>
+<context>
+    <name>capture.control_goes</name>
+    <message>
+        <source>%1 goes from %2 to %3</source>
+        <translation>%1 的范围为 %2 到 %3</translation>
+    </message>
+</context>
+<context>
+    <name>capture.control_inactive</name>
+    <message>
+        <source>%1 cannot be set as the camera stands now</source>
+        <translation>相机当前状态下无法设置 %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.control_not_taken</name>
+    <message>
+        <source>it does not take this for %1 (%2)</source>
+        <translation>它不接受 %1 的这个值（%2）</translation>
+    </message>
+</context>
+<context>
+    <name>capture.control_value_refused</name>
+    <message>
+        <source>it refuses this value of %1</source>
+        <translation>它拒绝 %1 的这个值</translation>
+    </message>
+</context>
+<context>
+    <name>capture.damaged_advice</name>
+    <message>
+        <source>try another cable or port, or ask for fewer or smaller pictures</source>
+        <translation>请换一根线缆或一个接口，或要求更少或更小的画面</translation>
+    </message>
+</context>
+<context>
+    <name>capture.dim_light_halves_rate</name>
+    <message>
+        <source>in dim light a camera halves its rate by itself, unless its automatic exposure is off</source>
+        <translation>光线暗时，除非关闭自动曝光，相机会自行把帧率减半</translation>
+    </message>
+</context>
+<context>
+    <name>capture.disk_full</name>
+    <message>
+        <source>its disk has only %1 left, of which %2 are kept free</source>
+        <translation>其磁盘仅剩 %1，其中 %2 MB 要保持空闲</translation>
+    </message>
+</context>
+<context>
+    <name>capture.disk_of</name>
+    <message>
+        <source>the disk of %1</source>
+        <translation>%1 的磁盘</translation>
+    </message>
+</context>
+<context>
+    <name>capture.disk_too_slow</name>
+    <message>
+        <source>it is too slow</source>
+        <translation>它太慢了</translation>
+    </message>
+</context>
+<context>
+    <name>capture.does_not_answer</name>
+    <message>
+        <source>it does not answer</source>
+        <translation>没有响应</translation>
+    </message>
+</context>
+<context>
+    <name>capture.does_not_start</name>
+    <message>
+        <source>it does not start (%1)</source>
+        <translation>无法启动（%1）</translation>
+    </message>
+</context>
+<context>
+    <name>capture.does_not_start_advice</name>
+    <message>
+        <source>check its cable, and that no other program uses it</source>
+        <translation>请检查其电缆，以及没有其他程序占用</translation>
+    </message>
+</context>
+<context>
+    <name>capture.end_other_writers</name>
+    <message>
+        <source>end what else writes to it</source>
+        <translation>请停止其他写入它的程序</translation>
+    </message>
+</context>
+<context>
+    <name>capture.enlarge_buffer</name>
+    <message>
+        <source>sudo sysctl -w net.core.rmem_max=%1, and put the same into /etc/sysctl.d/ to keep it</source>
+        <translation>sudo sysctl -w net.core.rmem_max=%1，并写入 /etc/sysctl.d/ 以保留</translation>
+    </message>
+</context>
+<context>
+    <name>capture.expose_for_mains</name>
+    <message>
+        <source>expose for 10 or 20 ms with mains of 50 Hz, 8.3 or 16.7 ms with 60 Hz</source>
+        <translation>50 Hz 电网请曝光 10 或 20 ms，60 Hz 请曝光 8.3 或 16.7 ms</translation>
+    </message>
+</context>
+<context>
+    <name>capture.exposed_for</name>
+    <message>
+        <source>exposed for %1</source>
+        <translation>曝光 %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.exposure_and_gain</name>
+    <message>
+        <source>Exposure and gain</source>
+        <translation>曝光和增益</translation>
+    </message>
+</context>
+<context>
+    <name>capture.exposure_not_taken</name>
+    <message>
+        <source>it does not take this exposure (%1)</source>
+        <translation>它不接受此曝光（%1）</translation>
+    </message>
+</context>
+<context>
+    <name>capture.exposure_not_told</name>
+    <message>
+        <source>it does not tell its exposure</source>
+        <translation>它不报告曝光时间</translation>
+    </message>
+</context>
+<context>
+    <name>capture.exposure_suits_lamps</name>
+    <message>
+        <source>exposed for %1, which suits lamps</source>
+        <translation>曝光 %1，适合灯光</translation>
+    </message>
+</context>
+<context>
+    <name>capture.failed</name>
+    <message>
+        <source>it failed (%1)</source>
+        <translation>它出错了（%1）</translation>
+    </message>
+</context>
+<context>
+    <name>capture.failed_advice</name>
+    <message>
+        <source>unplug it and plug it in again if that lasts</source>
+        <translation>若持续如此，请拔下后重新插上</translation>
+    </message>
+</context>
+<context>
+    <name>capture.flicker_filter_off</name>
+    <message>
+        <source>its filter is off</source>
+        <translation>其滤波已关闭</translation>
+    </message>
+</context>
+<context>
+    <name>capture.flicker_filtered</name>
+    <message>
+        <source>filtered by the camera (%1)</source>
+        <translation>由相机滤除（%1）</translation>
+    </message>
+</context>
+<context>
+    <name>capture.flicker_of_camera</name>
+    <message>
+        <source>Lamps&apos; flicker, camera %1</source>
+        <translation>灯光闪烁，相机 %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.forbidden</name>
+    <message>
+        <source>you may not use it</source>
+        <translation>您无权使用它</translation>
+    </message>
+</context>
+<context>
+    <name>capture.forbidden_advice</name>
+    <message>
+        <source>join the group video (sudo usermod -aG video YOUR-NAME) and log in again</source>
+        <translation>请加入 video 组（sudo usermod -aG video YOUR-NAME）并重新登录</translation>
+    </message>
+</context>
+<context>
+    <name>capture.format</name>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%2 时的%1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.format_not_told</name>
+    <message>
+        <source>it does not tell its pixel format (%1)</source>
+        <translation>它没有告知像素格式（%1）</translation>
+    </message>
+</context>
+<context>
+    <name>capture.format_not_understood</name>
+    <message>
+        <source>its pixel format is not understood</source>
+        <translation>其像素格式不受支持</translation>
+    </message>
+</context>
+<context>
+    <name>capture.free_after_crash</name>
+    <message>
+        <source>a camera whose program has crashed is free again after some seconds</source>
+        <translation>若占用相机的程序崩溃，几秒后相机会恢复可用</translation>
+    </message>
+</context>
+<context>
+    <name>capture.gain_not_taken</name>
+    <message>
+        <source>it does not take this gain (%1)</source>
+        <translation>它不接受此增益（%1）</translation>
+    </message>
+</context>
+<context>
+    <name>capture.give_address</name>
+    <message>
+        <source>give one as v4l2:/dev/video0, aravis:192.168.1.20, sim:A or file:PATH</source>
+        <translation>请写成 v4l2:/dev/video0、aravis:192.168.1.20、sim:A 或 file:PATH</translation>
+    </message>
+</context>
+<context>
+    <name>capture.give_aravis_place</name>
+    <message>
+        <source>give one as aravis:192.168.1.20 or aravis:SERIAL</source>
+        <translation>请给出如 aravis:192.168.1.20 或 aravis:SERIAL</translation>
+    </message>
+</context>
+<context>
+    <name>capture.gives_no_pictures</name>
+    <message>
+        <source>%1 gives no pictures</source>
+        <translation>%1 不输出图像</translation>
+    </message>
+</context>
+<context>
+    <name>capture.has_been_away</name>
+    <message>
+        <source>it has been away</source>
+        <translation>它曾断开</translation>
+    </message>
+</context>
+<context>
+    <name>capture.held_while_recording</name>
+    <message>
+        <source>they are held while recording</source>
+        <translation>录制时会固定</translation>
+    </message>
+</context>
+<context>
+    <name>capture.in_step</name>
+    <message>
+        <source>in step to %1</source>
+        <translation>同步到 %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.in_step_as_way</name>
+    <message>
+        <source>at %1 that is %2</source>
+        <translation>速度 %1 时为 %2</translation>
+    </message>
+</context>
+<context>
+    <name>capture.join_video_group</name>
+    <message>
+        <source>add yourself to the group video (sudo usermod -aG video $USER), then log out and in again</source>
+        <translation>把自己加入 video 组（sudo usermod -aG video $USER），然后注销并重新登录</translation>
+    </message>
+</context>
+<context>
+    <name>capture.keep_awake</name>
+    <message>
+        <source>keep it awake while it records</source>
+        <translation>录制时请保持唤醒</translation>
+    </message>
+</context>
+<context>
+    <name>capture.kept_before_sleep</name>
+    <message>
+        <source>what came before is kept</source>
+        <translation>此前的内容已保留</translation>
+    </message>
+</context>
+<context>
+    <name>capture.large_packets</name>
+    <message>
+        <source>large packets are allowed</source>
+        <translation>允许大数据包</translation>
+    </message>
+</context>
+<context>
+    <name>capture.largest_picture</name>
+    <message>
+        <source>its pictures have %1 pixels at most</source>
+        <translation>其画面最大为 %1 像素</translation>
+    </message>
+</context>
+<context>
+    <name>capture.leave_control_out</name>
+    <message>
+        <source>leave it out</source>
+        <translation>请去掉</translation>
+    </message>
+</context>
+<context>
+    <name>capture.look_again</name>
+    <message>
+        <source>wait a few seconds, and look again</source>
+        <translation>请等几秒再看</translation>
+    </message>
+</context>
+<context>
+    <name>capture.look_at_cable</name>
+    <message>
+        <source>look at its cable</source>
+        <translation>请查看其线缆</translation>
+    </message>
+</context>
+<context>
+    <name>capture.lost_by_slow_machine</name>
+    <message>
+        <source>%1, %2 lost because this machine is too slow</source>
+        <translation>%1，因本机太慢丢失 %2 帧</translation>
+    </message>
+</context>
+<context>
+    <name>capture.lost_here</name>
+    <message>
+        <source>%1, %2 lost here</source>
+        <translation>%1，在本机丢失 %2 帧</translation>
+    </message>
+</context>
+<context>
+    <name>capture.lost_on_wire</name>
+    <message>
+        <source>%1, %2 lost on the wire</source>
+        <translation>%1，传输中丢失 %2 帧</translation>
+    </message>
+</context>
+<context>
+    <name>capture.lost_on_wire_and_here</name>
+    <message>
+        <source>%1, %2 lost (%3 on the wire, %4 here)</source>
+        <translation>%1，丢失 %2 帧（传输中 %3，本机 %4）</translation>
+    </message>
+</context>
+<context>
+    <name>capture.machine_slept</name>
+    <message>
+        <source>it slept for %1, and nothing was recorded meanwhile</source>
+        <translation>休眠了 %1，其间没有录制</translation>
+    </message>
+</context>
+<context>
+    <name>capture.make_room</name>
+    <message>
+        <source>make room, or move the project to another disk</source>
+        <translation>请腾出空间，或把项目移到另一磁盘</translation>
+    </message>
+</context>
+<context>
+    <name>capture.mode_not_taken</name>
+    <message>
+        <source>it does not take %1</source>
+        <translation>它不接受 %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_automatics</name>
+    <message>
+        <source>it has none</source>
+        <translation>没有</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_network_camera</name>
+    <message>
+        <source>no network camera is used</source>
+        <translation>未使用网络相机</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_node</name>
+    <message>
+        <source>this machine shows no USB or built-in camera (/dev/video*)</source>
+        <translation>本机没有 USB 或内置相机（/dev/video*）</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_node_advice</name>
+    <message>
+        <source>if one is connected, try another cable and port, without a hub</source>
+        <translation>如果已连接，请换一根电缆和端口，不经集线器</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_pair_yet</name>
+    <message>
+        <source>no two pictures have been taken together yet</source>
+        <translation>还没有同时拍到的两帧</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_picture_came</name>
+    <message>
+        <source>no picture came for half a second</source>
+        <translation>半秒内没有收到图像</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_picture_for</name>
+    <message>
+        <source>no picture has come for %1</source>
+        <translation>已有 %1 没有画面</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_readable_format</name>
+    <message>
+        <source>it has no format that can be read</source>
+        <translation>没有可读的格式</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_simulated_camera</name>
+    <message>
+        <source>there is no simulated camera %1</source>
+        <translation>没有模拟相机 %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_software_trigger</name>
+    <message>
+        <source>it has no software trigger (%1)</source>
+        <translation>它没有软件触发（%1）</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_such_address</name>
+    <message>
+        <source>no camera has such an address</source>
+        <translation>没有这样地址的相机</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_such_control</name>
+    <message>
+        <source>it has nothing named &apos;%1&apos; that could be set</source>
+        <translation>没有名为“%1”的可设项</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_such_format</name>
+    <message>
+        <source>it has no format %1 (%2)</source>
+        <translation>它没有格式 %1（%2）</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_usable_format</name>
+    <message>
+        <source>it has no pixel format that is understood</source>
+        <translation>它没有受支持的像素格式</translation>
+    </message>
+</context>
+<context>
+    <name>capture.no_usb_camera</name>
+    <message>
+        <source>no USB camera is used</source>
+        <translation>未使用 USB 相机</translation>
+    </message>
+</context>
+<context>
+    <name>capture.nodes_forbidden</name>
+    <message>
+        <source>you may not use %1</source>
+        <translation>您无权使用 %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.nodes_usable</name>
+    <message>
+        <source>you may use all %1 video devices</source>
+        <translation>您可以使用全部 %1 个视频设备</translation>
+    </message>
+</context>
+<context>
+    <name>capture.none_lost</name>
+    <message>
+        <source>%1, none lost</source>
+        <translation>%1，无丢失</translation>
+    </message>
+</context>
+<context>
+    <name>capture.not_offered</name>
+    <message>
+        <source>it does not offer what was asked for</source>
+        <translation>它不提供所要求的模式</translation>
+    </message>
+</context>
+<context>
+    <name>capture.not_registered</name>
+    <message>
+        <source>it is not registered to the floor</source>
+        <translation>它未配准到地面</translation>
+    </message>
+</context>
+<context>
+    <name>capture.not_there</name>
+    <message>
+        <source>it is not there</source>
+        <translation>不存在</translation>
+    </message>
+</context>
+<context>
+    <name>capture.nothing_lost_yet</name>
+    <message>
+        <source>nothing is lost yet</source>
+        <translation>尚未丢失任何内容</translation>
+    </message>
+</context>
+<context>
+    <name>capture.one_camera_in_step</name>
+    <message>
+        <source>one camera is always in step</source>
+        <translation>单台相机始终同步</translation>
+    </message>
+</context>
+<context>
+    <name>capture.one_not_held</name>
+    <message>
+        <source>%1 goes on changing by itself</source>
+        <translation>%1 仍在自行变化</translation>
+    </message>
+</context>
+<context>
+    <name>capture.open_video_again</name>
+    <message>
+        <source>open it again to see it from the start</source>
+        <translation>请重新打开以从头观看</translation>
+    </message>
+</context>
+<context>
+    <name>capture.other_camera_in_place</name>
+    <message>
+        <source>another camera (%1) is in its place</source>
+        <translation>其位置上是另一台相机（%1）</translation>
+    </message>
+</context>
+<context>
+    <name>capture.other_serial_in_place</name>
+    <message>
+        <source>another camera (%1) is in the place of camera %2</source>
+        <translation>相机 %2 的位置上是另一台相机（%1）</translation>
+    </message>
+</context>
+<context>
+    <name>capture.own_usb_buses</name>
+    <message>
+        <source>each USB camera has a bus of its own</source>
+        <translation>每台 USB 相机都有自己的总线</translation>
+    </message>
+</context>
+<context>
+    <name>capture.packet_delay_not_taken</name>
+    <message>
+        <source>it does not take this packet delay (%1)</source>
+        <translation>它不接受此数据包延迟（%1）</translation>
+    </message>
+</context>
+<context>
+    <name>capture.packet_size</name>
+    <message>
+        <source>Packet size</source>
+        <translation>数据包大小</translation>
+    </message>
+</context>
+<context>
+    <name>capture.packet_size_not_taken</name>
+    <message>
+        <source>it does not take this packet size (%1)</source>
+        <translation>它不接受此数据包大小（%1）</translation>
+    </message>
+</context>
+<context>
+    <name>capture.part_not_understood</name>
+    <message>
+        <source>&apos;%1&apos; is not understood</source>
+        <translation>无法理解“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>capture.payload_not_told</name>
+    <message>
+        <source>it does not tell how large its pictures are (%1)</source>
+        <translation>它没有告知画面大小（%1）</translation>
+    </message>
+</context>
+<context>
+    <name>capture.picture_of_camera</name>
+    <message>
+        <source>a picture of camera %1</source>
+        <translation>相机 %1 的一张图片</translation>
+    </message>
+</context>
+<context>
+    <name>capture.picture_size_of_camera</name>
+    <message>
+        <source>Picture size, camera %1</source>
+        <translation>画面尺寸，相机 %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.picture_waits_for_disk</name>
+    <message>
+        <source>a picture has waited %1 for it, and %2 of the room to wait in is taken</source>
+        <translation>有画面等待了 %1，等待空间已占用 %2</translation>
+    </message>
+</context>
+<context>
+    <name>capture.pictures_being_lost</name>
+    <message>
+        <source>pictures are being lost</source>
+        <translation>正在丢失画面</translation>
+    </message>
+</context>
+<context>
+    <name>capture.pictures_incomplete</name>
+    <message>
+        <source>its pictures come incomplete</source>
+        <translation>其画面不完整</translation>
+    </message>
+</context>
+<context>
+    <name>capture.pictures_may_pulse</name>
+    <message>
+        <source>pictures may pulse under lamps</source>
+        <translation>灯光下画面可能闪动</translation>
+    </message>
+</context>
+<context>
+    <name>capture.pictures_without_size</name>
+    <message>
+        <source>its pictures have no size</source>
+        <translation>其画面没有尺寸</translation>
+    </message>
+</context>
+<context>
+    <name>capture.plug_camera_in_again</name>
+    <message>
+        <source>plug %1 in again</source>
+        <translation>请重新接上 %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.plug_in_again</name>
+    <message>
+        <source>plug it in again</source>
+        <translation>请重新接上</translation>
+    </message>
+</context>
+<context>
+    <name>capture.plug_in_or_choose</name>
+    <message>
+        <source>plug it in, or choose one of those that odograph cameras lists</source>
+        <translation>请接上它，或选择 odograph cameras 列出的相机</translation>
+    </message>
+</context>
+<context>
+    <name>capture.put_disk_back</name>
+    <message>
+        <source>put its disk or folder back where it was</source>
+        <translation>请把其磁盘或文件夹放回原处</translation>
+    </message>
+</context>
+<context>
+    <name>capture.rate_not_taken</name>
+    <message>
+        <source>it does not take this rate (%1)</source>
+        <translation>它不接受此帧率（%1）</translation>
+    </message>
+</context>
+<context>
+    <name>capture.rate_too_slow</name>
+    <message>
+        <source>%1 (too slow)</source>
+        <translation>%1（太慢）</translation>
+    </message>
+</context>
+<context>
+    <name>capture.rates_differ</name>
+    <message>
+        <source>the cameras run at %1 and %2</source>
+        <translation>两台相机分别以 %1 和 %2 运行</translation>
+    </message>
+</context>
+<context>
+    <name>capture.receive_buffer</name>
+    <message>
+        <source>Receive buffer</source>
+        <translation>接收缓冲区</translation>
+    </message>
+</context>
+<context>
+    <name>capture.receive_buffer_granted</name>
+    <message>
+        <source>the system keeps only %1 of the network&apos;s packets</source>
+        <translation>系统只保留 %1 的网络数据包</translation>
+    </message>
+</context>
+<context>
+    <name>capture.record_elsewhere</name>
+    <message>
+        <source>record to another disk, or fewer cameras</source>
+        <translation>请录制到另一磁盘，或减少相机</translation>
+    </message>
+</context>
+<context>
+    <name>capture.recorded_is_kept</name>
+    <message>
+        <source>what was recorded so far is kept</source>
+        <translation>已录制的内容已保留</translation>
+    </message>
+</context>
+<context>
+    <name>capture.recorded_is_there</name>
+    <message>
+        <source>what was recorded so far is there</source>
+        <translation>到目前为止录制的内容在那里</translation>
+    </message>
+</context>
+<context>
+    <name>capture.recording_file_gone</name>
+    <message>
+        <source>its file is no longer there</source>
+        <translation>其文件已不在</translation>
+    </message>
+</context>
+<context>
+    <name>capture.register_in_testbed</name>
+    <message>
+        <source>register it in Testbed, or its pictures cannot tell where a robot is</source>
+        <translation>请在试验场中配准，否则其画面无法给出机器人的位置</translation>
+    </message>
+</context>
+<context>
+    <name>capture.room_for</name>
+    <message>
+        <source>room for %1</source>
+        <translation>可录 %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.see_own_line</name>
+    <message>
+        <source>see its own line</source>
+        <translation>请看它自己的那一行</translation>
+    </message>
+</context>
+<context>
+    <name>capture.send_less</name>
+    <message>
+        <source>or let both send MJPEG, or smaller pictures</source>
+        <translation>或让两台都发送 MJPEG 或更小的图像</translation>
+    </message>
+</context>
+<context>
+    <name>capture.send_registered_size</name>
+    <message>
+        <source>let it send the size it was registered at, or calibrate and register it anew</source>
+        <translation>让它发送配准时的尺寸，或重新标定和配准</translation>
+    </message>
+</context>
+<context>
+    <name>capture.sends_no_pictures</name>
+    <message>
+        <source>it sends no pictures</source>
+        <translation>它没有发送画面</translation>
+    </message>
+</context>
+<context>
+    <name>capture.serial_advice</name>
+    <message>
+        <source>check its power and cable; odograph cameras lists those that answer</source>
+        <translation>请检查其电源和电缆；odograph cameras 会列出有响应的相机</translation>
+    </message>
+</context>
+<context>
+    <name>capture.serial_does_not_answer</name>
+    <message>
+        <source>no camera of this serial number answers</source>
+        <translation>没有此序列号的相机响应</translation>
+    </message>
+</context>
+<context>
+    <name>capture.set_as_before</name>
+    <message>
+        <source>set it as before, or begin anew with size and format in its address</source>
+        <translation>请照原样设置，或在地址中写明尺寸和格式后重新开始</translation>
+    </message>
+</context>
+<context>
+    <name>capture.set_between</name>
+    <message>
+        <source>set it to something between</source>
+        <translation>请设为两者之间的值</translation>
+    </message>
+</context>
+<context>
+    <name>capture.set_rate_or_trigger</name>
+    <message>
+        <source>set both to one rate, or trigger them together</source>
+        <translation>请设为同一帧率，或共同触发</translation>
+    </message>
+</context>
+<context>
+    <name>capture.set_receive_buffer</name>
+    <message>
+        <source>sysctl -w net.core.rmem_max=%1</source>
+        <translation>sysctl -w net.core.rmem_max=%1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.set_to_mains</name>
+    <message>
+        <source>set &apos;%1&apos; to your mains</source>
+        <translation>请将“%1”设为当地电网</translation>
+    </message>
+</context>
+<context>
+    <name>capture.set_to_one_rate</name>
+    <message>
+        <source>set both to one rate</source>
+        <translation>请把两台设为同一帧率</translation>
+    </message>
+</context>
+<context>
+    <name>capture.set_to_something_else</name>
+    <message>
+        <source>set it to something else</source>
+        <translation>请设为别的值</translation>
+    </message>
+</context>
+<context>
+    <name>capture.set_width_and_height</name>
+    <message>
+        <source>set its width and height</source>
+        <translation>请设置其宽和高</translation>
+    </message>
+</context>
+<context>
+    <name>capture.several_not_held</name>
+    <message>
+        <source>%1 go on changing by themselves</source>
+        <translation>%1 仍在自行变化</translation>
+    </message>
+</context>
+<context>
+    <name>capture.simulated_camera</name>
+    <message>
+        <source>Simulated camera %1</source>
+        <translation>模拟相机 %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.size_as_registered</name>
+    <message>
+        <source>%1, as it was registered</source>
+        <translation>%1，与配准时相同</translation>
+    </message>
+</context>
+<context>
+    <name>capture.size_not_as_registered</name>
+    <message>
+        <source>%1, but registered at %2</source>
+        <translation>%1，但配准时为 %2</translation>
+    </message>
+</context>
+<context>
+    <name>capture.size_not_taken</name>
+    <message>
+        <source>it does not take this size (%1)</source>
+        <translation>它不接受此尺寸（%1）</translation>
+    </message>
+</context>
+<context>
+    <name>capture.size_not_told</name>
+    <message>
+        <source>it does not tell its size (%1)</source>
+        <translation>它没有告知尺寸（%1）</translation>
+    </message>
+</context>
+<context>
+    <name>capture.slow_camera</name>
+    <message>
+        <source>it takes only %1 pictures a second of the %2 it was asked for</source>
+        <translation>要求每秒 %2 帧，实际只有 %1 帧</translation>
+    </message>
+</context>
+<context>
+    <name>capture.slow_camera_advice</name>
+    <message>
+        <source>give it more light or a shorter exposure, or ask for a lower rate</source>
+        <translation>请增加光照或缩短曝光，或要求更低的帧率</translation>
+    </message>
+</context>
+<context>
+    <name>capture.small_packets</name>
+    <message>
+        <source>small packets on %1</source>
+        <translation>%1 上数据包较小</translation>
+    </message>
+</context>
+<context>
+    <name>capture.small_packets_advice</name>
+    <message>
+        <source>give the port that the camera is on an MTU of 9000 (sudo ip link set dev NAME mtu 9000), if camera and switch can take it</source>
+        <translation>若相机和交换机支持，请将相机所在端口的 MTU 设为 9000（sudo ip link set dev NAME mtu 9000）</translation>
+    </message>
+</context>
+<context>
+    <name>capture.step</name>
+    <message>
+        <source>Step</source>
+        <translation>同步</translation>
+    </message>
+</context>
+<context>
+    <name>capture.take_another_camera</name>
+    <message>
+        <source>take another camera</source>
+        <translation>请换一台相机</translation>
+    </message>
+</context>
+<context>
+    <name>capture.take_camera_with_format</name>
+    <message>
+        <source>take a camera that has one of %1</source>
+        <translation>请使用具有 %1 之一的相机</translation>
+    </message>
+</context>
+<context>
+    <name>capture.take_off_and_on</name>
+    <message>
+        <source>take it off and put it on again if it stays so</source>
+        <translation>若仍如此，请拔下后重新接上</translation>
+    </message>
+</context>
+<context>
+    <name>capture.take_simulated_camera</name>
+    <message>
+        <source>take sim:A or sim:B</source>
+        <translation>请使用 sim:A 或 sim:B</translation>
+    </message>
+</context>
+<context>
+    <name>capture.taken_up_by_itself</name>
+    <message>
+        <source>it is taken up again by itself</source>
+        <translation>它会自动恢复</translation>
+    </message>
+</context>
+<context>
+    <name>capture.the_picture</name>
+    <message>
+        <source>the picture</source>
+        <translation>图片</translation>
+    </message>
+</context>
+<context>
+    <name>capture.the_recording</name>
+    <message>
+        <source>the recording %1</source>
+        <translation>录像 %1</translation>
+    </message>
+</context>
+<context>
+    <name>capture.there_but_silent</name>
+    <message>
+        <source>it is there but sends no pictures</source>
+        <translation>它在，但没有发送画面</translation>
+    </message>
+</context>
+<context>
+    <name>capture.there_but_silent_advice</name>
+    <message>
+        <source>look at its cable, or plug it in again if that lasts</source>
+        <translation>请检查线缆，若持续如此请重新插拔</translation>
+    </message>
+</context>
+<context>
+    <name>capture.these_and_others</name>
+    <message>
+        <source>%1 and others</source>
+        <translation>%1 等</translation>
+    </message>
+</context>
+<context>
+    <name>capture.this_computer</name>
+    <message>
+        <source>this computer</source>
+        <translation>本机</translation>
+    </message>
+</context>
+<context>
+    <name>capture.turn_automatic_off</name>
+    <message>
+        <source>turn the automatic off</source>
+        <translation>请关闭自动</translation>
+    </message>
+</context>
+<context>
+    <name>capture.turn_off_at_camera</name>
+    <message>
+        <source>turn it off in the camera&apos;s own program, or keep the light steady while robots run</source>
+        <translation>请在相机自带的程序中关闭，或在机器人运行时保持光线稳定</translation>
+    </message>
+</context>
+<context>
+    <name>capture.turn_off_automatic_first</name>
+    <message>
+        <source>turn off the automatic that moves it first</source>
+        <translation>请先关闭调节它的自动功能</translation>
+    </message>
+</context>
+<context>
+    <name>capture.unplugged</name>
+    <message>
+        <source>it was unplugged</source>
+        <translation>它被拔出了</translation>
+    </message>
+</context>
+<context>
+    <name>capture.usb_bus_full</name>
+    <message>
+        <source>its USB bus has no room left for its pictures (the bus is full, not the disk)</source>
+        <translation>其 USB 总线已没有带宽传输图像（满的是总线，不是磁盘）</translation>
+    </message>
+</context>
+<context>
+    <name>capture.usb_bus_full_advice</name>
+    <message>
+        <source>plug it in where it shares no bus with another camera, or choose MJPEG, a smaller picture or a lower rate (?format=MJPG&amp;size=640x480&amp;rate=30)</source>
+        <translation>请接到不与其他相机共用总线的端口，或选择 MJPEG、更小的画面或更低的帧率（?format=MJPG&amp;size=640x480&amp;rate=30）</translation>
+    </message>
+</context>
+<context>
+    <name>capture.usb_buses</name>
+    <message>
+        <source>USB buses</source>
+        <translation>USB 总线</translation>
+    </message>
+</context>
+<context>
+    <name>capture.use_daylight</name>
+    <message>
+        <source>or use daylight</source>
+        <translation>或使用日光</translation>
+    </message>
+</context>
+<context>
+    <name>capture.use_other_port</name>
+    <message>
+        <source>plug one into a port on the other side of the computer, or a card of its own</source>
+        <translation>把其中一台接到电脑另一侧的端口或独立的扩展卡</translation>
+    </message>
+</context>
+<context>
+    <name>capture.used_by_another_program</name>
+    <message>
+        <source>another program uses it</source>
+        <translation>另一程序正在使用它</translation>
+    </message>
+</context>
+<context>
+    <name>capture.used_by_program</name>
+    <message>
+        <source>another program uses it (open in %1)</source>
+        <translation>另一程序正在使用它（已在 %1 中打开）</translation>
+    </message>
+</context>
+<context>
+    <name>capture.usual_mains</name>
+    <message>
+        <source>50 Hz in most countries, 60 Hz in the Americas</source>
+        <translation>多数国家 50 Hz，美洲 60 Hz</translation>
+    </message>
+</context>
+<context>
+    <name>capture.v4l2_address_example</name>
+    <message>
+        <source>write for instance v4l2:/dev/video0?size=1280x720&amp;rate=30&amp;format=MJPG</source>
+        <translation>请写成例如 v4l2:/dev/video0?size=1280x720&amp;rate=30&amp;format=MJPG</translation>
+    </message>
+</context>
+<context>
+    <name>capture.video_has_ended</name>
+    <message>
+        <source>the video has ended</source>
+        <translation>视频已结束</translation>
+    </message>
+</context>
+<context>
+    <name>capture.wait_for_it</name>
+    <message>
+        <source>wait: it is taken up again</source>
+        <translation>请稍候：它会恢复</translation>
+    </message>
+</context>
+<context>
+    <name>capture.wait_or_check_cable</name>
+    <message>
+        <source>wait, or check its cable</source>
+        <translation>请等待，或检查其电缆</translation>
+    </message>
+</context>
+<context>
+    <name>capture.waiting_for_first_picture</name>
+    <message>
+        <source>waiting for the first picture</source>
+        <translation>正在等待第一帧</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.and_lines_more</name>
+    <message>
+        <source>and %1 lines more</source>
+        <translation>另有 %1 行</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.archive_library_refused</name>
+    <message>
+        <source>the archive library refused</source>
+        <translation>归档库拒绝了</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.at_line</name>
+    <message>
+        <source>%1:%2</source>
+        <translation>%1:%2</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.begin_roster</name>
+    <message>
+        <source>begin the file with the line class,team or class,team,pseudonym</source>
+        <translation>请以 class,team 或 class,team,pseudonym 行作为文件开头</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.begin_with_header_or_tum</name>
+    <message>
+        <source>begin the file with the line %1, or write lines of %2</source>
+        <translation>请以 %1 行作为文件开头，或写成 %2 的各行</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.begin_with_line</name>
+    <message>
+        <source>begin the file with the line %1</source>
+        <translation>请以 %1 行作为文件开头</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.cannot_be_read</name>
+    <message>
+        <source>it cannot be read</source>
+        <translation>无法读取</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.cannot_write_archive</name>
+    <message>
+        <source>cannot write &apos;%1&apos;</source>
+        <translation>无法写出“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.cell_not_a_number</name>
+    <message>
+        <source>%1 &apos;%2&apos; is not a finite number</source>
+        <translation>%1“%2”不是有限数</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.cell_of_columns</name>
+    <message>
+        <source>it has %1 cell where the header has %2</source>
+        <translation>有 %1 个单元格，标题行有 %2 个</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.cells_of_columns</name>
+    <message>
+        <source>it has %1 cells where the header has %2</source>
+        <translation>有 %1 个单元格，标题行有 %2 个</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.check_it_is_there</name>
+    <message>
+        <source>check that it is there and may be read</source>
+        <translation>请检查其是否存在且可读</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.check_one_run</name>
+    <message>
+        <source>check that all lines are of one run</source>
+        <translation>请检查所有行都属于同一次运行</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.check_right_file</name>
+    <message>
+        <source>check that it is the right file</source>
+        <translation>请检查是否为正确的文件</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.check_room_and_rights</name>
+    <message>
+        <source>check the free space and the rights of its folder</source>
+        <translation>请检查其文件夹的可用空间和权限</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.check_unit_of_places</name>
+    <message>
+        <source>check the unit of the places: m, cm or mm</source>
+        <translation>请检查位置的单位：m、cm 或 mm</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.check_unit_of_times</name>
+    <message>
+        <source>check the unit of the times, and that all lines are of one run</source>
+        <translation>请检查时间单位，以及所有行都属于同一次运行</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.choose_longer_track</name>
+    <message>
+        <source>choose a file with three positions or more</source>
+        <translation>请选择有三个或更多位置的文件</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.choose_new_folder</name>
+    <message>
+        <source>choose a folder that is not there yet</source>
+        <translation>请选择尚不存在的文件夹</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.choose_packed_file</name>
+    <message>
+        <source>choose a file that Odograph has packed, and copy it anew if it is damaged</source>
+        <translation>请选择 Odograph 打包的文件，若损坏请重新复制</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.choose_style</name>
+    <message>
+        <source>choose analysis, international or continental</source>
+        <translation>请选择 analysis、international 或 continental</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.close_quotes</name>
+    <message>
+        <source>close the quotes</source>
+        <translation>请补上引号</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.closed_neither</name>
+    <message>
+        <source>&apos;closed&apos; is neither true nor false</source>
+        <translation>“closed”既不是 true 也不是 false</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.coefficients_no_row</name>
+    <message>
+        <source>&apos;distortion_coefficients&apos; is neither a row nor a column</source>
+        <translation>“distortion_coefficients”既不是一行也不是一列</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.csv_style</name>
+    <message>
+        <source>style &apos;%1&apos; of CSV</source>
+        <translation>CSV 样式“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.does_not_belong</name>
+    <message>
+        <source>&apos;%1&apos; does not belong into a packed project</source>
+        <translation>“%1”不属于打包的项目</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.entry_is_missing</name>
+    <message>
+        <source>the entry &apos;%1&apos; is missing</source>
+        <translation>缺少条目“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.file_is_empty</name>
+    <message>
+        <source>the file is empty</source>
+        <translation>文件为空</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.file_too_large</name>
+    <message>
+        <source>it is larger than %1</source>
+        <translation>大于 %1</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.fill_in_all_cells</name>
+    <message>
+        <source>give each line as many cells as the header</source>
+        <translation>请让每行的单元格数与标题行相同</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.fill_in_both</name>
+    <message>
+        <source>fill in both or none</source>
+        <translation>请两个都填或都不填</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.give_known_units</name>
+    <message>
+        <source>give times in s or ms and places in m, cm or mm</source>
+        <translation>时间请用 s 或 ms，位置请用 m、cm 或 mm</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.give_marker_label</name>
+    <message>
+        <source>give each marker a label</source>
+        <translation>请给每个标记一个标号</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.give_marker_own_label</name>
+    <message>
+        <source>give each marker a label of its own</source>
+        <translation>请给每个标记各自的标号</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.give_one_path</name>
+    <message>
+        <source>give one of points_mm, circle, figure_eight or slalom</source>
+        <translation>请给出 points_mm、circle、figure_eight、slalom 之一</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.give_one_zone</name>
+    <message>
+        <source>give corners_mm, all the way round, or two opposite corners as rectangle_mm</source>
+        <translation>请沿边界给出 corners_mm，或用 rectangle_mm 给出两个对角</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.give_point_label</name>
+    <message>
+        <source>give each point a label</source>
+        <translation>请给每个点一个标号</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.give_point_own_label</name>
+    <message>
+        <source>give each point a label of its own</source>
+        <translation>请给每个点各自的标号</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.give_two_corners</name>
+    <message>
+        <source>give two opposite corners: [[x, y], [x, y]]</source>
+        <translation>请给出两个对角：[[x, y], [x, y]]</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.has_become_shorter</name>
+    <message>
+        <source>it has become shorter meanwhile</source>
+        <translation>其间变短了</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.is_in_it_twice</name>
+    <message>
+        <source>&apos;%1&apos; is in it twice</source>
+        <translation>其中“%1”出现了两次</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.is_no_utf8</name>
+    <message>
+        <source>it is not a UTF-8 text file</source>
+        <translation>不是 UTF-8 文本文件</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.is_utf16</name>
+    <message>
+        <source>it is written in UTF-16</source>
+        <translation>其编码为 UTF-16</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.key_is_no_text</name>
+    <message>
+        <source>a key is no text, or a bracket is not closed</source>
+        <translation>某个键不是文本，或者括号没有闭合</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.key_is_there_twice</name>
+    <message>
+        <source>the key &apos;%1&apos; is there twice</source>
+        <translation>键“%1”出现两次</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.key_not_known</name>
+    <message>
+        <source>the key &apos;%1&apos; is not known</source>
+        <translation>键“%1”未知</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.label_is_empty</name>
+    <message>
+        <source>the label is empty</source>
+        <translation>标号为空</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.label_is_there</name>
+    <message>
+        <source>the label &apos;%1&apos; is in line %2 already</source>
+        <translation>标号“%1”已在第 %2 行</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.lacks_column</name>
+    <message>
+        <source>it lacks the column %1</source>
+        <translation>缺少列 %1</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.lacks_header</name>
+    <message>
+        <source>it lacks the expected header line</source>
+        <translation>缺少所需的标题行</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.lens_model_not_known</name>
+    <message>
+        <source>the lens model &apos;%1&apos; is not known (plumb_bob, rational_polynomial, equidistant are)</source>
+        <translation>镜头模型“%1”未知（已知 plumb_bob、rational_polynomial、equidistant）</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.line_too_long</name>
+    <message>
+        <source>it is longer than 8 MiB</source>
+        <translation>超过 8 MiB</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.line_without_class</name>
+    <message>
+        <source>line %1 has no class for team &apos;%2&apos;</source>
+        <translation>第 %1 行没有小组“%2”的班级</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.line_without_team</name>
+    <message>
+        <source>line %1 has no team</source>
+        <translation>第 %1 行没有小组</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.longer_than_a_week</name>
+    <message>
+        <source>it is more than a week after the first line</source>
+        <translation>比第一行晚一周以上</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.matrix_not_3_by_3</name>
+    <message>
+        <source>&apos;camera_matrix&apos; is not a 3 × 3 matrix</source>
+        <translation>“camera_matrix”不是 3 × 3 矩阵</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.matrix_of_other_form</name>
+    <message>
+        <source>&apos;camera_matrix&apos; is not of the form fx 0 cx, 0 fy cy, 0 0 1</source>
+        <translation>“camera_matrix”不是 fx 0 cx, 0 fy cy, 0 0 1 的形式</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.mend_lines</name>
+    <message>
+        <source>mend these lines</source>
+        <translation>请修正这些行</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.named_track_has_position</name>
+    <message>
+        <source>track &apos;%1&apos; has %2 position</source>
+        <translation>轨迹“%1”有 %2 个位置</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.named_track_has_positions</name>
+    <message>
+        <source>track &apos;%1&apos; has %2 positions</source>
+        <translation>轨迹“%1”有 %2 个位置</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.neither_header_nor_tum</name>
+    <message>
+        <source>it has no header with a time, x and y, and is no TUM either</source>
+        <translation>没有含时间、x 和 y 的标题行，也不是 TUM</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.nested_too_deep</name>
+    <message>
+        <source>it is nested more than %1 deep</source>
+        <translation>嵌套超过 %1 层</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_anchors</name>
+    <message>
+        <source>anchors and aliases are not understood</source>
+        <translation>不支持锚点和别名</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_markers</name>
+    <message>
+        <source>there are no markers below the header</source>
+        <translation>标题行下没有标记</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_project_inside</name>
+    <message>
+        <source>there is no project in it</source>
+        <translation>其中没有项目</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_such_style</name>
+    <message>
+        <source>there is no such style</source>
+        <translation>没有这种样式</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_task</name>
+    <message>
+        <source>the file holds no task</source>
+        <translation>文件中没有任务</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_track_has_position</name>
+    <message>
+        <source>none of its tracks has a position</source>
+        <translation>其中没有一条轨迹有位置</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.no_valid_yaml</name>
+    <message>
+        <source>it is no valid YAML (%1)</source>
+        <translation>不是有效的 YAML（%1）</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.not_a_finite_number</name>
+    <message>
+        <source>&apos;%1&apos; is not a finite number</source>
+        <translation>“%1”不是有限数</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.not_a_list</name>
+    <message>
+        <source>&apos;%1&apos; is not a list in brackets</source>
+        <translation>“%1”不是方括号中的列表</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.not_a_point</name>
+    <message>
+        <source>&apos;%1&apos; is not a point [x, y] in mm</source>
+        <translation>“%1”不是以 mm 为单位的点 [x, y]</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.not_a_time</name>
+    <message>
+        <source>&apos;%1&apos; is not a time</source>
+        <translation>“%1”不是时间</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.not_a_time_in_seconds</name>
+    <message>
+        <source>&apos;%1&apos; is not a time in seconds</source>
+        <translation>“%1”不是以秒为单位的时间</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.not_a_whole_number</name>
+    <message>
+        <source>&apos;%1&apos; is not a whole number from %2 to %3</source>
+        <translation>“%1”不是 %2 到 %3 的整数</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.not_above_zero</name>
+    <message>
+        <source>&apos;%1&apos; is not above zero</source>
+        <translation>“%1”不大于零</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.not_two_corners</name>
+    <message>
+        <source>&apos;rectangle_mm&apos; is not two corners</source>
+        <translation>“rectangle_mm”不是两个角</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.nothing_imported</name>
+    <message>
+        <source>nothing was imported</source>
+        <translation>没有导入任何内容</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.object_expected</name>
+    <message>
+        <source>an object in braces is expected here</source>
+        <translation>此处应为花括号中的对象</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.one_error_blank</name>
+    <message>
+        <source>one of its two errors is blank</source>
+        <translation>两个误差值中有一个为空</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.one_place_blank</name>
+    <message>
+        <source>one of its two places is blank</source>
+        <translation>两个位置值中有一个为空</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.order_lines</name>
+    <message>
+        <source>put the lines in the order of time, each time once</source>
+        <translation>请按时间排列各行，每个时间只出现一次</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.pack</name>
+    <message>
+        <source>pack &apos;%1&apos;</source>
+        <translation>打包“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.packing</name>
+    <message>
+        <source>packing %1</source>
+        <translation>正在打包 %1</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.path_given_twice</name>
+    <message>
+        <source>the reference path is given twice</source>
+        <translation>参考路径给出了两次</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.path_not_given</name>
+    <message>
+        <source>the reference path is given by nothing</source>
+        <translation>没有给出参考路径</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.place_too_far</name>
+    <message>
+        <source>its place is more than 100 km away</source>
+        <translation>其位置在 100 km 之外</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.quoted_cell_does_not_end</name>
+    <message>
+        <source>a quoted cell does not end</source>
+        <translation>带引号的单元格没有结束</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.reading_line</name>
+    <message>
+        <source>reading line %1</source>
+        <translation>正在读取第 %1 行</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.roster</name>
+    <message>
+        <source>roster &apos;%1&apos;</source>
+        <translation>名单“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.roster_is_empty</name>
+    <message>
+        <source>it has no team</source>
+        <translation>没有小组</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.save_as_csv_utf8</name>
+    <message>
+        <source>save it again as &quot;CSV UTF-8&quot; or as a UTF-8 text</source>
+        <translation>请另存为 &quot;CSV UTF-8&quot; 或 UTF-8 文本</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.save_as_utf8</name>
+    <message>
+        <source>save it again as UTF-8 text</source>
+        <translation>请另存为 UTF-8 文本</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.save_with_commas</name>
+    <message>
+        <source>save it with commas</source>
+        <translation>请用逗号分隔保存</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.save_with_commas_and_points</name>
+    <message>
+        <source>save it with commas, and with a point in its numbers</source>
+        <translation>请用逗号分隔、数字用小数点保存</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.separated_by_semicolons</name>
+    <message>
+        <source>its columns are separated by semicolons</source>
+        <translation>其列以分号分隔</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.several_documents</name>
+    <message>
+        <source>it holds more than one document</source>
+        <translation>其中有不止一个文档</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.slalom_without_length</name>
+    <message>
+        <source>the slalom ends where it starts</source>
+        <translation>绕桩的终点与起点相同</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.team_named_again</name>
+    <message>
+        <source>line %1 names team &apos;%2&apos; again, as line %3</source>
+        <translation>第 %1 行再次出现小组“%2”，与第 %3 行相同</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.time_goes_back</name>
+    <message>
+        <source>its time is before that of the line before</source>
+        <translation>其时间早于上一行</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.time_repeated</name>
+    <message>
+        <source>its time is that of the line before</source>
+        <translation>其时间与上一行相同</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.too_many_files</name>
+    <message>
+        <source>it has too many files</source>
+        <translation>文件过多</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.too_many_places</name>
+    <message>
+        <source>the file has more than 1.5 million places</source>
+        <translation>文件中的位置超过 150 万个</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.too_many_values</name>
+    <message>
+        <source>it holds more than %1 values</source>
+        <translation>其中的值超过 %1 个</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.track_has_position</name>
+    <message>
+        <source>the track has %1 position</source>
+        <translation>轨迹有 %1 个位置</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.track_has_positions</name>
+    <message>
+        <source>the track has %1 positions</source>
+        <translation>轨迹有 %1 个位置</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.tum_entries</name>
+    <message>
+        <source>it has %1 entries instead of the 8 of TUM</source>
+        <translation>有 %1 个条目，TUM 应为 8 个</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.tum_entry</name>
+    <message>
+        <source>it has %1 entry instead of the 8 of TUM</source>
+        <translation>有 %1 个条目，TUM 应为 8 个</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.unit_not_known</name>
+    <message>
+        <source>its column &apos;%1&apos; is in a unit that is not known</source>
+        <translation>其列“%1”的单位未知</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.unpack</name>
+    <message>
+        <source>unpack &apos;%1&apos;</source>
+        <translation>解包“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.unpack_into</name>
+    <message>
+        <source>unpack into &apos;%1&apos;</source>
+        <translation>解包到“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.unpacking</name>
+    <message>
+        <source>unpacking</source>
+        <translation>正在解包</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.unpacks_too_large</name>
+    <message>
+        <source>it unpacks to more than a hundred times its size</source>
+        <translation>解包后超过其大小的一百倍</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.use_calibration_file</name>
+    <message>
+        <source>use a calibration file as ROS or OpenCV writes it</source>
+        <translation>请使用 ROS 或 OpenCV 所写的标定文件</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.use_keys</name>
+    <message>
+        <source>use %1</source>
+        <translation>请使用 %1</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.wait_for_writers</name>
+    <message>
+        <source>wait until nobody writes to it, and try again</source>
+        <translation>请等到无人写入后重试</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.write_class_and_team</name>
+    <message>
+        <source>write a line with class and team below the header</source>
+        <translation>请在标题行下写一行班级和小组</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.write_digits</name>
+    <message>
+        <source>write it with digits, like 12.5</source>
+        <translation>请用数字书写，如 12.5</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.write_digits_or_blank</name>
+    <message>
+        <source>write it with digits, like 12.5, or leave the place blank</source>
+        <translation>请用数字书写，如 12.5，或留空</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.write_line_for_marker</name>
+    <message>
+        <source>write one line for each marker</source>
+        <translation>每个标记写一行</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.write_object_with</name>
+    <message>
+        <source>write one with %1</source>
+        <translation>请写一个含 %1 的对象</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.write_task_as_shown</name>
+    <message>
+        <source>write the task as odograph task list --json shows one</source>
+        <translation>请按 odograph task list --json 所示的格式书写任务</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.write_tum_or_header</name>
+    <message>
+        <source>write %1, or begin the file with the line %2</source>
+        <translation>请写 %1，或以 %2 行作为文件开头</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.write_value_for_each</name>
+    <message>
+        <source>write one value for each of %1</source>
+        <translation>请为 %1 各写一个值</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.wrong_number_of_cells</name>
+    <message>
+        <source>it has %1 cells instead of %2</source>
+        <translation>有 %1 个单元格，应为 %2 个</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.wrong_number_of_numbers</name>
+    <message>
+        <source>&apos;%1&apos; has %2 numbers instead of %3 × %4</source>
+        <translation>“%1”有 %2 个数，应为 %3 × %4 个</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.wrong_poles</name>
+    <message>
+        <source>&apos;poles&apos; is not a whole number from 1 to 100</source>
+        <translation>“poles”不是 1 到 100 的整数</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.zone_given_twice</name>
+    <message>
+        <source>the zone is given twice</source>
+        <translation>区域给出了两次</translation>
+    </message>
+</context>
+<context>
+    <name>exchange.zone_not_given</name>
+    <message>
+        <source>the zone is given by nothing</source>
+        <translation>没有给出区域</translation>
+    </message>
+</context>
+<context>
+    <name>files.cannot_be_looked_at</name>
+    <message>
+        <source>it cannot be looked at (%1)</source>
+        <translation>无法查看（%1）</translation>
+    </message>
+</context>
+<context>
+    <name>files.cannot_be_read</name>
+    <message>
+        <source>it cannot be read (%1)</source>
+        <translation>无法读取（%1）</translation>
+    </message>
+</context>
+<context>
+    <name>files.cannot_be_written</name>
+    <message>
+        <source>it cannot be written (%1)</source>
+        <translation>无法写出（%1）</translation>
+    </message>
+</context>
+<context>
+    <name>files.check_file_is_there</name>
+    <message>
+        <source>check that the file is there and may be read</source>
+        <translation>请检查文件是否存在且可读</translation>
+    </message>
+</context>
+<context>
+    <name>files.check_may_be_read</name>
+    <message>
+        <source>check that you may read the file</source>
+        <translation>请检查是否有权读取该文件</translation>
+    </message>
+</context>
+<context>
+    <name>files.check_name</name>
+    <message>
+        <source>check the name and the folder</source>
+        <translation>请检查名称和文件夹</translation>
+    </message>
+</context>
+<context>
+    <name>files.choose_another_file</name>
+    <message>
+        <source>choose another file</source>
+        <translation>请选择其他文件</translation>
+    </message>
+</context>
+<context>
+    <name>files.choose_another_folder</name>
+    <message>
+        <source>choose another folder</source>
+        <translation>请换个文件夹</translation>
+    </message>
+</context>
+<context>
+    <name>files.choose_another_name</name>
+    <message>
+        <source>choose another name</source>
+        <translation>请换个名称</translation>
+    </message>
+</context>
+<context>
+    <name>files.choose_folder_with_room</name>
+    <message>
+        <source>choose a folder that you may write to and that has room</source>
+        <translation>请选择可写且有空间的文件夹</translation>
+    </message>
+</context>
+<context>
+    <name>files.choose_name_or_folder</name>
+    <message>
+        <source>choose another name or folder</source>
+        <translation>请换个名称或文件夹</translation>
+    </message>
+</context>
+<context>
+    <name>files.choose_shorter_name</name>
+    <message>
+        <source>choose a shorter name</source>
+        <translation>请换个更短的名称</translation>
+    </message>
+</context>
+<context>
+    <name>files.choose_writable_folder</name>
+    <message>
+        <source>choose a folder that you may write to</source>
+        <translation>请选择可写的文件夹</translation>
+    </message>
+</context>
+<context>
+    <name>files.disk_is_full</name>
+    <message>
+        <source>the disk is full</source>
+        <translation>磁盘已满</translation>
+    </message>
+</context>
+<context>
+    <name>files.folder_cannot_be_used</name>
+    <message>
+        <source>its folder cannot be used (%1)</source>
+        <translation>无法使用其文件夹（%1）</translation>
+    </message>
+</context>
+<context>
+    <name>files.folder_not_writable</name>
+    <message>
+        <source>the folder &apos;%1&apos; cannot be written to (%2)</source>
+        <translation>文件夹“%1”无法写入（%2）</translation>
+    </message>
+</context>
+<context>
+    <name>files.has_no_name</name>
+    <message>
+        <source>it has no name</source>
+        <translation>没有名称</translation>
+    </message>
+</context>
+<context>
+    <name>files.is_a_database</name>
+    <message>
+        <source>it is a database</source>
+        <translation>是数据库</translation>
+    </message>
+</context>
+<context>
+    <name>files.is_another_project</name>
+    <message>
+        <source>it is another project</source>
+        <translation>是另一个项目</translation>
+    </message>
+</context>
+<context>
+    <name>files.is_beside_project</name>
+    <message>
+        <source>it is the log, the lock or a backup of a project</source>
+        <translation>是项目的日志、锁或备份文件</translation>
+    </message>
+</context>
+<context>
+    <name>files.is_in_media_folder</name>
+    <message>
+        <source>it is in the media folder of project &apos;%1&apos;</source>
+        <translation>位于项目“%1”的媒体文件夹中</translation>
+    </message>
+</context>
+<context>
+    <name>files.is_in_some_media_folder</name>
+    <message>
+        <source>it is in a media folder beside a project</source>
+        <translation>它位于某个项目旁的媒体文件夹中</translation>
+    </message>
+</context>
+<context>
+    <name>files.is_input</name>
+    <message>
+        <source>it is an input of the same call</source>
+        <translation>是同一次调用的输入文件</translation>
+    </message>
+</context>
+<context>
+    <name>files.is_of_another_kind</name>
+    <message>
+        <source>a file of another kind has that name</source>
+        <translation>另一种类型的文件已使用该名称</translation>
+    </message>
+</context>
+<context>
+    <name>files.is_open_project</name>
+    <message>
+        <source>it is a project that is open here</source>
+        <translation>它是此处已打开的项目</translation>
+    </message>
+</context>
+<context>
+    <name>files.is_temporary_name</name>
+    <message>
+        <source>Odograph uses such names for temporary files</source>
+        <translation>Odograph 将此类名称用于临时文件</translation>
+    </message>
+</context>
+<context>
+    <name>files.is_the_project</name>
+    <message>
+        <source>it is the project itself</source>
+        <translation>是项目文件本身</translation>
+    </message>
+</context>
+<context>
+    <name>files.is_there_already</name>
+    <message>
+        <source>it is there already</source>
+        <translation>已存在</translation>
+    </message>
+</context>
+<context>
+    <name>files.log_left_beside</name>
+    <message>
+        <source>its folder has &apos;%1&apos;, the log or journal of another file of this name</source>
+        <translation>其文件夹中有“%1”，它是另一个同名文件的日志</translation>
+    </message>
+</context>
+<context>
+    <name>files.make_folder_first</name>
+    <message>
+        <source>make the folder first, or choose another one</source>
+        <translation>请先建立该文件夹，或选择另一个</translation>
+    </message>
+</context>
+<context>
+    <name>files.make_room</name>
+    <message>
+        <source>make room on the disk and try again</source>
+        <translation>请腾出磁盘空间后重试</translation>
+    </message>
+</context>
+<context>
+    <name>files.move_log_away</name>
+    <message>
+        <source>choose another name, or move &apos;%1&apos; to another folder first</source>
+        <translation>请选择其他名称，或先把“%1”移到其他文件夹</translation>
+    </message>
+</context>
+<context>
+    <name>files.name_a_file</name>
+    <message>
+        <source>name a file</source>
+        <translation>请指定文件</translation>
+    </message>
+</context>
+<context>
+    <name>files.name_too_long</name>
+    <message>
+        <source>its name is too long</source>
+        <translation>名称太长</translation>
+    </message>
+</context>
+<context>
+    <name>files.names_a_project</name>
+    <message>
+        <source>a name ending in .odo is for a project</source>
+        <translation>以 .odo 结尾的名称只用于项目</translation>
+    </message>
+</context>
+<context>
+    <name>files.no_such_file</name>
+    <message>
+        <source>there is no such file</source>
+        <translation>没有这个文件</translation>
+    </message>
+</context>
+<context>
+    <name>files.no_such_folder</name>
+    <message>
+        <source>there is no folder &apos;%1&apos;</source>
+        <translation>没有文件夹“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>files.replace_by_force</name>
+    <message>
+        <source>choose another name, or replace it with --force</source>
+        <translation>请换个名称，或用 --force 替换</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.add_points</name>
+    <message>
+        <source>add points</source>
+        <translation>请添加点</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.at_one_place</name>
+    <message>
+        <source>%1 lie at one place</source>
+        <translation>%1 位于同一处</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.at_one_place_in_picture</name>
+    <message>
+        <source>%1 lie at one place in the picture</source>
+        <translation>%1 在画面中位于同一处</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.beyond_horizon</name>
+    <message>
+        <source>%1 would lie beyond the horizon</source>
+        <translation>%1 将位于地平线之外</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.bow_tie</name>
+    <message>
+        <source>the order of the points crosses over like a bow tie</source>
+        <translation>点的顺序像蝴蝶结一样交叉</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.calibrate_again</name>
+    <message>
+        <source>calibrate the camera again, or import another file</source>
+        <translation>请重新标定相机，或导入另一文件</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.check_points</name>
+    <message>
+        <source>check which point is which</source>
+        <translation>请检查各点的对应</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.coordinate_not_finite</name>
+    <message>
+        <source>a coordinate of %1 is not a finite number</source>
+        <translation>%1 的一个坐标不是有限数</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.correct_it</name>
+    <message>
+        <source>correct it</source>
+        <translation>请更正</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.correct_one</name>
+    <message>
+        <source>correct one of them</source>
+        <translation>请更正其中之一</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.empty_chain</name>
+    <message>
+        <source>the chain has no links</source>
+        <translation>链中没有环节</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.focal_not_positive</name>
+    <message>
+        <source>the focal length %1 is not positive</source>
+        <translation>焦距 %1 不为正</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.four_points_needed</name>
+    <message>
+        <source>four points are needed, %1 given</source>
+        <translation>需要四个点，给出了 %1 个</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.give_one_link</name>
+    <message>
+        <source>give at least one</source>
+        <translation>请至少给出一个</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.intrinsics_unusable</name>
+    <message>
+        <source>these intrinsics cannot be used</source>
+        <translation>这些内参无法使用</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.no_homography</name>
+    <message>
+        <source>no homography</source>
+        <translation>无法求得单应</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.on_one_line</name>
+    <message>
+        <source>%1 lie on one line</source>
+        <translation>%1 共线</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.on_one_line_in_picture</name>
+    <message>
+        <source>%1 lie on one line in the picture</source>
+        <translation>%1 在画面中共线</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.point</name>
+    <message>
+        <source>point %1</source>
+        <translation>点 %1</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.points_do_not_tell</name>
+    <message>
+        <source>the points do not determine it</source>
+        <translation>这些点无法确定它</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.singular_link</name>
+    <message>
+        <source>link %1 of %2 of the chain is singular</source>
+        <translation>链的第 %1 环（共 %2 环）是奇异的</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.size_not_positive</name>
+    <message>
+        <source>the picture size %1 is not positive</source>
+        <translation>画面尺寸 %1 不为正</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.spread_points</name>
+    <message>
+        <source>spread the points</source>
+        <translation>请把点分散开</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.use_four_points</name>
+    <message>
+        <source>use four points of which no three are in line</source>
+        <translation>请使用其中任意三点不共线的四个点</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.use_four_points_in_it</name>
+    <message>
+        <source>use four points in it of which no three are in line</source>
+        <translation>请在该环中使用其中任意三点不共线的四个点</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.value_not_finite</name>
+    <message>
+        <source>one of the values is not a finite number</source>
+        <translation>其中一个值不是有限数</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.wrong_coefficients</name>
+    <message>
+        <source>%1 distortion coefficients do not belong to this lens model</source>
+        <translation>%1 个畸变系数不适用于此镜头模型</translation>
+    </message>
+</context>
+<context>
+    <name>geometry.wrong_covariance_size</name>
+    <message>
+        <source>the covariance has the wrong size</source>
+        <translation>协方差的尺寸不对</translation>
     </message>
 </context>
 <context>
@@ -9114,60 +8807,12 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>新建班级</translation>
     </message>
     <message>
-        <source>add class %1</source>
-        <translation>添加班级 %1</translation>
-    </message>
-    <message>
         <source>Rename class</source>
         <translation>重命名班级</translation>
     </message>
     <message>
-        <source>rename class %1 to %2</source>
-        <translation>将班级 %1 重命名为 %2</translation>
-    </message>
-    <message>
-        <source>take class %1 out of the archive</source>
-        <translation>取消归档班级 %1</translation>
-    </message>
-    <message>
-        <source>archive class %1</source>
-        <translation>归档班级 %1</translation>
-    </message>
-    <message>
-        <source>delete class %1</source>
-        <translation>删除班级 %1</translation>
-    </message>
-    <message>
         <source>New team</source>
         <translation>新建小组</translation>
-    </message>
-    <message>
-        <source>add team %1</source>
-        <translation>添加小组 %1</translation>
-    </message>
-    <message>
-        <source>take team %1 out of its class</source>
-        <translation>将小组 %1 移出其班级</translation>
-    </message>
-    <message>
-        <source>move team %1 to class %2</source>
-        <translation>将小组 %1 移至班级 %2</translation>
-    </message>
-    <message>
-        <source>delete team %1</source>
-        <translation>删除小组 %1</translation>
-    </message>
-    <message>
-        <source>change members and robots of team %1</source>
-        <translation>更改小组 %1 的成员和机器人</translation>
-    </message>
-    <message>
-        <source>rename team %1 to %2</source>
-        <translation>将小组 %1 重命名为 %2</translation>
-    </message>
-    <message>
-        <source>change the pseudonym of team %1</source>
-        <translation>更改小组 %1 的化名</translation>
     </message>
 </context>
 <context>
@@ -9710,20 +9355,12 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>Odograph 演示</translation>
     </message>
     <message>
-        <source>Making the demo lesson</source>
-        <translation>正在生成演示课</translation>
-    </message>
-    <message>
         <source>Copy of %1</source>
         <translation>%1 的副本</translation>
     </message>
     <message>
         <source>Save a copy</source>
         <translation>保存副本</translation>
-    </message>
-    <message>
-        <source>Saving a copy</source>
-        <translation>正在保存副本</translation>
     </message>
     <message>
         <source>A copy was saved as %1. Its videos stay where they are.</source>
@@ -9736,10 +9373,6 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>With its cameras, marker layouts, robots and tasks, without people and trials</source>
         <translation>保留相机、标记布局、机器人和任务，不含人员和试验</translation>
-    </message>
-    <message>
-        <source>Taking over the set-up</source>
-        <translation>正在沿用设置</translation>
     </message>
 </context>
 <context>
@@ -10089,39 +9722,11 @@ Much more than expected means that something is not as it was told: the views ar
             <numerusform>导出 %n 次试验：选择文件夹</numerusform>
         </translation>
     </message>
-    <message>
-        <source>Exported trials: %1 of %2.</source>
-        <translation>已导出试验：%1，共 %2。</translation>
-    </message>
-    <message>
-        <source>Exporting %1 (%2 of %3)</source>
-        <translation>正在导出 %1（第 %2 个，共 %3 个）</translation>
-    </message>
     <message numerus="yes">
         <source>Videos of %n trial(s)</source>
         <translation>
             <numerusform>%n 次试验的视频</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Videos made: %1 of %2.</source>
-        <translation>已生成视频：%1，共 %2。</translation>
-    </message>
-    <message>
-        <source>Making the video of %1 (%2 of %3)</source>
-        <translation>正在生成 %1 的视频（第 %2 个，共 %3 个）</translation>
-    </message>
-    <message>
-        <source>Trials measured again: %1 of %2.</source>
-        <translation>已重新测量试验：%1，共 %2。</translation>
-    </message>
-    <message>
-        <source>Measuring %1 again (%2 of %3)</source>
-        <translation>正在重新测量 %1（第 %2 个，共 %3 个）</translation>
-    </message>
-    <message>
-        <source>Emptying the bin</source>
-        <translation>正在清空回收站</translation>
     </message>
     <message numerus="yes">
         <source>%n trial(s) removed for good.</source>
@@ -10138,14 +9743,6 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>%1 could not be deleted; delete it by hand.</source>
         <translation>无法删除 %1，请手动删除。</translation>
-    </message>
-    <message>
-        <source>and %1 more</source>
-        <translation>以及另外 %1 个</translation>
-    </message>
-    <message>
-        <source>mend what stands there, and choose these trials again</source>
-        <translation>请先解决上述问题，再重新选择这些试验</translation>
     </message>
 </context>
 <context>
@@ -11281,14 +10878,6 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>odo::MainWindow</name>
     <message>
-        <source>no project is open</source>
-        <translation>没有打开的项目</translation>
-    </message>
-    <message>
-        <source>open the project that it belongs to</source>
-        <translation>请打开它所属的项目</translation>
-    </message>
-    <message>
         <source>&amp;File</source>
         <translation>文件(&amp;F)</translation>
     </message>
@@ -11359,54 +10948,6 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>清空回收站(&amp;E)…</translation>
     </message>
     <message>
-        <source>star %1</source>
-        <translation>为 %1 加星标</translation>
-    </message>
-    <message>
-        <source>take the star off %1</source>
-        <translation>取消 %1 的星标</translation>
-    </message>
-    <message>
-        <source>star %1 trials</source>
-        <translation>为 %1 次试验加星标</translation>
-    </message>
-    <message>
-        <source>take the star off %1 trials</source>
-        <translation>取消 %1 次试验的星标</translation>
-    </message>
-    <message>
-        <source>archive %1</source>
-        <translation>归档 %1</translation>
-    </message>
-    <message>
-        <source>take %1 out of the archive</source>
-        <translation>取消归档 %1</translation>
-    </message>
-    <message>
-        <source>archive %1 trials</source>
-        <translation>归档 %1 次试验</translation>
-    </message>
-    <message>
-        <source>take %1 trials out of the archive</source>
-        <translation>取消归档 %1 次试验</translation>
-    </message>
-    <message>
-        <source>delete %1</source>
-        <translation>删除 %1</translation>
-    </message>
-    <message>
-        <source>take %1 out of the bin</source>
-        <translation>从回收站放回 %1</translation>
-    </message>
-    <message>
-        <source>delete %1 trials</source>
-        <translation>删除 %1 次试验</translation>
-    </message>
-    <message>
-        <source>take %1 trials out of the bin</source>
-        <translation>从回收站放回 %1 次试验</translation>
-    </message>
-    <message>
         <source>Take the &amp;star off</source>
         <translation>取消星标(&amp;S)</translation>
     </message>
@@ -11425,10 +10966,6 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>Puts the selected trials into the bin (Del); they can be put back</source>
         <translation>将所选试验移入回收站 (Del)；可以放回</translation>
-    </message>
-    <message>
-        <source>change the tags of %1</source>
-        <translation>更改 %1 的标签</translation>
     </message>
     <message>
         <source>Empty the bin</source>
@@ -12096,18 +11633,6 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>试验</translation>
     </message>
     <message>
-        <source>report</source>
-        <translation>报告</translation>
-    </message>
-    <message>
-        <source>there is no trial yet</source>
-        <translation>尚无试验</translation>
-    </message>
-    <message>
-        <source>import or record one first</source>
-        <translation>请先导入或录制一次试验</translation>
-    </message>
-    <message>
         <source>Save the report</source>
         <translation>保存报告</translation>
     </message>
@@ -12122,10 +11647,6 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>The report is with the printer %1.</source>
         <translation>报告已送至打印机 %1。</translation>
-    </message>
-    <message>
-        <source>Making the report</source>
-        <translation>正在生成报告</translation>
     </message>
 </context>
 <context>
@@ -12720,18 +12241,6 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>%1 × %2</translation>
     </message>
     <message>
-        <source>add robot %1</source>
-        <translation>添加机器人 %1</translation>
-    </message>
-    <message>
-        <source>change robot %1</source>
-        <translation>更改机器人 %1</translation>
-    </message>
-    <message>
-        <source>delete robot %1</source>
-        <translation>删除机器人 %1</translation>
-    </message>
-    <message>
         <source>its silhouette</source>
         <translation>其轮廓</translation>
     </message>
@@ -13068,10 +12577,6 @@ Much more than expected means that something is not as it was told: the views ar
         <source>P%1</source>
         <comment>a point</comment>
         <translation>P%1</translation>
-    </message>
-    <message>
-        <source>camera %1</source>
-        <translation>相机 %1</translation>
     </message>
     <message>
         <source>Click a point of the floor in the left picture, then the same one in the right picture. What lies near a click is taken to the tenth of a pixel; the arrow keys move the chosen point, Space snaps it.</source>
@@ -13756,36 +13261,12 @@ Much more than expected means that something is not as it was told: the views ar
         </translation>
     </message>
     <message>
-        <source>add task %1</source>
-        <translation>添加任务 %1</translation>
-    </message>
-    <message>
-        <source>change task %1</source>
-        <translation>更改任务 %1</translation>
-    </message>
-    <message>
         <source>Rename task</source>
         <translation>重命名任务</translation>
     </message>
     <message>
         <source>Name:</source>
         <translation>名称：</translation>
-    </message>
-    <message>
-        <source>rename task %1 to %2</source>
-        <translation>将任务 %1 重命名为 %2</translation>
-    </message>
-    <message>
-        <source>archive task %1</source>
-        <translation>归档任务 %1</translation>
-    </message>
-    <message>
-        <source>take task %1 out of the archive</source>
-        <translation>取消归档任务 %1</translation>
-    </message>
-    <message>
-        <source>delete task %1</source>
-        <translation>删除任务 %1</translation>
     </message>
 </context>
 <context>
@@ -14113,10 +13594,6 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>相机 %1 已标定。%2</translation>
     </message>
     <message>
-        <source>register camera %1</source>
-        <translation>配准相机 %1</translation>
-    </message>
-    <message>
         <source>Camera %1 is registered. %2</source>
         <translation>相机 %1 已配准。%2</translation>
     </message>
@@ -14155,10 +13632,6 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>Tables (*.csv *.txt);;All files (*)</source>
         <translation>表格 (*.csv *.txt);;所有文件 (*)</translation>
-    </message>
-    <message>
-        <source>add layout %1</source>
-        <translation>添加布局 %1</translation>
     </message>
     <message>
         <source>Layout %1 has %2 markers.</source>
@@ -14402,10 +13875,6 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>打包的项目 (*%1)</translation>
     </message>
     <message>
-        <source>Packing the project</source>
-        <translation>正在打包项目</translation>
-    </message>
-    <message>
         <source>The project is packed into %1. Elsewhere it is unpacked by &quot;Unpack a packed project&quot;.</source>
         <translation>项目已打包为 %1。在别处可用“解包项目”将其解包。</translation>
     </message>
@@ -14426,16 +13895,8 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>项目解包到哪里？</translation>
     </message>
     <message>
-        <source>Unpacking the project</source>
-        <translation>正在解包项目</translation>
-    </message>
-    <message>
         <source>In which folder, or below, may the lost videos lie?</source>
         <translation>丢失的视频可能在哪个文件夹或其子文件夹中？</translation>
-    </message>
-    <message>
-        <source>Looking for lost videos</source>
-        <translation>正在查找丢失的视频</translation>
     </message>
     <message>
         <source>%1 of %2 lost videos were found, by their content.</source>
@@ -14444,10 +13905,6 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>Find &amp;stray files…</source>
         <translation>查找无归属的文件(&amp;S)…</translation>
-    </message>
-    <message>
-        <source>Looking for stray files</source>
-        <translation>正在查找无归属的文件</translation>
     </message>
     <message>
         <source>Every file in the media folder belongs to a trial, a lens calibration or a floor registration.</source>
@@ -14475,19 +13932,11 @@ Much more than expected means that something is not as it was told: the views ar
         <source>&amp;Remove files</source>
         <translation>移除文件(&amp;R)</translation>
     </message>
-    <message>
-        <source>Adding stray videos as trials</source>
-        <translation>正在将无归属的视频添加为试验</translation>
-    </message>
     <message numerus="yes">
         <source>%n trial(s) added. Their names begin with &quot;recovered&quot;.</source>
         <translation>
             <numerusform>已添加 %n 次试验，名称以“recovered”开头。</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Removing stray files</source>
-        <translation>正在移除无归属的文件</translation>
     </message>
     <message numerus="yes">
         <source>%n stray file(s) removed.</source>
@@ -14564,30 +14013,6 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>添加机器人(&amp;R)…</translation>
     </message>
     <message>
-        <source>Importing %1</source>
-        <translation>正在导入 %1</translation>
-    </message>
-    <message>
-        <source>Tracking %1</source>
-        <translation>正在跟踪 %1</translation>
-    </message>
-    <message>
-        <source>the sample</source>
-        <translation>采样点</translation>
-    </message>
-    <message>
-        <source>this project can only be read</source>
-        <translation>此项目只能读取</translation>
-    </message>
-    <message>
-        <source>save a copy and work on that</source>
-        <translation>请保存副本，在副本上继续</translation>
-    </message>
-    <message>
-        <source>Measuring %1 again</source>
-        <translation>正在重新测量 %1</translation>
-    </message>
-    <message>
         <source>The sample at %1 of %2 is not used. Undo takes it back.</source>
         <translation>不采用 %2 在 %1 的采样点。可用“撤销”撤回。</translation>
     </message>
@@ -14604,39 +14029,12 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>MP4 视频 (*.mp4)</translation>
     </message>
     <message>
-        <source>Making the video of %1</source>
-        <translation>正在生成 %1 的视频</translation>
-    </message>
-    <message>
         <source>The video of %1 is there: %2</source>
         <translation>%1 的视频已生成：%2</translation>
     </message>
     <message>
-        <source>add robot %1</source>
-        <translation>添加机器人 %1</translation>
-    </message>
-    <message>
         <source>Robot %1 is known now.</source>
         <translation>机器人 %1 已添加。</translation>
-    </message>
-    <message>
-        <source>the trial</source>
-        <translation>试验</translation>
-    </message>
-</context>
-<context>
-    <name>odo::TrialBatch</name>
-    <message>
-        <source>many trials</source>
-        <translation>多次试验</translation>
-    </message>
-    <message>
-        <source>another job is running</source>
-        <translation>另一项操作正在进行</translation>
-    </message>
-    <message>
-        <source>wait until it is done, or cancel it</source>
-        <translation>请等它完成，或将其取消</translation>
     </message>
 </context>
 <context>
@@ -14731,10 +14129,6 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>No trial selected</source>
         <translation>未选择试验</translation>
-    </message>
-    <message>
-        <source>write notes of %1</source>
-        <translation>编写 %1 的备注</translation>
     </message>
 </context>
 <context>
@@ -14951,18 +14345,6 @@ Much more than expected means that something is not as it was told: the views ar
         <source>&amp;Redo: %1</source>
         <translation>重做(&amp;R)：%1</translation>
     </message>
-    <message>
-        <source>undo</source>
-        <translation>撤销</translation>
-    </message>
-    <message>
-        <source>a job is running on the project</source>
-        <translation>项目上有操作正在进行</translation>
-    </message>
-    <message>
-        <source>wait until it is done, or cancel it</source>
-        <translation>请等它完成，或将其取消</translation>
-    </message>
 </context>
 <context>
     <name>odo::VideoDialog</name>
@@ -15095,52 +14477,8 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>odo::Workspace</name>
     <message>
-        <source>another job is running</source>
-        <translation>另一项操作正在进行</translation>
-    </message>
-    <message>
-        <source>wait until it is done, or cancel it</source>
-        <translation>请等它完成，或将其取消</translation>
-    </message>
-    <message>
-        <source>cannot open another project</source>
-        <translation>无法打开另一个项目</translation>
-    </message>
-    <message>
-        <source>Opening %1</source>
-        <translation>正在打开 %1</translation>
-    </message>
-    <message>
         <source>%1: %2. Here it can only be looked at; to change it, close it there and open it here again.</source>
         <translation>%1：%2。在此只能查看；如需更改，请先在那边关闭，再在此重新打开。</translation>
-    </message>
-    <message>
-        <source>Completing a recording that was cut off</source>
-        <translation>正在补全被中断的录像</translation>
-    </message>
-    <message>
-        <source>Making the hashes of new recordings</source>
-        <translation>正在计算新录像的哈希值</translation>
-    </message>
-    <message>
-        <source>cannot make another project</source>
-        <translation>无法新建另一个项目</translation>
-    </message>
-    <message>
-        <source>no project is open</source>
-        <translation>没有打开的项目</translation>
-    </message>
-    <message>
-        <source>open or make a project first</source>
-        <translation>请先打开或新建项目</translation>
-    </message>
-    <message>
-        <source>its backup of %1 is sound; what was done since is not in it</source>
-        <translation>其 %1 的备份完好；此后所做的不在其中</translation>
-    </message>
-    <message>
-        <source>Restoring the backup</source>
-        <translation>正在恢复备份</translation>
     </message>
     <message>
         <source>The backup was restored. The damaged file is kept as “%1”.</source>
@@ -15200,6 +14538,6733 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>Zone %1</source>
         <translation>区域 %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.add_another_layout</name>
+    <message>
+        <source>add another layout for other markers</source>
+        <translation>其他标记请另加布局</translation>
+    </message>
+</context>
+<context>
+    <name>project.add_one_first</name>
+    <message>
+        <source>add one first</source>
+        <translation>请先添加</translation>
+    </message>
+</context>
+<context>
+    <name>project.add_what_it_refers_to</name>
+    <message>
+        <source>add what it refers to first</source>
+        <translation>请先添加所引用的内容</translation>
+    </message>
+</context>
+<context>
+    <name>project.adopt_or_remove</name>
+    <message>
+        <source>make a trial of it with odograph check P.odo --adopt, or remove it with --remove-strays; the window offers both under &apos;Find stray files…&apos;</source>
+        <translation>请用 odograph check P.odo --adopt 将其收为一次试验，或用 --remove-strays 移除；窗口中的“查找无归属的文件…”也提供这两种操作</translation>
+    </message>
+</context>
+<context>
+    <name>project.an_analysis</name>
+    <message>
+        <source>analysis of a trial</source>
+        <translation>试验的分析</translation>
+    </message>
+</context>
+<context>
+    <name>project.analyse_again</name>
+    <message>
+        <source>analyse the trial again</source>
+        <translation>请重新分析该试验</translation>
+    </message>
+</context>
+<context>
+    <name>project.analysis_number</name>
+    <message>
+        <source>analysis %1</source>
+        <translation>分析 %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.analysis_of_project</name>
+    <message>
+        <source>analysis %1 of the project</source>
+        <translation>项目的分析 %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.another_program_writes</name>
+    <message>
+        <source>another program is writing to it</source>
+        <translation>另一程序正在写入</translation>
+    </message>
+</context>
+<context>
+    <name>project.being_recorded</name>
+    <message>
+        <source>it is being recorded</source>
+        <translation>正在录制</translation>
+    </message>
+</context>
+<context>
+    <name>project.calibration_of_project</name>
+    <message>
+        <source>calibration %1 of the project</source>
+        <translation>项目的标定 %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.calibration_origin</name>
+    <message>
+        <source>origin of a calibration</source>
+        <translation>标定的来源</translation>
+    </message>
+</context>
+<context>
+    <name>project.calibration_picture_of</name>
+    <message>
+        <source>the calibration picture &apos;%1&apos; of camera &apos;%2&apos;</source>
+        <translation>相机“%2”的标定图片“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>project.camera_address</name>
+    <message>
+        <source>address of a camera</source>
+        <translation>相机地址</translation>
+    </message>
+</context>
+<context>
+    <name>project.cannot_be_looked_at</name>
+    <message>
+        <source>it cannot be looked at (%1)</source>
+        <translation>无法查看（%1）</translation>
+    </message>
+</context>
+<context>
+    <name>project.cannot_be_read</name>
+    <message>
+        <source>it cannot be read</source>
+        <translation>无法读取</translation>
+    </message>
+</context>
+<context>
+    <name>project.cannot_be_written_to</name>
+    <message>
+        <source>it cannot be written to</source>
+        <translation>无法写入</translation>
+    </message>
+</context>
+<context>
+    <name>project.cannot_hold</name>
+    <message>
+        <source>cannot hold %1</source>
+        <translation>无法锁定 %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.cannot_record_into</name>
+    <message>
+        <source>cannot record into %1</source>
+        <translation>无法录制到 %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.cannot_remove</name>
+    <message>
+        <source>cannot remove &apos;%1&apos;</source>
+        <translation>无法移除“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>project.change_list</name>
+    <message>
+        <source>the list of changes</source>
+        <translation>更改记录</translation>
+    </message>
+</context>
+<context>
+    <name>project.change_not_noted</name>
+    <message>
+        <source>the change could not be noted (%1)</source>
+        <translation>无法记录更改（%1）</translation>
+    </message>
+</context>
+<context>
+    <name>project.change_something_first</name>
+    <message>
+        <source>change something first</source>
+        <translation>请先做更改</translation>
+    </message>
+</context>
+<context>
+    <name>project.change_words</name>
+    <message>
+        <source>words of a change</source>
+        <translation>更改的说明</translation>
+    </message>
+</context>
+<context>
+    <name>project.changed_since</name>
+    <message>
+        <source>what it concerns has been changed or used since</source>
+        <translation>其对象此后已被更改或使用</translation>
+    </message>
+</context>
+<context>
+    <name>project.check</name>
+    <message>
+        <source>check of the project</source>
+        <translation>项目检查</translation>
+    </message>
+</context>
+<context>
+    <name>project.check_disk</name>
+    <message>
+        <source>check the disk</source>
+        <translation>请检查磁盘</translation>
+    </message>
+</context>
+<context>
+    <name>project.check_disk_and_retry</name>
+    <message>
+        <source>check the disk and try again</source>
+        <translation>请检查磁盘后重试</translation>
+    </message>
+</context>
+<context>
+    <name>project.check_folder_is_there</name>
+    <message>
+        <source>check that the folder is there and may be read</source>
+        <translation>请检查文件夹是否存在且可读</translation>
+    </message>
+</context>
+<context>
+    <name>project.check_its_folder</name>
+    <message>
+        <source>check the free space and the rights of its folder</source>
+        <translation>请检查其文件夹的可用空间和权限</translation>
+    </message>
+</context>
+<context>
+    <name>project.check_its_input</name>
+    <message>
+        <source>check the input that it was computed from</source>
+        <translation>请检查计算它所用的输入</translation>
+    </message>
+</context>
+<context>
+    <name>project.check_name_or_make</name>
+    <message>
+        <source>check the name, or make a new project</source>
+        <translation>请检查名称，或新建项目</translation>
+    </message>
+</context>
+<context>
+    <name>project.check_numbers</name>
+    <message>
+        <source>check the numbers</source>
+        <translation>请检查数字</translation>
+    </message>
+</context>
+<context>
+    <name>project.check_project_folder</name>
+    <message>
+        <source>check the free space and the rights of the project&apos;s folder</source>
+        <translation>请检查项目文件夹的可用空间和权限</translation>
+    </message>
+</context>
+<context>
+    <name>project.check_rights</name>
+    <message>
+        <source>check the rights of the project&apos;s folder</source>
+        <translation>请检查项目文件夹的权限</translation>
+    </message>
+</context>
+<context>
+    <name>project.checking</name>
+    <message>
+        <source>checking %1</source>
+        <translation>正在检查 %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.checking_database</name>
+    <message>
+        <source>checking the database</source>
+        <translation>正在检查数据库</translation>
+    </message>
+</context>
+<context>
+    <name>project.choose_its_own</name>
+    <message>
+        <source>choose one of its own (odograph revisions P.odo CAMERA --use), or restore the project from a backup copy</source>
+        <translation>请选择它自己的一个版本（odograph revisions P.odo CAMERA --use），或从备份恢复项目</translation>
+    </message>
+</context>
+<context>
+    <name>project.choose_our_file</name>
+    <message>
+        <source>choose a file that Odograph has written</source>
+        <translation>请选择 Odograph 写出的文件</translation>
+    </message>
+</context>
+<context>
+    <name>project.choose_shorter_name</name>
+    <message>
+        <source>choose a shorter name</source>
+        <translation>请换个更短的名称</translation>
+    </message>
+</context>
+<context>
+    <name>project.choose_writable_folder</name>
+    <message>
+        <source>choose a folder that can be written to and has room</source>
+        <translation>请选择可写且有空间的文件夹</translation>
+    </message>
+</context>
+<context>
+    <name>project.class_has_team</name>
+    <message>
+        <source>a team belongs to it</source>
+        <translation>有一个小组属于它</translation>
+    </message>
+</context>
+<context>
+    <name>project.class_has_teams</name>
+    <message>
+        <source>%1 teams belong to it</source>
+        <translation>有 %1 个小组属于它</translation>
+    </message>
+</context>
+<context>
+    <name>project.close_it_there</name>
+    <message>
+        <source>close it there first</source>
+        <translation>请先在那里关闭</translation>
+    </message>
+</context>
+<context>
+    <name>project.close_other_program</name>
+    <message>
+        <source>close the other program and try again</source>
+        <translation>请关闭另一程序后重试</translation>
+    </message>
+</context>
+<context>
+    <name>project.complete_recording</name>
+    <message>
+        <source>open the project to write, which completes it: odograph record P.odo --recover</source>
+        <translation>请以可写方式打开项目，录像即会补全：odograph record P.odo --recover</translation>
+    </message>
+</context>
+<context>
+    <name>project.copy</name>
+    <message>
+        <source>copy &apos;%1&apos;</source>
+        <translation>副本“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>project.copy_again</name>
+    <message>
+        <source>copy it again from where it came, or restore a backup copy</source>
+        <translation>请从来源重新复制，或恢复备份</translation>
+    </message>
+</context>
+<context>
+    <name>project.copy_differs</name>
+    <message>
+        <source>the copy differs from what was written</source>
+        <translation>副本与写入内容不同</translation>
+    </message>
+</context>
+<context>
+    <name>project.copy_file_beside</name>
+    <message>
+        <source>copy the file beside the project</source>
+        <translation>请把文件复制到项目旁边</translation>
+    </message>
+</context>
+<context>
+    <name>project.copy_of_project</name>
+    <message>
+        <source>copy of project &apos;%1&apos;</source>
+        <translation>项目“%1”的副本</translation>
+    </message>
+</context>
+<context>
+    <name>project.copy_sound_backup</name>
+    <message>
+        <source>copy &apos;%1&apos;, which is sound, to a new name and open that, and keep the damaged file</source>
+        <translation>请把完好的“%1”复制为新名称并打开该副本，同时保留损坏的文件</translation>
+    </message>
+</context>
+<context>
+    <name>project.copy_to_another_disk</name>
+    <message>
+        <source>check the disk, and copy the project to another one</source>
+        <translation>请检查磁盘，并把项目复制到另一磁盘</translation>
+    </message>
+</context>
+<context>
+    <name>project.copy_to_writable_folder</name>
+    <message>
+        <source>copy it to a folder that you may write to, and open the copy</source>
+        <translation>请复制到可写的文件夹并打开副本</translation>
+    </message>
+</context>
+<context>
+    <name>project.copy_with_side_files</name>
+    <message>
+        <source>copy it with the files beside it to a folder that you may write to, and open the copy</source>
+        <translation>请将它与旁边的文件一起复制到您可写入的文件夹，然后打开副本</translation>
+    </message>
+</context>
+<context>
+    <name>project.copy_with_videos</name>
+    <message>
+        <source>copy it with its videos to a folder that you may write to, and open the copy</source>
+        <translation>请连同视频复制到可写的文件夹并打开副本</translation>
+    </message>
+</context>
+<context>
+    <name>project.corners_of</name>
+    <message>
+        <source>corners of &apos;%1&apos;</source>
+        <translation>“%1”的角点</translation>
+    </message>
+</context>
+<context>
+    <name>project.covariance_not_6_by_6</name>
+    <message>
+        <source>its stored covariance is not a 6 by 6 matrix</source>
+        <translation>存储的协方差不是 6×6 矩阵</translation>
+    </message>
+</context>
+<context>
+    <name>project.database_refused</name>
+    <message>
+        <source>the database refused</source>
+        <translation>数据库拒绝了</translation>
+    </message>
+</context>
+<context>
+    <name>project.database_refused_because</name>
+    <message>
+        <source>the database refused (%1)</source>
+        <translation>数据库拒绝了（%1）</translation>
+    </message>
+</context>
+<context>
+    <name>project.delete_its_trials</name>
+    <message>
+        <source>delete them for good first, or archive its class</source>
+        <translation>请先永久删除它们，或归档其班级</translation>
+    </message>
+</context>
+<context>
+    <name>project.disk_error</name>
+    <message>
+        <source>the disk reported an error, the change was not saved</source>
+        <translation>磁盘报告错误，更改未保存</translation>
+    </message>
+</context>
+<context>
+    <name>project.disk_full</name>
+    <message>
+        <source>the disk is full, the change was not saved</source>
+        <translation>磁盘已满，更改未保存</translation>
+    </message>
+</context>
+<context>
+    <name>project.disk_read_only</name>
+    <message>
+        <source>the disk has become read-only, the change was not saved</source>
+        <translation>磁盘已变为只读，更改未保存</translation>
+    </message>
+</context>
+<context>
+    <name>project.disk_unreadable</name>
+    <message>
+        <source>the disk could not be read, and nothing was changed</source>
+        <translation>无法读取磁盘，未作任何更改</translation>
+    </message>
+</context>
+<context>
+    <name>project.duration_of_recordings_differs</name>
+    <message>
+        <source>its duration is stored as %1, its recordings last %2</source>
+        <translation>存储的时长为 %1，而其录像长 %2</translation>
+    </message>
+</context>
+<context>
+    <name>project.duration_of_tracks_differs</name>
+    <message>
+        <source>its duration is stored as %1, its imported tracks last %2</source>
+        <translation>存储的时长为 %1，而其导入的轨迹长 %2</translation>
+    </message>
+</context>
+<context>
+    <name>project.earlier_step_failed</name>
+    <message>
+        <source>an earlier step of this change failed</source>
+        <translation>此更改的前一步失败</translation>
+    </message>
+</context>
+<context>
+    <name>project.end_recording_first</name>
+    <message>
+        <source>end its recording first</source>
+        <translation>请先结束录制</translation>
+    </message>
+</context>
+<context>
+    <name>project.figures_without_task</name>
+    <message>
+        <source>their figures would not say any more what they were measured by</source>
+        <translation>否则指标将不再说明其测量依据</translation>
+    </message>
+</context>
+<context>
+    <name>project.file_changed</name>
+    <message>
+        <source>%1 was changed since it was made</source>
+        <translation>%1 生成后被更改过</translation>
+    </message>
+</context>
+<context>
+    <name>project.file_cut_off</name>
+    <message>
+        <source>the file is cut off</source>
+        <translation>文件不完整</translation>
+    </message>
+</context>
+<context>
+    <name>project.file_damaged</name>
+    <message>
+        <source>the file is damaged</source>
+        <translation>文件已损坏</translation>
+    </message>
+</context>
+<context>
+    <name>project.file_empty</name>
+    <message>
+        <source>the file is empty</source>
+        <translation>文件为空</translation>
+    </message>
+</context>
+<context>
+    <name>project.file_lost</name>
+    <message>
+        <source>its file was deleted, renamed or replaced while it was open; nothing was stored</source>
+        <translation>打开期间其文件被删除、重命名或替换；未保存任何内容</translation>
+    </message>
+</context>
+<context>
+    <name>project.file_there_already</name>
+    <message>
+        <source>a file of that name is there already</source>
+        <translation>已有同名文件</translation>
+    </message>
+</context>
+<context>
+    <name>project.file_unused</name>
+    <message>
+        <source>no trial, lens calibration or floor registration uses this file</source>
+        <translation>没有试验、镜头标定或地面配准使用此文件</translation>
+    </message>
+</context>
+<context>
+    <name>project.find_or_put_back</name>
+    <message>
+        <source>take it from there with odograph check P.odo --find FOLDER or Find lost videos… in the window, or put it back in its place</source>
+        <translation>请用 odograph check P.odo --find FOLDER 或窗口中的“查找丢失的视频…”从那里取用，或将其放回原处</translation>
+    </message>
+</context>
+<context>
+    <name>project.folder_read_only</name>
+    <message>
+        <source>its folder cannot be written to</source>
+        <translation>其文件夹无法写入</translation>
+    </message>
+</context>
+<context>
+    <name>project.foreign_log</name>
+    <message>
+        <source>the log beside it (&apos;%1&apos;) belongs to another file or to another state of this one</source>
+        <translation>旁边的日志（“%1”）属于另一个文件，或属于此文件的另一个状态</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_1</name>
+    <message>
+        <source>the first schema</source>
+        <translation>最初的数据库结构</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_10</name>
+    <message>
+        <source>what a school year needs: stars, tags, archive, bin, pseudonyms, scoring and the list of changes</source>
+        <translation>一个学年所需的内容：星标、标签、归档、回收站、化名、评分和更改记录</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_11</name>
+    <message>
+        <source>members and robots of teams, zones and the archive of tasks, and imported tracks</source>
+        <translation>小组的成员和机器人、区域、任务的归档，以及导入的轨迹</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_12</name>
+    <message>
+        <source>digests of analyses, and long series in chunks</source>
+        <translation>分析的校验摘要，以及分块存储的长序列</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_13</name>
+    <message>
+        <source>the point of a robot that is measured</source>
+        <translation>机器人的测量点</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_14</name>
+    <message>
+        <source>when robots of one look could not be told apart</source>
+        <translation>外观相同的机器人无法区分的时段</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_15</name>
+    <message>
+        <source>robots that a person pointed out in a picture</source>
+        <translation>由人在画面中指出的机器人</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_16</name>
+    <message>
+        <source>sentences as codes with their arguments</source>
+        <translation>以代码及其参数存储的语句</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_2</name>
+    <message>
+        <source>samples overruled by hand</source>
+        <translation>由人改判的采样点</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_3</name>
+    <message>
+        <source>rates of the cameras&apos; clocks</source>
+        <translation>相机时钟的速率</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_4</name>
+    <message>
+        <source>tasks with gates, a reference path and limits</source>
+        <translation>含计时门、参考路径和限值的任务</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_5</name>
+    <message>
+        <source>how each view was put in step</source>
+        <translation>各视角的同步方式</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_6</name>
+    <message>
+        <source>calibrations with their boards, corners and pictures</source>
+        <translation>标定及其标定板、角点和图片</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_7</name>
+    <message>
+        <source>revisions that are chosen, and checks of registrations</source>
+        <translation>所选的版本，以及配准的检查</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_8</name>
+    <message>
+        <source>trials while they are being recorded, and the raw times of their pictures</source>
+        <translation>录制中的试验，及其画面的原始时间</translation>
+    </message>
+</context>
+<context>
+    <name>project.format_9</name>
+    <message>
+        <source>pictures of registrations</source>
+        <translation>配准的画面</translation>
+    </message>
+</context>
+<context>
+    <name>project.frame_times_of</name>
+    <message>
+        <source>frame times of &apos;%1&apos;</source>
+        <translation>“%1”的帧时间</translation>
+    </message>
+</context>
+<context>
+    <name>project.gate</name>
+    <message>
+        <source>gate &apos;%1&apos;</source>
+        <translation>计时门“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>project.give_a_height</name>
+    <message>
+        <source>give a height, or let it be estimated</source>
+        <translation>请给出高度，或让程序估计</translation>
+    </message>
+</context>
+<context>
+    <name>project.give_a_name</name>
+    <message>
+        <source>give the %1 a name</source>
+        <translation>请给%1命名</translation>
+    </message>
+</context>
+<context>
+    <name>project.give_a_title</name>
+    <message>
+        <source>give the project a title</source>
+        <translation>请给项目起个标题</translation>
+    </message>
+</context>
+<context>
+    <name>project.give_another_task</name>
+    <message>
+        <source>give them another task first</source>
+        <translation>请先给它们另一任务</translation>
+    </message>
+</context>
+<context>
+    <name>project.give_file_a_name</name>
+    <message>
+        <source>give the file a name</source>
+        <translation>请给文件命名</translation>
+    </message>
+</context>
+<context>
+    <name>project.give_members</name>
+    <message>
+        <source>give the names of the people in the team</source>
+        <translation>请给出组内人员的姓名</translation>
+    </message>
+</context>
+<context>
+    <name>project.give_robot_size</name>
+    <message>
+        <source>give length and width in millimetres, like 260x190</source>
+        <translation>请以毫米给出长和宽，如 260x190</translation>
+    </message>
+</context>
+<context>
+    <name>project.give_whole_truth</name>
+    <message>
+        <source>give position, velocity and acceleration for each time</source>
+        <translation>请为每个时间给出位置、速度和加速度</translation>
+    </message>
+</context>
+<context>
+    <name>project.has_bytes_of</name>
+    <message>
+        <source>it has %1 of %2 bytes</source>
+        <translation>共 %2 字节，只有 %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.has_characters</name>
+    <message>
+        <source>it has %1 characters</source>
+        <translation>有 %1 个字符</translation>
+    </message>
+</context>
+<context>
+    <name>project.has_names</name>
+    <message>
+        <source>it has %1</source>
+        <translation>已有：%1</translation>
+    </message>
+</context>
+<context>
+    <name>project.has_none_yet</name>
+    <message>
+        <source>it has no %1 yet</source>
+        <translation>还没有%1</translation>
+    </message>
+</context>
+<context>
+    <name>project.has_other_size</name>
+    <message>
+        <source>%1 has %2 bytes instead of %3</source>
+        <translation>%1 有 %2 字节，应为 %3 字节</translation>
+    </message>
+</context>
+<context>
+    <name>project.has_robots</name>
+    <message>
+        <source>it has %1 robots</source>
+        <translation>它有 %1 个机器人</translation>
+    </message>
+</context>
+<context>
+    <name>project.has_views</name>
+    <message>
+        <source>it has %1 views</source>
+        <translation>它有 %1 个视角</translation>
+    </message>
+</context>
+<context>
+    <name>project.height_below_floor</name>
+    <message>
+        <source>its height is below the floor</source>
+        <translation>高度低于地面</translation>
+    </message>
+</context>
+<context>
+    <name>project.height_from_0</name>
+    <message>
+        <source>give a height of 0 or more</source>
+        <translation>请给出 0 或以上的高度</translation>
+    </message>
+</context>
+<context>
+    <name>project.height_not_given</name>
+    <message>
+        <source>its height is to be told, but none is given</source>
+        <translation>需要给出高度，但没有</translation>
+    </message>
+</context>
+<context>
+    <name>project.holds_invisible</name>
+    <message>
+        <source>it holds an invisible character, %1</source>
+        <translation>其中有不可见字符 %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.holds_line_break</name>
+    <message>
+        <source>it holds a line break or another control character</source>
+        <translation>含有换行或其他控制字符</translation>
+    </message>
+</context>
+<context>
+    <name>project.import_another_file</name>
+    <message>
+        <source>import another file</source>
+        <translation>请导入另一文件</translation>
+    </message>
+</context>
+<context>
+    <name>project.impossible_format</name>
+    <message>
+        <source>it says of itself to have the format %1</source>
+        <translation>其自称格式为 %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.in_synced_folder</name>
+    <message>
+        <source>it lies in a folder that %1 copies while it changes, so that a copy may have half a change</source>
+        <translation>它位于 %1 会在其更改时复制的文件夹中，副本可能只含一半更改</translation>
+    </message>
+</context>
+<context>
+    <name>project.is_missing</name>
+    <message>
+        <source>%1 is missing</source>
+        <translation>缺少 %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.is_missing_recording</name>
+    <message>
+        <source>this is a missing recording</source>
+        <translation>这是一份缺失的录像</translation>
+    </message>
+</context>
+<context>
+    <name>project.journal_of_another</name>
+    <message>
+        <source>the journal beside it names another file</source>
+        <translation>旁边的日志指向另一个文件</translation>
+    </message>
+</context>
+<context>
+    <name>project.keep_it</name>
+    <message>
+        <source>keep it</source>
+        <translation>请保留</translation>
+    </message>
+</context>
+<context>
+    <name>project.keep_on_own_disk</name>
+    <message>
+        <source>keep it on a disk of this computer, and pack it to share it</source>
+        <translation>请把它保存在本机磁盘上，需要共享时请打包</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_calibration</name>
+    <message>
+        <source>calibration</source>
+        <translation>标定</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_camera</name>
+    <message>
+        <source>camera</source>
+        <translation>相机</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_class</name>
+    <message>
+        <source>class</source>
+        <translation>班级</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_figure</name>
+    <message>
+        <source>figure</source>
+        <translation>指标</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_gate</name>
+    <message>
+        <source>gate</source>
+        <translation>计时门</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_layout</name>
+    <message>
+        <source>layout</source>
+        <translation>布局</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_lens</name>
+    <message>
+        <source>lens</source>
+        <translation>镜头</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_marker</name>
+    <message>
+        <source>marker</source>
+        <translation>标记</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_member</name>
+    <message>
+        <source>member</source>
+        <translation>成员</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_pseudonym</name>
+    <message>
+        <source>pseudonym</source>
+        <translation>化名</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_registration</name>
+    <message>
+        <source>registration</source>
+        <translation>配准</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_robot</name>
+    <message>
+        <source>robot</source>
+        <translation>机器人</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_tag</name>
+    <message>
+        <source>tag</source>
+        <translation>标签</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_task</name>
+    <message>
+        <source>task</source>
+        <translation>任务</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_team</name>
+    <message>
+        <source>team</source>
+        <translation>小组</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_track</name>
+    <message>
+        <source>track</source>
+        <translation>轨迹</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_trial</name>
+    <message>
+        <source>trial</source>
+        <translation>试验</translation>
+    </message>
+</context>
+<context>
+    <name>project.kind_zone</name>
+    <message>
+        <source>zone</source>
+        <translation>区域</translation>
+    </message>
+</context>
+<context>
+    <name>project.label_twice</name>
+    <message>
+        <source>the label &apos;%1&apos; is there twice</source>
+        <translation>标号“%1”出现两次</translation>
+    </message>
+</context>
+<context>
+    <name>project.leave_it</name>
+    <message>
+        <source>leave it</source>
+        <translation>请保持不变</translation>
+    </message>
+</context>
+<context>
+    <name>project.leave_one_out</name>
+    <message>
+        <source>leave out one of the two</source>
+        <translation>请去掉其中之一</translation>
+    </message>
+</context>
+<context>
+    <name>project.leave_out_unseen_markers</name>
+    <message>
+        <source>leave out those that no camera sees</source>
+        <translation>去掉没有相机能看到的标记</translation>
+    </message>
+</context>
+<context>
+    <name>project.lengths_differ</name>
+    <message>
+        <source>samples and profile differ in length</source>
+        <translation>采样点与运动曲线长度不一致</translation>
+    </message>
+</context>
+<context>
+    <name>project.lens_kept</name>
+    <message>
+        <source>the lens is kept without it</source>
+        <translation>没有此文件，镜头仍保留</translation>
+    </message>
+</context>
+<context>
+    <name>project.lens_of_project</name>
+    <message>
+        <source>lens %1 of the project</source>
+        <translation>项目的镜头 %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.lies_in_media</name>
+    <message>
+        <source>a project lies in the media folder of another one</source>
+        <translation>有项目位于另一个项目的媒体文件夹中</translation>
+    </message>
+</context>
+<context>
+    <name>project.lists_too_long</name>
+    <message>
+        <source>%1: more than %2 of one %3: %4</source>
+        <translation>%1：同一 %3 超过 %2 个：%4</translation>
+    </message>
+</context>
+<context>
+    <name>project.look_for_strays</name>
+    <message>
+        <source>look for stray files</source>
+        <translation>查找无归属的文件</translation>
+    </message>
+</context>
+<context>
+    <name>project.look_in</name>
+    <message>
+        <source>look in &apos;%1&apos;</source>
+        <translation>在“%1”中查找</translation>
+    </message>
+</context>
+<context>
+    <name>project.make_room</name>
+    <message>
+        <source>make room on the disk and try again</source>
+        <translation>请腾出磁盘空间后重试</translation>
+    </message>
+</context>
+<context>
+    <name>project.marker_errors_differ</name>
+    <message>
+        <source>the marker errors of registration %1 are not those that its markers give</source>
+        <translation>配准 %1 的标记误差与由其标记得出的不一致</translation>
+    </message>
+</context>
+<context>
+    <name>project.marker_off_floor</name>
+    <message>
+        <source>marker &apos;%1&apos; is not on a floor of 1 km</source>
+        <translation>标记“%1”不在 1 公里的地面范围内</translation>
+    </message>
+</context>
+<context>
+    <name>project.matrix_not_square</name>
+    <message>
+        <source>its stored matrix of %1 numbers is not square</source>
+        <translation>存储的含 %1 个数的矩阵不是方阵</translation>
+    </message>
+</context>
+<context>
+    <name>project.may_be_used_beside</name>
+    <message>
+        <source>project &apos;%1&apos; beside it may use them, and cannot be read (%2)</source>
+        <translation>旁边的项目“%1”可能在使用它们，但无法读取（%2）</translation>
+    </message>
+</context>
+<context>
+    <name>project.measured_by_task</name>
+    <message>
+        <source>trials were measured by it</source>
+        <translation>有试验按它测量</translation>
+    </message>
+</context>
+<context>
+    <name>project.measurements_changed</name>
+    <message>
+        <source>the measurements have changed since robot &apos;%1&apos; was analysed</source>
+        <translation>分析机器人“%1”之后，测量数据有更改</translation>
+    </message>
+</context>
+<context>
+    <name>project.metric</name>
+    <message>
+        <source>metric &apos;%1&apos;</source>
+        <translation>指标“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>project.metric_differs</name>
+    <message>
+        <source>metric &apos;%1&apos; of robot &apos;%2&apos; is stored as %3, its positions give %4</source>
+        <translation>机器人“%2”的指标“%1”存储为 %3，而由其位置得出 %4</translation>
+    </message>
+</context>
+<context>
+    <name>project.metric_missing</name>
+    <message>
+        <source>metric &apos;%1&apos; of robot &apos;%2&apos; is missing, its positions give %3</source>
+        <translation>缺少机器人“%2”的指标“%1”，由其位置得出 %3</translation>
+    </message>
+</context>
+<context>
+    <name>project.metric_sigma_differs</name>
+    <message>
+        <source>the standard deviation of metric &apos;%1&apos; of robot &apos;%2&apos; is stored as %3, its positions give %4</source>
+        <translation>机器人“%2”的指标“%1”的标准差存储为 %3，而由其位置得出 %4</translation>
+    </message>
+</context>
+<context>
+    <name>project.metric_without_source</name>
+    <message>
+        <source>metric &apos;%1&apos; of robot &apos;%2&apos; is stored, but its positions give none</source>
+        <translation>存储了机器人“%2”的指标“%1”，但由其位置得不出该指标</translation>
+    </message>
+</context>
+<context>
+    <name>project.more_names</name>
+    <message>
+        <source>%1 more</source>
+        <translation>另外 %1 个</translation>
+    </message>
+</context>
+<context>
+    <name>project.move_file_away</name>
+    <message>
+        <source>move it to another folder</source>
+        <translation>请将其移到其他文件夹</translation>
+    </message>
+</context>
+<context>
+    <name>project.move_log_away</name>
+    <message>
+        <source>move the log to another folder to open the file without it, or put the file back that the log belongs to</source>
+        <translation>请把日志移到其他文件夹，以便不带日志打开此文件；或放回日志所属的文件</translation>
+    </message>
+</context>
+<context>
+    <name>project.move_project_away</name>
+    <message>
+        <source>move it with its videos to a folder of its own</source>
+        <translation>请将其连同视频移到单独的文件夹</translation>
+    </message>
+</context>
+<context>
+    <name>project.move_teams_first</name>
+    <message>
+        <source>move its teams to another class first, or archive it</source>
+        <translation>请先把其小组移到别的班级，或将其归档</translation>
+    </message>
+</context>
+<context>
+    <name>project.name_empty</name>
+    <message>
+        <source>it is empty</source>
+        <translation>为空</translation>
+    </message>
+</context>
+<context>
+    <name>project.name_of</name>
+    <message>
+        <source>name of a %1</source>
+        <translation>%1的名称</translation>
+    </message>
+</context>
+<context>
+    <name>project.name_robots_once</name>
+    <message>
+        <source>name each of its robots once</source>
+        <translation>每个机器人只写一次</translation>
+    </message>
+</context>
+<context>
+    <name>project.name_taken</name>
+    <message>
+        <source>the project has a %1 of that name already</source>
+        <translation>项目中已有同名的%1</translation>
+    </message>
+</context>
+<context>
+    <name>project.name_too_long</name>
+    <message>
+        <source>its name is too long</source>
+        <translation>名称太长</translation>
+    </message>
+</context>
+<context>
+    <name>project.name_video_file</name>
+    <message>
+        <source>name the video&apos;s file</source>
+        <translation>请指定视频文件</translation>
+    </message>
+</context>
+<context>
+    <name>project.newer_format</name>
+    <message>
+        <source>it was written by a newer Odograph (format %1, this one knows formats up to %2)</source>
+        <translation>由更新的 Odograph 写出（格式 %1，本程序最高支持 %2）</translation>
+    </message>
+</context>
+<context>
+    <name>project.no_file_but_other</name>
+    <message>
+        <source>it is a folder or a device, not a file</source>
+        <translation>它是文件夹或设备，不是文件</translation>
+    </message>
+</context>
+<context>
+    <name>project.no_file_name</name>
+    <message>
+        <source>it has no file name</source>
+        <translation>没有文件名</translation>
+    </message>
+</context>
+<context>
+    <name>project.no_ordinary_number</name>
+    <message>
+        <source>a value to be stored is not a number of ordinary size</source>
+        <translation>要存储的值不是正常大小的数</translation>
+    </message>
+</context>
+<context>
+    <name>project.no_place_to_rescue_to</name>
+    <message>
+        <source>its folder is gone, and there is no home folder to rescue it to</source>
+        <translation>它的文件夹已不存在，也没有可用于抢救的主文件夹</translation>
+    </message>
+</context>
+<context>
+    <name>project.no_samples</name>
+    <message>
+        <source>it has no samples</source>
+        <translation>没有采样点</translation>
+    </message>
+</context>
+<context>
+    <name>project.no_sound_backup</name>
+    <message>
+        <source>no sound backup lies beside it</source>
+        <translation>旁边没有完好的备份</translation>
+    </message>
+</context>
+<context>
+    <name>project.no_such_name</name>
+    <message>
+        <source>there is no such %1 in the project</source>
+        <translation>项目中没有这样的%1</translation>
+    </message>
+</context>
+<context>
+    <name>project.no_such_number</name>
+    <message>
+        <source>it has no %1 with the number %2</source>
+        <translation>没有编号为 %2 的%1</translation>
+    </message>
+</context>
+<context>
+    <name>project.not_a_project</name>
+    <message>
+        <source>it is not a project file</source>
+        <translation>不是项目文件</translation>
+    </message>
+</context>
+<context>
+    <name>project.not_brought_to_format</name>
+    <message>
+        <source>it could not be brought to format %1 (%2)</source>
+        <translation>无法更新到格式 %1（%2）</translation>
+    </message>
+</context>
+<context>
+    <name>project.not_complete_yet</name>
+    <message>
+        <source>it is not complete yet</source>
+        <translation>尚未补全</translation>
+    </message>
+</context>
+<context>
+    <name>project.not_copied</name>
+    <message>
+        <source>it could not be copied to be read (%1)</source>
+        <translation>无法复制以供读取（%1）</translation>
+    </message>
+</context>
+<context>
+    <name>project.not_finite</name>
+    <message>
+        <source>it is not a finite number</source>
+        <translation>不是有限数</translation>
+    </message>
+</context>
+<context>
+    <name>project.not_in_bin</name>
+    <message>
+        <source>it is not in the bin</source>
+        <translation>不在回收站中</translation>
+    </message>
+</context>
+<context>
+    <name>project.not_utf8</name>
+    <message>
+        <source>it is not valid UTF-8 text</source>
+        <translation>不是有效的 UTF-8 文本</translation>
+    </message>
+</context>
+<context>
+    <name>project.nothing_to_redo</name>
+    <message>
+        <source>nothing has been undone</source>
+        <translation>没有已撤销的操作</translation>
+    </message>
+</context>
+<context>
+    <name>project.nothing_to_undo</name>
+    <message>
+        <source>nothing has been changed since the project was opened</source>
+        <translation>自打开项目以来没有更改</translation>
+    </message>
+</context>
+<context>
+    <name>project.numbers_too_large</name>
+    <message>
+        <source>%1: numbers beyond %2: %3</source>
+        <translation>%1：超出 %2 的数：%3</translation>
+    </message>
+</context>
+<context>
+    <name>project.observations_do_not_fit</name>
+    <message>
+        <source>view &apos;%1&apos; has %2 frames, but the observations of &apos;%3&apos; (%4) do not fit them</source>
+        <translation>视角“%1”有 %2 帧，但“%3”的观测（%4 个）与之不符</translation>
+    </message>
+</context>
+<context>
+    <name>project.observations_of_project</name>
+    <message>
+        <source>observations %1 of the project</source>
+        <translation>项目的观测 %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.older_format</name>
+    <message>
+        <source>it has the older format %1 and must be brought up to date before it can be read, but %2</source>
+        <translation>其格式 %1 较旧，读取前须更新，但 %2</translation>
+    </message>
+</context>
+<context>
+    <name>project.on_network_disk</name>
+    <message>
+        <source>it lies on a network disk (%1), where a recording can stall and two computers can damage it</source>
+        <translation>它位于网络磁盘（%1）上，录制可能停顿，两台计算机可能损坏它</translation>
+    </message>
+</context>
+<context>
+    <name>project.open_again</name>
+    <message>
+        <source>open it again; if you were recording, look for stray files (odograph check --adopt)</source>
+        <translation>请重新打开；如果当时正在录制，请查找无归属的文件（odograph check --adopt）</translation>
+    </message>
+</context>
+<context>
+    <name>project.open_elsewhere</name>
+    <message>
+        <source>it is open in another window</source>
+        <translation>已在另一窗口打开</translation>
+    </message>
+</context>
+<context>
+    <name>project.open_elsewhere_by</name>
+    <message>
+        <source>it is open in another window (%1)</source>
+        <translation>已在另一窗口打开（%1）</translation>
+    </message>
+</context>
+<context>
+    <name>project.open_or_move_that</name>
+    <message>
+        <source>open that project, or move it to a folder of its own with its videos</source>
+        <translation>请打开该项目，或将其连同视频移到单独的文件夹</translation>
+    </message>
+</context>
+<context>
+    <name>project.open_with_newer_odograph</name>
+    <message>
+        <source>open the project with a newer Odograph</source>
+        <translation>请用更新的 Odograph 打开项目</translation>
+    </message>
+</context>
+<context>
+    <name>project.open_with_that_odograph</name>
+    <message>
+        <source>open it with that Odograph, or update this one</source>
+        <translation>请用那个版本打开，或更新本程序</translation>
+    </message>
+</context>
+<context>
+    <name>project.other_database</name>
+    <message>
+        <source>it is a database of another program</source>
+        <translation>是其他程序的数据库</translation>
+    </message>
+</context>
+<context>
+    <name>project.other_labels</name>
+    <message>
+        <source>the labels are not those that it has</source>
+        <translation>标号与原有的不同</translation>
+    </message>
+</context>
+<context>
+    <name>project.other_tables</name>
+    <message>
+        <source>its tables are not those of a project</source>
+        <translation>其数据表不是项目的</translation>
+    </message>
+</context>
+<context>
+    <name>project.others_calibration_chosen</name>
+    <message>
+        <source>calibration %1 was chosen for it, which is camera &apos;%2&apos;s; its newest own one is used</source>
+        <translation>为它选择的标定 %1 属于相机“%2”；现使用它自己最新的标定</translation>
+    </message>
+</context>
+<context>
+    <name>project.others_registration_chosen</name>
+    <message>
+        <source>registration %1 was chosen for it, which is camera &apos;%2&apos;s; its newest own one is used</source>
+        <translation>为它选择的配准 %1 属于相机“%2”；现使用它自己最新的配准</translation>
+    </message>
+</context>
+<context>
+    <name>project.overrides_changed</name>
+    <message>
+        <source>the manual overrides have changed since robot &apos;%1&apos; was analysed</source>
+        <translation>分析机器人“%1”之后，手动判定有更改</translation>
+    </message>
+</context>
+<context>
+    <name>project.own_labels</name>
+    <message>
+        <source>give each marker a label of its own</source>
+        <translation>请给每个标记各自的标号</translation>
+    </message>
+</context>
+<context>
+    <name>project.path_cut_off</name>
+    <message>
+        <source>its reference path ends within a point</source>
+        <translation>其参考路径在一个点的中途结束</translation>
+    </message>
+</context>
+<context>
+    <name>project.path_leaves_folder</name>
+    <message>
+        <source>its relative path leaves the project&apos;s folder</source>
+        <translation>其相对路径超出了项目文件夹</translation>
+    </message>
+</context>
+<context>
+    <name>project.picture_name</name>
+    <message>
+        <source>name of a calibration picture</source>
+        <translation>标定图片的名称</translation>
+    </message>
+</context>
+<context>
+    <name>project.picture_path</name>
+    <message>
+        <source>path of a calibration picture</source>
+        <translation>标定图片的路径</translation>
+    </message>
+</context>
+<context>
+    <name>project.position_no_number</name>
+    <message>
+        <source>a position or its covariance is no number</source>
+        <translation>某个位置或其协方差不是数字</translation>
+    </message>
+</context>
+<context>
+    <name>project.positions_changed</name>
+    <message>
+        <source>the positions of robot &apos;%1&apos; are not those that its analysis gave</source>
+        <translation>机器人“%1”的位置与分析得出的不一致</translation>
+    </message>
+</context>
+<context>
+    <name>project.project</name>
+    <message>
+        <source>project &apos;%1&apos;</source>
+        <translation>项目“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>project.project_file_damaged</name>
+    <message>
+        <source>the project file is damaged</source>
+        <translation>项目文件已损坏</translation>
+    </message>
+</context>
+<context>
+    <name>project.put_back_and_open</name>
+    <message>
+        <source>put the file back in its place, and open the project again</source>
+        <translation>请把文件放回原处，并重新打开项目</translation>
+    </message>
+</context>
+<context>
+    <name>project.put_back_and_retry</name>
+    <message>
+        <source>put it back in its place and try again</source>
+        <translation>请将其放回原处，然后重试</translation>
+    </message>
+</context>
+<context>
+    <name>project.put_back_or_find</name>
+    <message>
+        <source>put the file back in its place, or find it by its content with odograph check P.odo --find FOLDER or Find lost videos… in the window</source>
+        <translation>请将文件放回原处，或用 odograph check P.odo --find FOLDER 或窗口中的“查找丢失的视频…”按内容查找</translation>
+    </message>
+</context>
+<context>
+    <name>project.put_file_back</name>
+    <message>
+        <source>put the file back in its place</source>
+        <translation>请将文件放回原处</translation>
+    </message>
+</context>
+<context>
+    <name>project.put_into_bin_first</name>
+    <message>
+        <source>put it into the bin first</source>
+        <translation>请先放入回收站</translation>
+    </message>
+</context>
+<context>
+    <name>project.put_original_back</name>
+    <message>
+        <source>put the original file back in its place</source>
+        <translation>请把原来的文件放回原处</translation>
+    </message>
+</context>
+<context>
+    <name>project.raw_times_of</name>
+    <message>
+        <source>raw times of recording %1</source>
+        <translation>录像 %1 的原始时间</translation>
+    </message>
+</context>
+<context>
+    <name>project.reading</name>
+    <message>
+        <source>reading %1</source>
+        <translation>正在读取 %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.reading_failed</name>
+    <message>
+        <source>reading it failed (%1)</source>
+        <translation>读取失败（%1）</translation>
+    </message>
+</context>
+<context>
+    <name>project.record_another</name>
+    <message>
+        <source>record another trial</source>
+        <translation>请录制另一个试验</translation>
+    </message>
+</context>
+<context>
+    <name>project.recorded_into_now</name>
+    <message>
+        <source>a trial is being recorded into it just now</source>
+        <translation>正在向其中录制试验</translation>
+    </message>
+</context>
+<context>
+    <name>project.recording</name>
+    <message>
+        <source>recording</source>
+        <translation>正在录制</translation>
+    </message>
+</context>
+<context>
+    <name>project.recording_at</name>
+    <message>
+        <source>recording &apos;%1&apos;</source>
+        <translation>录像“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>project.recording_cut_off</name>
+    <message>
+        <source>its recording was cut off</source>
+        <translation>其录像被中断</translation>
+    </message>
+</context>
+<context>
+    <name>project.recording_ended</name>
+    <message>
+        <source>its recording has ended already</source>
+        <translation>其录制已结束</translation>
+    </message>
+</context>
+<context>
+    <name>project.recording_kept</name>
+    <message>
+        <source>its recording has ended, and is kept</source>
+        <translation>其录制已结束，并已保留</translation>
+    </message>
+</context>
+<context>
+    <name>project.recording_of_view</name>
+    <message>
+        <source>the recording of view &apos;%1&apos;</source>
+        <translation>视角“%1”的录像</translation>
+    </message>
+</context>
+<context>
+    <name>project.recording_path</name>
+    <message>
+        <source>path of a recording</source>
+        <translation>录像的路径</translation>
+    </message>
+</context>
+<context>
+    <name>project.recording_without_file</name>
+    <message>
+        <source>it has no file</source>
+        <translation>没有文件</translation>
+    </message>
+</context>
+<context>
+    <name>project.recordings_changed</name>
+    <message>
+        <source>the recordings or their synchronisation have changed since robot &apos;%1&apos; was analysed</source>
+        <translation>分析机器人“%1”之后，录像或其同步有更改</translation>
+    </message>
+</context>
+<context>
+    <name>project.redo</name>
+    <message>
+        <source>redo</source>
+        <translation>重做</translation>
+    </message>
+</context>
+<context>
+    <name>project.redo_of</name>
+    <message>
+        <source>redo &apos;%1&apos;</source>
+        <translation>重做“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>project.reference_too_far</name>
+    <message>
+        <source>its reference point is farther from its centre than %1</source>
+        <translation>其参考点距中心超过 %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.reference_without_heading</name>
+    <message>
+        <source>a reference point beside its centre takes a heading, which is not known where the height changes</source>
+        <translation>偏离中心的参考点需要朝向，而高度变化时朝向未知</translation>
+    </message>
+</context>
+<context>
+    <name>project.refers_to_nothing</name>
+    <message>
+        <source>it refers to something that is not in the project, or a value is missing</source>
+        <translation>引用了项目中没有的内容，或缺少某个值</translation>
+    </message>
+</context>
+<context>
+    <name>project.registration_kept</name>
+    <message>
+        <source>the registration is kept without it</source>
+        <translation>没有此文件，配准仍保留</translation>
+    </message>
+</context>
+<context>
+    <name>project.registration_of_project</name>
+    <message>
+        <source>registration %1 of the project</source>
+        <translation>项目的配准 %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.registration_picture_of</name>
+    <message>
+        <source>the picture of registration %1 of camera &apos;%2&apos;</source>
+        <translation>相机“%2”的配准 %1 的画面</translation>
+    </message>
+</context>
+<context>
+    <name>project.registration_picture_path</name>
+    <message>
+        <source>path of a registration&apos;s picture</source>
+        <translation>配准图片的路径</translation>
+    </message>
+</context>
+<context>
+    <name>project.registrations_changed</name>
+    <message>
+        <source>the registrations have changed since robot &apos;%1&apos; was analysed</source>
+        <translation>分析机器人“%1”之后，配准有更改</translation>
+    </message>
+</context>
+<context>
+    <name>project.remove_file_first</name>
+    <message>
+        <source>choose another name, or remove that file first</source>
+        <translation>请换个名称，或先删除该文件</translation>
+    </message>
+</context>
+<context>
+    <name>project.rest_not_read</name>
+    <message>
+        <source>the rest is not read; change it here, or where the file comes from</source>
+        <translation>其余部分不读取；请在此处或文件来源处更改</translation>
+    </message>
+</context>
+<context>
+    <name>project.restore_file</name>
+    <message>
+        <source>restore it from a backup copy</source>
+        <translation>请从备份恢复</translation>
+    </message>
+</context>
+<context>
+    <name>project.restore_or_register_again</name>
+    <message>
+        <source>restore the project from a backup copy, or register the camera again</source>
+        <translation>请从备份恢复项目，或重新配准相机</translation>
+    </message>
+</context>
+<context>
+    <name>project.restore_or_track_again</name>
+    <message>
+        <source>restore the project from a backup copy, or track the trial again</source>
+        <translation>请从备份恢复项目，或重新跟踪该试验</translation>
+    </message>
+</context>
+<context>
+    <name>project.restore_project</name>
+    <message>
+        <source>restore the project from a backup copy</source>
+        <translation>请从备份恢复项目</translation>
+    </message>
+</context>
+<context>
+    <name>project.results_changed</name>
+    <message>
+        <source>the metrics, spikes or settings of robot &apos;%1&apos; are not those that its analysis gave</source>
+        <translation>机器人“%1”的指标、异常点或设置与分析得出的不一致</translation>
+    </message>
+</context>
+<context>
+    <name>project.robot_can_be_renamed</name>
+    <message>
+        <source>it can be given another name</source>
+        <translation>可以给它另起名称</translation>
+    </message>
+</context>
+<context>
+    <name>project.robot_drove</name>
+    <message>
+        <source>it drove in a trial</source>
+        <translation>它在某个试验中运行过</translation>
+    </message>
+</context>
+<context>
+    <name>project.robot_too_large</name>
+    <message>
+        <source>it is larger than %1</source>
+        <translation>大于 %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.robot_twice</name>
+    <message>
+        <source>a robot belongs to it twice</source>
+        <translation>有机器人重复属于它</translation>
+    </message>
+</context>
+<context>
+    <name>project.row_refers_to_nothing</name>
+    <message>
+        <source>row %1 of &apos;%2&apos; refers to a row of &apos;%3&apos; that is not there</source>
+        <translation>“%2”的第 %1 行引用了“%3”中不存在的行</translation>
+    </message>
+</context>
+<context>
+    <name>project.run_check</name>
+    <message>
+        <source>run a check of the project</source>
+        <translation>请运行项目检查</translation>
+    </message>
+</context>
+<context>
+    <name>project.series_differ</name>
+    <message>
+        <source>its series differ in length</source>
+        <translation>其各序列长度不一致</translation>
+    </message>
+</context>
+<context>
+    <name>project.series_missing</name>
+    <message>
+        <source>its series are missing</source>
+        <translation>缺少其数据序列</translation>
+    </message>
+</context>
+<context>
+    <name>project.series_of_other_kind</name>
+    <message>
+        <source>its stored series is not of the expected kind</source>
+        <translation>存储的序列类型不符</translation>
+    </message>
+</context>
+<context>
+    <name>project.series_of_other_length</name>
+    <message>
+        <source>its stored series announces %1 rows but holds %2 bytes</source>
+        <translation>存储的序列声明有 %1 行，却只有 %2 字节</translation>
+    </message>
+</context>
+<context>
+    <name>project.size_not_above_0</name>
+    <message>
+        <source>its size is not above 0</source>
+        <translation>尺寸不大于 0</translation>
+    </message>
+</context>
+<context>
+    <name>project.spike_without_sample</name>
+    <message>
+        <source>a spike refers to a sample that is not there</source>
+        <translation>有异常点指向不存在的采样点</translation>
+    </message>
+</context>
+<context>
+    <name>project.split_recording</name>
+    <message>
+        <source>split the recording into shorter ones</source>
+        <translation>请把录像分成较短的几段</translation>
+    </message>
+</context>
+<context>
+    <name>project.strays_unknown</name>
+    <message>
+        <source>it cannot be told which files belong to no trial</source>
+        <translation>无法判断哪些文件不属于任何试验</translation>
+    </message>
+</context>
+<context>
+    <name>project.synchronisation_differs</name>
+    <message>
+        <source>its stored synchronisation is not that of its second view</source>
+        <translation>其存储的同步与其视角 2 的同步不一致</translation>
+    </message>
+</context>
+<context>
+    <name>project.synchronisation_of_one_view</name>
+    <message>
+        <source>a synchronisation is stored, but it has no second view</source>
+        <translation>存储了同步，但它没有视角 2</translation>
+    </message>
+</context>
+<context>
+    <name>project.take_later_back</name>
+    <message>
+        <source>take the later change back first, or leave it</source>
+        <translation>请先撤销后来的更改，或保持不变</translation>
+    </message>
+</context>
+<context>
+    <name>project.task_changed</name>
+    <message>
+        <source>the task has changed since robot &apos;%1&apos; was analysed</source>
+        <translation>分析机器人“%1”之后，任务有更改</translation>
+    </message>
+</context>
+<context>
+    <name>project.task_has_trial</name>
+    <message>
+        <source>a trial has it</source>
+        <translation>有一个试验使用它</translation>
+    </message>
+</context>
+<context>
+    <name>project.task_has_trials</name>
+    <message>
+        <source>%1 trials have it</source>
+        <translation>有 %1 个试验使用它</translation>
+    </message>
+</context>
+<context>
+    <name>project.team_has_trial</name>
+    <message>
+        <source>a trial is its</source>
+        <translation>有一个试验属于它</translation>
+    </message>
+</context>
+<context>
+    <name>project.team_has_trials</name>
+    <message>
+        <source>%1 trials are its</source>
+        <translation>有 %1 个试验属于它</translation>
+    </message>
+</context>
+<context>
+    <name>project.texts_too_long</name>
+    <message>
+        <source>%1: texts of more than %2 characters: %3</source>
+        <translation>%1：超过 %2 个字符的文本：%3</translation>
+    </message>
+</context>
+<context>
+    <name>project.times_do_not_rise</name>
+    <message>
+        <source>its times do not rise</source>
+        <translation>时间不递增</translation>
+    </message>
+</context>
+<context>
+    <name>project.title</name>
+    <message>
+        <source>title of the project</source>
+        <translation>项目标题</translation>
+    </message>
+</context>
+<context>
+    <name>project.too_many_markers</name>
+    <message>
+        <source>it has more than %1 markers</source>
+        <translation>标记超过 %1 个</translation>
+    </message>
+</context>
+<context>
+    <name>project.too_many_members</name>
+    <message>
+        <source>it has more than %1 members</source>
+        <translation>成员超过 %1 人</translation>
+    </message>
+</context>
+<context>
+    <name>project.too_many_samples</name>
+    <message>
+        <source>it has more than %1 samples</source>
+        <translation>采样点超过 %1 个</translation>
+    </message>
+</context>
+<context>
+    <name>project.track</name>
+    <message>
+        <source>track &apos;%1&apos;</source>
+        <translation>轨迹“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>project.track_again</name>
+    <message>
+        <source>track the trial again</source>
+        <translation>请重新跟踪该试验</translation>
+    </message>
+</context>
+<context>
+    <name>project.track_kept</name>
+    <message>
+        <source>the measured track is kept without it</source>
+        <translation>没有此文件，测得的轨迹仍保留</translation>
+    </message>
+</context>
+<context>
+    <name>project.track_reading</name>
+    <message>
+        <source>reading of a track</source>
+        <translation>轨迹的读法</translation>
+    </message>
+</context>
+<context>
+    <name>project.trial_notes</name>
+    <message>
+        <source>notes of a trial</source>
+        <translation>试验的备注</translation>
+    </message>
+</context>
+<context>
+    <name>project.trial_of_project</name>
+    <message>
+        <source>trial %1 of the project</source>
+        <translation>项目的试验 %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.truth</name>
+    <message>
+        <source>truth of a trial</source>
+        <translation>试验的真值</translation>
+    </message>
+</context>
+<context>
+    <name>project.truth_of_trial</name>
+    <message>
+        <source>truth of trial %1</source>
+        <translation>试验 %1 的真值</translation>
+    </message>
+</context>
+<context>
+    <name>project.try_again</name>
+    <message>
+        <source>try it again</source>
+        <translation>请重试</translation>
+    </message>
+</context>
+<context>
+    <name>project.try_change_again</name>
+    <message>
+        <source>try the whole change again</source>
+        <translation>请重试整个更改</translation>
+    </message>
+</context>
+<context>
+    <name>project.type_name_anew</name>
+    <message>
+        <source>type the name anew</source>
+        <translation>请重新输入名称</translation>
+    </message>
+</context>
+<context>
+    <name>project.type_text_anew</name>
+    <message>
+        <source>type the text anew</source>
+        <translation>请重新输入文本</translation>
+    </message>
+</context>
+<context>
+    <name>project.undo</name>
+    <message>
+        <source>undo</source>
+        <translation>撤销</translation>
+    </message>
+</context>
+<context>
+    <name>project.undo_of</name>
+    <message>
+        <source>undo &apos;%1&apos;</source>
+        <translation>撤销“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>project.undo_something_first</name>
+    <message>
+        <source>undo something first</source>
+        <translation>请先撤销</translation>
+    </message>
+</context>
+<context>
+    <name>project.unknown_series_layout</name>
+    <message>
+        <source>its stored series has the unknown layout %1</source>
+        <translation>存储的序列采用未知的结构 %1</translation>
+    </message>
+</context>
+<context>
+    <name>project.unknown_setting</name>
+    <message>
+        <source>its stored setting &apos;%1&apos; is unknown</source>
+        <translation>存储的设置“%1”未知</translation>
+    </message>
+</context>
+<context>
+    <name>project.use_at_most</name>
+    <message>
+        <source>use at most %1</source>
+        <translation>最多使用 %1 个</translation>
+    </message>
+</context>
+<context>
+    <name>project.use_one_line</name>
+    <message>
+        <source>use a name of one line</source>
+        <translation>请使用单行名称</translation>
+    </message>
+</context>
+<context>
+    <name>project.value_too_large</name>
+    <message>
+        <source>a value is too large to be stored</source>
+        <translation>有一个值太大，无法保存</translation>
+    </message>
+</context>
+<context>
+    <name>project.views_differ</name>
+    <message>
+        <source>views and registrations differ in number</source>
+        <translation>视角与配准的数量不一致</translation>
+    </message>
+</context>
+<context>
+    <name>project.wait_until_ended</name>
+    <message>
+        <source>wait until that has ended</source>
+        <translation>请等待其结束</translation>
+    </message>
+</context>
+<context>
+    <name>project.writing_failed</name>
+    <message>
+        <source>writing it failed (%1)</source>
+        <translation>写入失败（%1）</translation>
+    </message>
+</context>
+<context>
+    <name>project.written_over</name>
+    <message>
+        <source>another program wrote over its file while it was open; nothing more was stored</source>
+        <translation>打开期间另一个程序覆盖了其文件；此后未保存任何内容</translation>
+    </message>
+</context>
+<context>
+    <name>project.zone</name>
+    <message>
+        <source>zone &apos;%1&apos;</source>
+        <translation>区域“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>project.zone_cut_off</name>
+    <message>
+        <source>its zone &apos;%1&apos; ends within a point</source>
+        <translation>其区域“%1”在一个点的中途结束</translation>
+    </message>
+</context>
+<context>
+    <name>simulation.cannot_render</name>
+    <message>
+        <source>cannot render %1</source>
+        <translation>无法渲染 %1</translation>
+    </message>
+</context>
+<context>
+    <name>simulation.lengthen_scene</name>
+    <message>
+        <source>give the scene a longer duration or start the camera earlier</source>
+        <translation>请延长场景时长，或更早启动相机</translation>
+    </message>
+</context>
+<context>
+    <name>simulation.no_frame</name>
+    <message>
+        <source>camera %1 takes no frame while the scene lasts</source>
+        <translation>场景持续期间相机 %1 没有拍到帧</translation>
+    </message>
+</context>
+<context>
+    <name>simulation.rendering</name>
+    <message>
+        <source>rendering %1</source>
+        <translation>渲染 %1</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.every_offset_fits</name>
+    <message>
+        <source>the robot stood still or ran straight at constant speed, so every offset fits</source>
+        <translation>机器人静止或匀速直行，因此任何偏移都吻合</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.flash_disagrees</name>
+    <message>
+        <source>the motion tells an offset of %1, which was taken, and the flash of light %2</source>
+        <translation>由运动得偏移 %1（已采用），由闪光得 %2</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.flash_lights</name>
+    <message>
+        <source>flash the room lights once while both cameras record, or give --sync SECONDS</source>
+        <translation>请在两台相机录制时闪一次室内灯，或给出偏移</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.flashes_fit_alike</name>
+    <message>
+        <source>the flashes of light fit alike at offsets of %1 and %2</source>
+        <translation>闪光在偏移 %1 和 %2 处同样吻合</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.from_flash</name>
+    <message>
+        <source>from a flash of light, to %1 only, for %2</source>
+        <translation>由闪光得出，仅精确到 %1，因为%2</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.light_flickers</name>
+    <message>
+        <source>the light flickers</source>
+        <translation>光线在闪烁</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.motion_repeats</name>
+    <message>
+        <source>the motion repeats itself</source>
+        <translation>运动是重复的</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.neither_tells</name>
+    <message>
+        <source>%1, and %2</source>
+        <translation>%1，并且%2</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.no_flash</name>
+    <message>
+        <source>neither view shows a flash of light</source>
+        <translation>两个视角都没有闪光</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.no_offset_fits</name>
+    <message>
+        <source>the views&apos; tracks do not coincide at any offset looked at</source>
+        <translation>在所查看的任何偏移下各视角的轨迹都不重合</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.of_clips</name>
+    <message>
+        <source>synchronisation of the clips</source>
+        <translation>视频的同步</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.offset</name>
+    <message>
+        <source>%1 ±%2</source>
+        <translation>%1 ±%2</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.offsets_fit_alike</name>
+    <message>
+        <source>offsets of %1 and %2 fit alike</source>
+        <translation>偏移 %1 和 %2 同样吻合</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.one_flash</name>
+    <message>
+        <source>only one of the views shows a flash of light</source>
+        <translation>只有一个视角有闪光</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.other_flashes</name>
+    <message>
+        <source>the flashes of light in the views do not belong together</source>
+        <translation>各视角的闪光互不对应</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.robots_disagree</name>
+    <message>
+        <source>robot %1 tells an offset of %2, robot %3 %4, which was taken</source>
+        <translation>机器人 %1 给出的偏移为 %2，机器人 %3 为 %4，采用后者</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.seldom_seen</name>
+    <message>
+        <source>one view saw the robot in fewer than %1 pictures</source>
+        <translation>有一个视角看到机器人的画面少于 %1 幅</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.seldom_together</name>
+    <message>
+        <source>the views hardly ever saw the robot at the same time</source>
+        <translation>各视角几乎从未同时看到机器人</translation>
+    </message>
+</context>
+<context>
+    <name>synchronisation.tracks_differ</name>
+    <message>
+        <source>the views&apos; tracks do not resemble one another</source>
+        <translation>各视角的轨迹彼此不相似</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.add_robot</name>
+    <message>
+        <source>add a robot with its colour first</source>
+        <translation>请先添加机器人及其颜色</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.add_without_colour</name>
+    <message>
+        <source>add the robot without a colour, so that it is found by how it differs from the floor</source>
+        <translation>请添加没有颜色的机器人，这样会按它与地面的差别来寻找</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.box_is_grey</name>
+    <message>
+        <source>what differs from the floor around it is grey, black or white</source>
+        <translation>与周围地面不同的部分是灰、黑或白色</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.box_leaves_nothing</name>
+    <message>
+        <source>the box leaves nothing of the floor to compare with</source>
+        <translation>框外没有可供比较的地面</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.box_too_small</name>
+    <message>
+        <source>the box is too small, or outside the picture</source>
+        <translation>框太小，或在画面之外</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.box_without_colour</name>
+    <message>
+        <source>it holds no colour that differs from the floor around it</source>
+        <translation>其中没有与周围地面不同的颜色</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.cannot_track</name>
+    <message>
+        <source>Cannot track</source>
+        <translation>无法跟踪</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.cannot_track_robot</name>
+    <message>
+        <source>Cannot track robot %1</source>
+        <translation>无法跟踪机器人 %1</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.colour_in_box</name>
+    <message>
+        <source>colour in the box</source>
+        <translation>框内的颜色</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.colour_is_grey</name>
+    <message>
+        <source>its colour %1 is grey, and only hue tells a robot from the floor</source>
+        <translation>其颜色 %1 为灰色，而只有色相能把机器人与地面区分</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.draw_box_closely</name>
+    <message>
+        <source>draw it closely round the robot</source>
+        <translation>请紧贴机器人画框</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.draw_box_larger</name>
+    <message>
+        <source>draw it round the robot, at least 8 pixels wide and high</source>
+        <translation>请围着机器人画框，宽高至少 8 像素</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.no_robot_given</name>
+    <message>
+        <source>no robot is given</source>
+        <translation>没有给出机器人</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.put_plate_on_it</name>
+    <message>
+        <source>draw it closely round the robot, or put a plate of another colour on it</source>
+        <translation>请紧贴机器人画框，或在其上放另一种颜色的板</translation>
+    </message>
+</context>
+<context>
+    <name>tracking.tell_no_colour</name>
+    <message>
+        <source>tell no colour, so that it is found by how it differs from the floor</source>
+        <translation>不要指定颜色，这样会按它与地面的差别来寻找</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.add_view</name>
+    <message>
+        <source>add a second view, or give the robot one height</source>
+        <translation>请增加第二个视角，或给出机器人的高度</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.analysing_position</name>
+    <message>
+        <source>analysing position %1</source>
+        <translation>正在分析位置 %1</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.camera_not_registered</name>
+    <message>
+        <source>camera %1 is not registered to the floor</source>
+        <translation>相机 %1 未配准到地面</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.cameras_not_registered</name>
+    <message>
+        <source>cameras %1 are not registered to the floor</source>
+        <translation>相机 %1 未配准到地面</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.centre_reference</name>
+    <message>
+        <source>give it the reference point 0,0 and track again</source>
+        <translation>请把参考点设为 0,0 后重新跟踪</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.check_robot_and_light</name>
+    <message>
+        <source>check that the robot moves in the pictures, that a colour that was told is the one it has there, and that the light is sufficient</source>
+        <translation>请检查机器人在画面中是否移动、指定的颜色是否与画面中的一致、光线是否充足</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.choose_longer_track</name>
+    <message>
+        <source>choose a track with more positions</source>
+        <translation>请选择位置更多的轨迹</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.choose_longer_video</name>
+    <message>
+        <source>choose a longer video, or check the robot&apos;s colour and the light</source>
+        <translation>请选择更长的视频，或检查机器人的颜色和光线</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.cut_by_edge</name>
+    <message>
+        <source>cut by the picture&apos;s edge</source>
+        <translation>被画面边缘截断</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.cut_by_frames_edge</name>
+    <message>
+        <source>cut by the frame&apos;s edge in view %1</source>
+        <translation>在视角 %1 中被画面边缘截断</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.faster_than_limit</name>
+    <message>
+        <source>faster than the limit</source>
+        <translation>超过速度限值</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.figures_of_seen</name>
+    <message>
+        <source>the figures are of the part that was seen</source>
+        <translation>指标只针对被看到的部分</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.frames_that_tell</name>
+    <message>
+        <source>of %1 frames %2 give a position that can be used</source>
+        <translation>%1 帧中有 %2 帧给出可用的位置</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.harder_than_limit</name>
+    <message>
+        <source>harder than the limit of acceleration</source>
+        <translation>超过加速度限值</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.heading_unknown</name>
+    <message>
+        <source>its reference point lies beside its centre, but its outlines do not tell its heading</source>
+        <translation>其参考点偏离中心，但其轮廓无法给出朝向</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.hidden_behind</name>
+    <message>
+        <source>hidden behind %1 in view %2</source>
+        <translation>在视角 %2 中被 %1 遮挡</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.import_video</name>
+    <message>
+        <source>import at least one video for it</source>
+        <translation>请至少为其导入一个视频</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.jump</name>
+    <message>
+        <source>jump</source>
+        <translation>跳跃</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.jump_of</name>
+    <message>
+        <source>jump of %1</source>
+        <translation>跳跃 %1</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.look_and_register</name>
+    <message>
+        <source>look at the outlines, and register the cameras again</source>
+        <translation>请查看轮廓，并重新配准相机</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.move_camera</name>
+    <message>
+        <source>move or add a camera so that the whole task is seen</source>
+        <translation>请移动或增加相机，使整个任务都能被看到</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.no_such_smoother</name>
+    <message>
+        <source>there is none of that name</source>
+        <translation>没有此名称</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.no_view</name>
+    <message>
+        <source>the trial has no view</source>
+        <translation>试验没有视角</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.no_view_trusted</name>
+    <message>
+        <source>none could be trusted</source>
+        <translation>没有一个可信</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.not_enough_data</name>
+    <message>
+        <source>not enough data</source>
+        <translation>数据不足</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.not_visible</name>
+    <message>
+        <source>not visible in view %1</source>
+        <translation>在视角 %1 中不可见</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.occlusion_span</name>
+    <message>
+        <source>%1 (%2 to %3)</source>
+        <translation>%1（%2 至 %3）</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.one_outline</name>
+    <message>
+        <source>one outline with %1 in view %2</source>
+        <translation>在视角 %2 中与 %1 连成一个轮廓</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.only_unregistered</name>
+    <message>
+        <source>only cameras that are not registered to the floor saw the robot</source>
+        <translation>只有未配准的相机看到了机器人</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.outline_larger</name>
+    <message>
+        <source>outline larger than usual in view %1</source>
+        <translation>在视角 %1 中轮廓比平时大</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.outline_smaller</name>
+    <message>
+        <source>outline smaller than usual in view %1</source>
+        <translation>在视角 %1 中轮廓比平时小</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.partly_hidden_behind</name>
+    <message>
+        <source>partly hidden behind %1 in view %2</source>
+        <translation>在视角 %2 中被 %1 部分遮挡</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.path_not_measured</name>
+    <message>
+        <source>the robot&apos;s path cannot be measured</source>
+        <translation>无法测量机器人的路径</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.register_one</name>
+    <message>
+        <source>run odograph register for at least one of them</source>
+        <translation>请至少配准其中一台</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.register_them</name>
+    <message>
+        <source>run odograph register for them</source>
+        <translation>请配准它们</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.robot_not_found</name>
+    <message>
+        <source>the robot was not found in any picture of %1</source>
+        <translation>在 %1 的任何画面中都没有找到机器人</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.seldom_together</name>
+    <message>
+        <source>its height is to be triangulated, but two registered views hardly ever saw it together</source>
+        <translation>需三角测量其高度，但两个已配准视角几乎没有同时看到它</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.smoother</name>
+    <message>
+        <source>smoother %1</source>
+        <translation>平滑器 %1</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.spike_by_hand</name>
+    <message>
+        <source>called a spike by hand</source>
+        <translation>由人标为异常点</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.stands_out_in_both</name>
+    <message>
+        <source>stands out in position and speed</source>
+        <translation>位置和速度突出</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.stands_out_in_position</name>
+    <message>
+        <source>stands out in position</source>
+        <translation>位置突出</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.stands_out_in_speed</name>
+    <message>
+        <source>stands out in speed</source>
+        <translation>速度突出</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.track_first</name>
+    <message>
+        <source>track the trial&apos;s videos first</source>
+        <translation>请先跟踪该试验的视频</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.tracker_unsure</name>
+    <message>
+        <source>the tracker was not sure (score %1)</source>
+        <translation>跟踪器不确定（得分 %1）</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.unseen_after</name>
+    <message>
+        <source>no view sees it after %1 (it was at X %2, Y %3)</source>
+        <translation>%1 之后没有视角看见它（当时在 X %2，Y %3）</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.unseen_between</name>
+    <message>
+        <source>no view sees it from %1 to %2 (it was at X %3, Y %4)</source>
+        <translation>从 %1 到 %2 没有视角看见它（当时在 X %3，Y %4）</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.use_smoother</name>
+    <message>
+        <source>use rts, savgol, tracker or none</source>
+        <translation>请使用 rts、savgol、tracker 或 none</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.view_left_out</name>
+    <message>
+        <source>one left out</source>
+        <translation>舍去了一个</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.view_without_frame</name>
+    <message>
+        <source>view %1 has no frame</source>
+        <translation>视角 %1 没有帧</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.views_apart</name>
+    <message>
+        <source>the views put it %1 apart</source>
+        <translation>各视角给出的位置相差 %1</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.views_disagree</name>
+    <message>
+        <source>views disagree by %1</source>
+        <translation>视角之间相差 %1</translation>
+    </message>
+</context>
+<context>
+    <name>trajectory.why_views_apart</name>
+    <message>
+        <source>a camera was moved after it was registered, the videos belong to other cameras, or one view follows something else</source>
+        <translation>某台相机在配准后被移动、视频属于其他相机，或某个视角跟踪了别的东西</translation>
+    </message>
+</context>
+<context>
+    <name>ui.add_camera</name>
+    <message>
+        <source>add camera %1</source>
+        <translation>添加相机 %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.add_class</name>
+    <message>
+        <source>add class %1</source>
+        <translation>添加班级 %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.add_layout</name>
+    <message>
+        <source>add layout %1</source>
+        <translation>添加布局 %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.add_robot</name>
+    <message>
+        <source>add robot %1</source>
+        <translation>添加机器人 %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.add_task</name>
+    <message>
+        <source>add task %1</source>
+        <translation>添加任务 %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.add_team</name>
+    <message>
+        <source>add team %1</source>
+        <translation>添加小组 %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.adding_strays</name>
+    <message>
+        <source>Adding stray videos as trials</source>
+        <translation>正在将无归属的视频添加为试验</translation>
+    </message>
+</context>
+<context>
+    <name>ui.and_more</name>
+    <message>
+        <source>and %1 more</source>
+        <translation>以及另外 %1 个</translation>
+    </message>
+</context>
+<context>
+    <name>ui.annotated_video</name>
+    <message>
+        <source>annotated video of &apos;%1&apos;</source>
+        <translation>“%1”的带标注视频</translation>
+    </message>
+</context>
+<context>
+    <name>ui.another_job_runs</name>
+    <message>
+        <source>another job is running</source>
+        <translation>另一项操作正在进行</translation>
+    </message>
+</context>
+<context>
+    <name>ui.archive_class</name>
+    <message>
+        <source>archive class %1</source>
+        <translation>归档班级 %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.archive_task</name>
+    <message>
+        <source>archive task %1</source>
+        <translation>归档任务 %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.archive_trial</name>
+    <message>
+        <source>archive %1</source>
+        <translation>归档 %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.archive_trials</name>
+    <message>
+        <source>archive %1 trials</source>
+        <translation>归档 %1 次试验</translation>
+    </message>
+</context>
+<context>
+    <name>ui.backup_is_sound</name>
+    <message>
+        <source>its backup of %1 is sound; what was done since is not in it</source>
+        <translation>其 %1 的备份完好；此后所做的不在其中</translation>
+    </message>
+</context>
+<context>
+    <name>ui.board_has_corners</name>
+    <message>
+        <source>a board has 3 to 30 inner corners each way</source>
+        <translation>标定板每个方向有 3 至 30 个内角点</translation>
+    </message>
+</context>
+<context>
+    <name>ui.bring_file_back</name>
+    <message>
+        <source>bring the file back to its place</source>
+        <translation>请将文件放回原处</translation>
+    </message>
+</context>
+<context>
+    <name>ui.calibrate_other_first</name>
+    <message>
+        <source>calibrate the other one, or import a trial with it, first</source>
+        <translation>请先标定另一台相机，或导入用它录制的试验</translation>
+    </message>
+</context>
+<context>
+    <name>ui.camera_named</name>
+    <message>
+        <source>camera %1</source>
+        <translation>相机 %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.cameras</name>
+    <message>
+        <source>the cameras</source>
+        <translation>相机</translation>
+    </message>
+</context>
+<context>
+    <name>ui.cannot_make_another</name>
+    <message>
+        <source>cannot make another project</source>
+        <translation>无法新建另一个项目</translation>
+    </message>
+</context>
+<context>
+    <name>ui.cannot_open_another</name>
+    <message>
+        <source>cannot open another project</source>
+        <translation>无法打开另一个项目</translation>
+    </message>
+</context>
+<context>
+    <name>ui.change_pseudonym</name>
+    <message>
+        <source>change the pseudonym of team %1</source>
+        <translation>更改小组 %1 的化名</translation>
+    </message>
+</context>
+<context>
+    <name>ui.change_robot</name>
+    <message>
+        <source>change robot %1</source>
+        <translation>更改机器人 %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.change_tags</name>
+    <message>
+        <source>change the tags of %1</source>
+        <translation>更改 %1 的标签</translation>
+    </message>
+</context>
+<context>
+    <name>ui.change_task</name>
+    <message>
+        <source>change task %1</source>
+        <translation>更改任务 %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.change_team</name>
+    <message>
+        <source>change members and robots of team %1</source>
+        <translation>更改小组 %1 的成员和机器人</translation>
+    </message>
+</context>
+<context>
+    <name>ui.charuco_numbered_in_two_ways</name>
+    <message>
+        <source>a ChArUco board of %1 rows of squares is numbered in two ways by different programs</source>
+        <translation>有 %1 行方格的 ChArUco 板，不同程序有两种编号方式</translation>
+    </message>
+</context>
+<context>
+    <name>ui.choose_logo</name>
+    <message>
+        <source>choose a PNG, JPEG or SVG picture</source>
+        <translation>请选择 PNG、JPEG 或 SVG 图片</translation>
+    </message>
+</context>
+<context>
+    <name>ui.choose_or_make_class</name>
+    <message>
+        <source>choose one of them, or make it in the workbench</source>
+        <translation>请选择其中之一，或在工作台中创建</translation>
+    </message>
+</context>
+<context>
+    <name>ui.choose_recorded</name>
+    <message>
+        <source>choose one that was recorded</source>
+        <translation>请选择有录像的试验</translation>
+    </message>
+</context>
+<context>
+    <name>ui.choose_trial_or_class</name>
+    <message>
+        <source>choose a trial or a class</source>
+        <translation>请选择一次试验或一个班级</translation>
+    </message>
+</context>
+<context>
+    <name>ui.choose_video_size</name>
+    <message>
+        <source>choose another, such as 1920x1080</source>
+        <translation>请另选一个，如 1920x1080</translation>
+    </message>
+</context>
+<context>
+    <name>ui.choose_video_speed</name>
+    <message>
+        <source>choose another, such as 0.25</source>
+        <translation>请另选一个，如 0.25</translation>
+    </message>
+</context>
+<context>
+    <name>ui.comparison</name>
+    <message>
+        <source>comparison</source>
+        <translation>比较</translation>
+    </message>
+</context>
+<context>
+    <name>ui.completing_recording</name>
+    <message>
+        <source>Completing a recording that was cut off</source>
+        <translation>正在补全被中断的录像</translation>
+    </message>
+</context>
+<context>
+    <name>ui.connect_camera</name>
+    <message>
+        <source>connect camera %1</source>
+        <translation>连接相机 %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.delete_class</name>
+    <message>
+        <source>delete class %1</source>
+        <translation>删除班级 %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.delete_robot</name>
+    <message>
+        <source>delete robot %1</source>
+        <translation>删除机器人 %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.delete_task</name>
+    <message>
+        <source>delete task %1</source>
+        <translation>删除任务 %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.delete_team</name>
+    <message>
+        <source>delete team %1</source>
+        <translation>删除小组 %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.delete_trial</name>
+    <message>
+        <source>delete %1</source>
+        <translation>删除 %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.delete_trials</name>
+    <message>
+        <source>delete %1 trials</source>
+        <translation>删除 %1 次试验</translation>
+    </message>
+</context>
+<context>
+    <name>ui.does_not_fit_on</name>
+    <message>
+        <source>%1 by %2 do not fit on %3</source>
+        <translation>%1 × %2 在 %3 上放不下</translation>
+    </message>
+</context>
+<context>
+    <name>ui.emptying_bin</name>
+    <message>
+        <source>Emptying the bin</source>
+        <translation>正在清空回收站</translation>
+    </message>
+</context>
+<context>
+    <name>ui.export_of</name>
+    <message>
+        <source>export of %1</source>
+        <translation>导出 %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.exported_trials</name>
+    <message>
+        <source>Exported trials: %1 of %2</source>
+        <translation>已导出试验：%1，共 %2</translation>
+    </message>
+</context>
+<context>
+    <name>ui.exporting</name>
+    <message>
+        <source>Exporting %1 (%2 of %3)</source>
+        <translation>正在导出 %1（第 %2 个，共 %3 个）</translation>
+    </message>
+</context>
+<context>
+    <name>ui.give_board_size</name>
+    <message>
+        <source>give a size as 9x6</source>
+        <translation>请给出如 9x6 的尺寸</translation>
+    </message>
+</context>
+<context>
+    <name>ui.give_marker_size</name>
+    <message>
+        <source>give its size, as 150mm</source>
+        <translation>请给出其尺寸，如 150mm</translation>
+    </message>
+</context>
+<context>
+    <name>ui.give_square_side</name>
+    <message>
+        <source>give the side of a square, as 25mm</source>
+        <translation>请给出方格的边长，如 25mm</translation>
+    </message>
+</context>
+<context>
+    <name>ui.import_or_record_first</name>
+    <message>
+        <source>import or record one first</source>
+        <translation>请先导入或录制一次试验</translation>
+    </message>
+</context>
+<context>
+    <name>ui.importing</name>
+    <message>
+        <source>Importing %1</source>
+        <translation>正在导入 %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.is_printer_ready</name>
+    <message>
+        <source>look whether the printer is ready</source>
+        <translation>请查看打印机是否就绪</translation>
+    </message>
+</context>
+<context>
+    <name>ui.job_runs_on_project</name>
+    <message>
+        <source>a job is running on the project</source>
+        <translation>项目上有操作正在进行</translation>
+    </message>
+</context>
+<context>
+    <name>ui.lens_of_other_size</name>
+    <message>
+        <source>it is %1×%2, but the lens was measured at %3×%4</source>
+        <translation>其尺寸为 %1×%2，但镜头是在 %3×%4 下测量的</translation>
+    </message>
+</context>
+<context>
+    <name>ui.logo</name>
+    <message>
+        <source>logo &apos;%1&apos;</source>
+        <translation>校徽“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>ui.logo_too_large</name>
+    <message>
+        <source>it is larger than a hundred megapixels</source>
+        <translation>超过 1 亿像素</translation>
+    </message>
+</context>
+<context>
+    <name>ui.look_at_printer</name>
+    <message>
+        <source>look at the printer and its queue, or save the report as PDF</source>
+        <translation>请检查打印机及其队列，或将报告保存为 PDF</translation>
+    </message>
+</context>
+<context>
+    <name>ui.looking_for_lost</name>
+    <message>
+        <source>Looking for lost videos</source>
+        <translation>正在查找丢失的视频</translation>
+    </message>
+</context>
+<context>
+    <name>ui.looking_for_markers</name>
+    <message>
+        <source>looking for the markers in %1</source>
+        <translation>正在 %1 中寻找标记</translation>
+    </message>
+</context>
+<context>
+    <name>ui.looking_for_strays</name>
+    <message>
+        <source>Looking for stray files</source>
+        <translation>正在查找无归属的文件</translation>
+    </message>
+</context>
+<context>
+    <name>ui.make_marker_smaller</name>
+    <message>
+        <source>make it %1 at most, or take a larger paper</source>
+        <translation>请使其不超过 %1，或使用更大的纸</translation>
+    </message>
+</context>
+<context>
+    <name>ui.make_smaller</name>
+    <message>
+        <source>make it smaller</source>
+        <translation>请缩小</translation>
+    </message>
+</context>
+<context>
+    <name>ui.make_squares_smaller</name>
+    <message>
+        <source>make the squares %1 at most, or take a larger paper</source>
+        <translation>请使方格不超过 %1，或使用更大的纸</translation>
+    </message>
+</context>
+<context>
+    <name>ui.making_demo</name>
+    <message>
+        <source>Making the demo lesson</source>
+        <translation>正在生成演示课</translation>
+    </message>
+</context>
+<context>
+    <name>ui.making_hashes</name>
+    <message>
+        <source>Making the hashes of new recordings</source>
+        <translation>正在计算新录像的哈希值</translation>
+    </message>
+</context>
+<context>
+    <name>ui.making_report</name>
+    <message>
+        <source>Making the report</source>
+        <translation>正在生成报告</translation>
+    </message>
+</context>
+<context>
+    <name>ui.making_video</name>
+    <message>
+        <source>Making the video of %1</source>
+        <translation>正在生成 %1 的视频</translation>
+    </message>
+</context>
+<context>
+    <name>ui.making_videos</name>
+    <message>
+        <source>Making the video of %1 (%2 of %3)</source>
+        <translation>正在生成 %1 的视频（第 %2 个，共 %3 个）</translation>
+    </message>
+</context>
+<context>
+    <name>ui.many_trials</name>
+    <message>
+        <source>many trials</source>
+        <translation>多次试验</translation>
+    </message>
+</context>
+<context>
+    <name>ui.measuring_again</name>
+    <message>
+        <source>Measuring %1 again</source>
+        <translation>正在重新测量 %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.measuring_trials_again</name>
+    <message>
+        <source>Measuring %1 again (%2 of %3)</source>
+        <translation>正在重新测量 %1（第 %2 个，共 %3 个）</translation>
+    </message>
+</context>
+<context>
+    <name>ui.mend_and_choose_again</name>
+    <message>
+        <source>mend what stands there, and choose these trials again</source>
+        <translation>请先解决上述问题，再重新选择这些试验</translation>
+    </message>
+</context>
+<context>
+    <name>ui.move_team</name>
+    <message>
+        <source>move team %1 to class %2</source>
+        <translation>将小组 %1 移至班级 %2</translation>
+    </message>
+</context>
+<context>
+    <name>ui.name_one_marker</name>
+    <message>
+        <source>name at least one, as O</source>
+        <translation>请至少指定一个，如 O</translation>
+    </message>
+</context>
+<context>
+    <name>ui.no_camera_registered</name>
+    <message>
+        <source>no camera is registered yet</source>
+        <translation>尚未配准任何相机</translation>
+    </message>
+</context>
+<context>
+    <name>ui.no_further_page</name>
+    <message>
+        <source>it takes no further page</source>
+        <translation>它不再接收页面</translation>
+    </message>
+</context>
+<context>
+    <name>ui.no_marker_to_print</name>
+    <message>
+        <source>there is no marker to print</source>
+        <translation>没有可打印的标记</translation>
+    </message>
+</context>
+<context>
+    <name>ui.no_page</name>
+    <message>
+        <source>it has no page</source>
+        <translation>它没有页面</translation>
+    </message>
+</context>
+<context>
+    <name>ui.no_project_open</name>
+    <message>
+        <source>no project is open</source>
+        <translation>没有打开的项目</translation>
+    </message>
+</context>
+<context>
+    <name>ui.no_run_with_figure</name>
+    <message>
+        <source>none of its teams has a run with the figure &apos;%1&apos;</source>
+        <translation>其小组都没有具有指标“%1”的运行</translation>
+    </message>
+</context>
+<context>
+    <name>ui.no_run_with_figure_in_task</name>
+    <message>
+        <source>none of its teams has a run with the figure &apos;%1&apos; in the task &apos;%2&apos;</source>
+        <translation>其小组在任务“%2”中都没有具有指标“%1”的运行</translation>
+    </message>
+</context>
+<context>
+    <name>ui.no_trial_yet</name>
+    <message>
+        <source>there is no trial yet</source>
+        <translation>尚无试验</translation>
+    </message>
+</context>
+<context>
+    <name>ui.not_printed</name>
+    <message>
+        <source>it could not be printed</source>
+        <translation>无法打印</translation>
+    </message>
+</context>
+<context>
+    <name>ui.nothing_changed_here</name>
+    <message>
+        <source>nothing was changed here</source>
+        <translation>此处未作任何更改</translation>
+    </message>
+</context>
+<context>
+    <name>ui.only_be_read</name>
+    <message>
+        <source>this project can only be read</source>
+        <translation>此项目只能读取</translation>
+    </message>
+</context>
+<context>
+    <name>ui.only_one_camera</name>
+    <message>
+        <source>there is only one camera</source>
+        <translation>只有一台相机</translation>
+    </message>
+</context>
+<context>
+    <name>ui.only_so_many_charuco_markers</name>
+    <message>
+        <source>there are only 250 markers for a ChArUco board</source>
+        <translation>ChArUco 板只有 250 个标记可用</translation>
+    </message>
+</context>
+<context>
+    <name>ui.only_so_many_tags</name>
+    <message>
+        <source>there are only %1 tags</source>
+        <translation>标签码只有 %1 个</translation>
+    </message>
+</context>
+<context>
+    <name>ui.open_its_project</name>
+    <message>
+        <source>open the project that it belongs to</source>
+        <translation>请打开它所属的项目</translation>
+    </message>
+</context>
+<context>
+    <name>ui.open_project_first</name>
+    <message>
+        <source>open or make a project first</source>
+        <translation>请先打开或新建项目</translation>
+    </message>
+</context>
+<context>
+    <name>ui.opening</name>
+    <message>
+        <source>Opening %1</source>
+        <translation>正在打开 %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.packing</name>
+    <message>
+        <source>Packing the project</source>
+        <translation>正在打包项目</translation>
+    </message>
+</context>
+<context>
+    <name>ui.pages_not_taken</name>
+    <message>
+        <source>it did not take the pages</source>
+        <translation>它没有接收这些页面</translation>
+    </message>
+</context>
+<context>
+    <name>ui.painting_floor</name>
+    <message>
+        <source>painting the floor</source>
+        <translation>绘制地面</translation>
+    </message>
+</context>
+<context>
+    <name>ui.picture</name>
+    <message>
+        <source>the picture</source>
+        <translation>图片</translation>
+    </message>
+</context>
+<context>
+    <name>ui.picture_of</name>
+    <message>
+        <source>picture %1 of %2</source>
+        <translation>第 %1 幅，共 %2 幅</translation>
+    </message>
+</context>
+<context>
+    <name>ui.preview</name>
+    <message>
+        <source>preview</source>
+        <translation>预览</translation>
+    </message>
+</context>
+<context>
+    <name>ui.print_fewer_markers</name>
+    <message>
+        <source>print fewer markers</source>
+        <translation>请少打印一些标记</translation>
+    </message>
+</context>
+<context>
+    <name>ui.printer_not_reached</name>
+    <message>
+        <source>it cannot be reached</source>
+        <translation>无法连接</translation>
+    </message>
+</context>
+<context>
+    <name>ui.printing_on</name>
+    <message>
+        <source>printing on &apos;%1&apos;</source>
+        <translation>在“%1”上打印</translation>
+    </message>
+</context>
+<context>
+    <name>ui.project_has_classes</name>
+    <message>
+        <source>the project has %1</source>
+        <translation>项目中有 %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.project_has_no_class</name>
+    <message>
+        <source>the project has none</source>
+        <translation>项目中没有班级</translation>
+    </message>
+</context>
+<context>
+    <name>ui.recording_not_there</name>
+    <message>
+        <source>the recording of camera %1 is not at &apos;%2&apos;</source>
+        <translation>相机 %1 的录像不在“%2”</translation>
+    </message>
+</context>
+<context>
+    <name>ui.redo</name>
+    <message>
+        <source>redo</source>
+        <translation>重做</translation>
+    </message>
+</context>
+<context>
+    <name>ui.register_camera</name>
+    <message>
+        <source>register camera %1</source>
+        <translation>配准相机 %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.register_one_first</name>
+    <message>
+        <source>register one that sees the markers first</source>
+        <translation>请先配准一台能看到标记的相机</translation>
+    </message>
+</context>
+<context>
+    <name>ui.registration_through_another</name>
+    <message>
+        <source>registration through another camera</source>
+        <translation>通过另一相机的配准</translation>
+    </message>
+</context>
+<context>
+    <name>ui.removing_strays</name>
+    <message>
+        <source>Removing stray files</source>
+        <translation>正在移除无归属的文件</translation>
+    </message>
+</context>
+<context>
+    <name>ui.rename_class</name>
+    <message>
+        <source>rename class %1 to %2</source>
+        <translation>将班级 %1 重命名为 %2</translation>
+    </message>
+</context>
+<context>
+    <name>ui.rename_task</name>
+    <message>
+        <source>rename task %1 to %2</source>
+        <translation>将任务 %1 重命名为 %2</translation>
+    </message>
+</context>
+<context>
+    <name>ui.rename_team</name>
+    <message>
+        <source>rename team %1 to %2</source>
+        <translation>将小组 %1 重命名为 %2</translation>
+    </message>
+</context>
+<context>
+    <name>ui.report</name>
+    <message>
+        <source>report</source>
+        <translation>报告</translation>
+    </message>
+</context>
+<context>
+    <name>ui.report_file</name>
+    <message>
+        <source>report &apos;%1&apos;</source>
+        <translation>报告“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>ui.report_of_class</name>
+    <message>
+        <source>report of class &apos;%1&apos;</source>
+        <translation>班级“%1”的报告</translation>
+    </message>
+</context>
+<context>
+    <name>ui.restoring_backup</name>
+    <message>
+        <source>Restoring the backup</source>
+        <translation>正在恢复备份</translation>
+    </message>
+</context>
+<context>
+    <name>ui.save_copy</name>
+    <message>
+        <source>save a copy and work on that</source>
+        <translation>请保存副本，在副本上继续</translation>
+    </message>
+</context>
+<context>
+    <name>ui.saving_copy</name>
+    <message>
+        <source>Saving a copy</source>
+        <translation>正在保存副本</translation>
+    </message>
+</context>
+<context>
+    <name>ui.size_is_no_length</name>
+    <message>
+        <source>its size is not a length</source>
+        <translation>其尺寸不是长度</translation>
+    </message>
+</context>
+<context>
+    <name>ui.star_trial</name>
+    <message>
+        <source>star %1</source>
+        <translation>为 %1 加星标</translation>
+    </message>
+</context>
+<context>
+    <name>ui.star_trials</name>
+    <message>
+        <source>star %1 trials</source>
+        <translation>为 %1 次试验加星标</translation>
+    </message>
+</context>
+<context>
+    <name>ui.take_at_that_resolution</name>
+    <message>
+        <source>take it at that resolution, or measure the lens again</source>
+        <translation>请以该分辨率拍摄，或重新测量镜头</translation>
+    </message>
+</context>
+<context>
+    <name>ui.take_even_rows</name>
+    <message>
+        <source>take an even number of rows of inner corners, as 9x6</source>
+        <translation>请使用偶数行内角点，如 9x6</translation>
+    </message>
+</context>
+<context>
+    <name>ui.take_fewer_squares</name>
+    <message>
+        <source>take fewer squares</source>
+        <translation>请减少方格数</translation>
+    </message>
+</context>
+<context>
+    <name>ui.take_team_out</name>
+    <message>
+        <source>take team %1 out of its class</source>
+        <translation>将小组 %1 移出其班级</translation>
+    </message>
+</context>
+<context>
+    <name>ui.taking_over_setup</name>
+    <message>
+        <source>Taking over the set-up</source>
+        <translation>正在沿用设置</translation>
+    </message>
+</context>
+<context>
+    <name>ui.target</name>
+    <message>
+        <source>target</source>
+        <translation>靶标</translation>
+    </message>
+</context>
+<context>
+    <name>ui.the_sample</name>
+    <message>
+        <source>the sample</source>
+        <translation>采样点</translation>
+    </message>
+</context>
+<context>
+    <name>ui.the_trial</name>
+    <message>
+        <source>the trial</source>
+        <translation>试验</translation>
+    </message>
+</context>
+<context>
+    <name>ui.track_or_choose_figure</name>
+    <message>
+        <source>track its trials, or choose another task or figure</source>
+        <translation>请跟踪其试验，或选择其他任务或指标</translation>
+    </message>
+</context>
+<context>
+    <name>ui.tracking</name>
+    <message>
+        <source>Tracking %1</source>
+        <translation>正在跟踪 %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.trial_without_recording</name>
+    <message>
+        <source>the trial has no recording</source>
+        <translation>该试验没有录像</translation>
+    </message>
+</context>
+<context>
+    <name>ui.trials_measured_again</name>
+    <message>
+        <source>Trials measured again: %1 of %2</source>
+        <translation>已重新测量试验：%1，共 %2</translation>
+    </message>
+</context>
+<context>
+    <name>ui.unarchive_class</name>
+    <message>
+        <source>take class %1 out of the archive</source>
+        <translation>取消归档班级 %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.unarchive_task</name>
+    <message>
+        <source>take task %1 out of the archive</source>
+        <translation>取消归档任务 %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.unarchive_trial</name>
+    <message>
+        <source>take %1 out of the archive</source>
+        <translation>取消归档 %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.unarchive_trials</name>
+    <message>
+        <source>take %1 trials out of the archive</source>
+        <translation>取消归档 %1 次试验</translation>
+    </message>
+</context>
+<context>
+    <name>ui.undelete_trial</name>
+    <message>
+        <source>take %1 out of the bin</source>
+        <translation>从回收站放回 %1</translation>
+    </message>
+</context>
+<context>
+    <name>ui.undelete_trials</name>
+    <message>
+        <source>take %1 trials out of the bin</source>
+        <translation>从回收站放回 %1 次试验</translation>
+    </message>
+</context>
+<context>
+    <name>ui.undo</name>
+    <message>
+        <source>undo</source>
+        <translation>撤销</translation>
+    </message>
+</context>
+<context>
+    <name>ui.undo_in_menu</name>
+    <message>
+        <source>what was changed before is taken back in the window&apos;s menu Edit</source>
+        <translation>之前的更改请在窗口的“编辑”菜单中撤销</translation>
+    </message>
+</context>
+<context>
+    <name>ui.unpacking</name>
+    <message>
+        <source>Unpacking the project</source>
+        <translation>正在解包项目</translation>
+    </message>
+</context>
+<context>
+    <name>ui.unstar_trial</name>
+    <message>
+        <source>take the star off %1</source>
+        <translation>取消 %1 的星标</translation>
+    </message>
+</context>
+<context>
+    <name>ui.unstar_trials</name>
+    <message>
+        <source>take the star off %1 trials</source>
+        <translation>取消 %1 次试验的星标</translation>
+    </message>
+</context>
+<context>
+    <name>ui.video_size_wrong</name>
+    <message>
+        <source>its size of %1x%2 is odd, or not from 320x180 to 3840x2160</source>
+        <translation>其尺寸 %1x%2 为奇数，或不在 320x180 至 3840x2160 之间</translation>
+    </message>
+</context>
+<context>
+    <name>ui.video_speed_wrong</name>
+    <message>
+        <source>its speed is not from 0.1 to 1</source>
+        <translation>其速度不在 0.1 至 1 之间</translation>
+    </message>
+</context>
+<context>
+    <name>ui.videos_made</name>
+    <message>
+        <source>Videos made: %1 of %2</source>
+        <translation>已生成视频：%1，共 %2</translation>
+    </message>
+</context>
+<context>
+    <name>ui.wait_or_cancel</name>
+    <message>
+        <source>wait until it is done, or cancel it</source>
+        <translation>请等它完成，或将其取消</translation>
+    </message>
+</context>
+<context>
+    <name>ui.write_notes</name>
+    <message>
+        <source>write notes of %1</source>
+        <translation>编写 %1 的备注</translation>
+    </message>
+</context>
+<context>
+    <name>ui.writing_back</name>
+    <message>
+        <source>writing back</source>
+        <translation>写回</translation>
+    </message>
+</context>
+<context>
+    <name>video.cannot_decode</name>
+    <message>
+        <source>cannot decode the video</source>
+        <translation>无法解码该视频</translation>
+    </message>
+</context>
+<context>
+    <name>video.cannot_decode_all</name>
+    <message>
+        <source>cannot decode all of a frame</source>
+        <translation>无法完整解码一帧</translation>
+    </message>
+</context>
+<context>
+    <name>video.cannot_decode_frame</name>
+    <message>
+        <source>cannot decode frame %1 of %2</source>
+        <translation>无法解码 %2 的第 %1 帧</translation>
+    </message>
+</context>
+<context>
+    <name>video.cannot_encode</name>
+    <message>
+        <source>cannot encode the video</source>
+        <translation>无法编码视频</translation>
+    </message>
+</context>
+<context>
+    <name>video.cannot_finish</name>
+    <message>
+        <source>cannot finish the video %1</source>
+        <translation>无法完成视频 %1</translation>
+    </message>
+</context>
+<context>
+    <name>video.cannot_open</name>
+    <message>
+        <source>cannot open the video %1</source>
+        <translation>无法打开视频 %1</translation>
+    </message>
+</context>
+<context>
+    <name>video.cannot_read_picture</name>
+    <message>
+        <source>cannot read the picture %1</source>
+        <translation>无法读取图片 %1</translation>
+    </message>
+</context>
+<context>
+    <name>video.cannot_show_frame</name>
+    <message>
+        <source>cannot show frame %1 of %2</source>
+        <translation>无法显示 %2 的第 %1 帧</translation>
+    </message>
+</context>
+<context>
+    <name>video.cannot_write</name>
+    <message>
+        <source>cannot write the video %1</source>
+        <translation>无法写出视频 %1</translation>
+    </message>
+</context>
+<context>
+    <name>video.cannot_write_frame</name>
+    <message>
+        <source>cannot write a frame to the video %1</source>
+        <translation>无法向视频 %1 写入帧</translation>
+    </message>
+</context>
+<context>
+    <name>video.cannot_write_recording</name>
+    <message>
+        <source>cannot write the recording %1</source>
+        <translation>无法写出录像 %1</translation>
+    </message>
+</context>
+<context>
+    <name>video.check_its_folder</name>
+    <message>
+        <source>check that its folder may be written to and has room</source>
+        <translation>请检查其文件夹可写且有空间</translation>
+    </message>
+</context>
+<context>
+    <name>video.check_picture_place</name>
+    <message>
+        <source>check the folder, the free space, and that the name ends in .png or .jpg</source>
+        <translation>请检查文件夹、可用空间，以及名称以 .png 或 .jpg 结尾</translation>
+    </message>
+</context>
+<context>
+    <name>video.check_room</name>
+    <message>
+        <source>check that there is room on the disk</source>
+        <translation>请检查磁盘是否有空间</translation>
+    </message>
+</context>
+<context>
+    <name>video.check_the_folder</name>
+    <message>
+        <source>check that the folder exists, may be written to and has room</source>
+        <translation>请检查文件夹存在、可写且有空间</translation>
+    </message>
+</context>
+<context>
+    <name>video.check_what_was_asked</name>
+    <message>
+        <source>check the size, the frame rate and the quality that were asked for</source>
+        <translation>请检查所要求的尺寸、帧率和质量</translation>
+    </message>
+</context>
+<context>
+    <name>video.choose_one_of_these</name>
+    <message>
+        <source>choose one of these</source>
+        <translation>请从中选择</translation>
+    </message>
+</context>
+<context>
+    <name>video.convert_to_h264</name>
+    <message>
+        <source>convert it to H.264</source>
+        <translation>请转换为 H.264</translation>
+    </message>
+</context>
+<context>
+    <name>video.convert_to_png</name>
+    <message>
+        <source>convert it to PNG or JPEG</source>
+        <translation>请转换为 PNG 或 JPEG</translation>
+    </message>
+</context>
+<context>
+    <name>video.convert_to_smaller</name>
+    <message>
+        <source>convert it to a smaller size</source>
+        <translation>请转换为更小的尺寸</translation>
+    </message>
+</context>
+<context>
+    <name>video.convert_to_yuv</name>
+    <message>
+        <source>convert it to 8-bit YUV, e.g. ffmpeg -i FILE -pix_fmt yuv420p NEW.mp4</source>
+        <translation>请转换为 8 位 YUV，例如 ffmpeg -i FILE -pix_fmt yuv420p NEW.mp4</translation>
+    </message>
+</context>
+<context>
+    <name>video.copy_again</name>
+    <message>
+        <source>copy it again</source>
+        <translation>请重新复制</translation>
+    </message>
+</context>
+<context>
+    <name>video.copy_from_camera</name>
+    <message>
+        <source>copy it from the camera again</source>
+        <translation>请从相机重新复制</translation>
+    </message>
+</context>
+<context>
+    <name>video.copy_if_cut_short</name>
+    <message>
+        <source>copy it from the camera again if it was cut short</source>
+        <translation>若被截断，请从相机重新复制</translation>
+    </message>
+</context>
+<context>
+    <name>video.data_damaged</name>
+    <message>
+        <source>its data are damaged</source>
+        <translation>数据已损坏</translation>
+    </message>
+</context>
+<context>
+    <name>video.decoder_not_started</name>
+    <message>
+        <source>its decoder would not start (%1)</source>
+        <translation>其解码器无法启动（%1）</translation>
+    </message>
+</context>
+<context>
+    <name>video.each_at_its_time</name>
+    <message>
+        <source>each counts at its own time</source>
+        <translation>每张图片按其自身的时间计算</translation>
+    </message>
+</context>
+<context>
+    <name>video.encoder_not_started</name>
+    <message>
+        <source>the encoder would not start (%1)</source>
+        <translation>编码器无法启动（%1）</translation>
+    </message>
+</context>
+<context>
+    <name>video.ends_early</name>
+    <message>
+        <source>ends early at %1</source>
+        <translation>在 %1 处提前结束</translation>
+    </message>
+</context>
+<context>
+    <name>video.even_rate_assumed</name>
+    <message>
+        <source>an even %1 is assumed</source>
+        <translation>按均匀的 %1 处理</translation>
+    </message>
+</context>
+<context>
+    <name>video.failed_before</name>
+    <message>
+        <source>writing has failed before</source>
+        <translation>此前写入已失败</translation>
+    </message>
+</context>
+<context>
+    <name>video.file_is_empty</name>
+    <message>
+        <source>the file is empty</source>
+        <translation>文件为空</translation>
+    </message>
+</context>
+<context>
+    <name>video.file_not_read</name>
+    <message>
+        <source>the file could not be read</source>
+        <translation>无法读取文件</translation>
+    </message>
+</context>
+<context>
+    <name>video.format_differs</name>
+    <message>
+        <source>its format differs from the video&apos;s</source>
+        <translation>其格式与视频不同</translation>
+    </message>
+</context>
+<context>
+    <name>video.frame_left_out</name>
+    <message>
+        <source>it is left out</source>
+        <translation>已舍去</translation>
+    </message>
+</context>
+<context>
+    <name>video.frames_it_has</name>
+    <message>
+        <source>it has frames 0 to %1</source>
+        <translation>其帧为 0 到 %1</translation>
+    </message>
+</context>
+<context>
+    <name>video.frames_left_out</name>
+    <message>
+        <source>%1 frames left out</source>
+        <translation>略去 %1 帧</translation>
+    </message>
+</context>
+<context>
+    <name>video.frames_not_encodable</name>
+    <message>
+        <source>frames of this size or chroma format cannot be encoded</source>
+        <translation>无法对此尺寸或色度格式的帧编码</translation>
+    </message>
+</context>
+<context>
+    <name>video.give_another_format</name>
+    <message>
+        <source>let the camera give another format</source>
+        <translation>请让相机输出其他格式</translation>
+    </message>
+</context>
+<context>
+    <name>video.give_camera_file</name>
+    <message>
+        <source>give the file that the camera recorded</source>
+        <translation>请给出相机录制的文件</translation>
+    </message>
+</context>
+<context>
+    <name>video.give_container</name>
+    <message>
+        <source>give an MP4, MOV, MKV or AVI file</source>
+        <translation>请给出 MP4、MOV、MKV 或 AVI 文件</translation>
+    </message>
+</context>
+<context>
+    <name>video.give_known_ending</name>
+    <message>
+        <source>give it one of these endings</source>
+        <translation>请使用其中一种扩展名</translation>
+    </message>
+</context>
+<context>
+    <name>video.give_rate</name>
+    <message>
+        <source>give the frames per second, e.g. 30</source>
+        <translation>请给出每秒帧数，例如 30</translation>
+    </message>
+</context>
+<context>
+    <name>video.h264_needs_even</name>
+    <message>
+        <source>H.264 needs an even width and height, not %1</source>
+        <translation>H.264 需要偶数宽高，而非 %1</translation>
+    </message>
+</context>
+<context>
+    <name>video.header_not_rewritten</name>
+    <message>
+        <source>its header could not be rewritten</source>
+        <translation>无法重写其文件头</translation>
+    </message>
+</context>
+<context>
+    <name>video.header_promises</name>
+    <message>
+        <source>its header promises %1</source>
+        <translation>其文件头声明为 %1</translation>
+    </message>
+</context>
+<context>
+    <name>video.install_libavcodec</name>
+    <message>
+        <source>install Debian&apos;s libavcodec</source>
+        <translation>请安装 Debian 的 libavcodec</translation>
+    </message>
+</context>
+<context>
+    <name>video.install_libx264</name>
+    <message>
+        <source>install Debian&apos;s libavcodec with libx264</source>
+        <translation>请安装 Debian 带 libx264 的 libavcodec</translation>
+    </message>
+</context>
+<context>
+    <name>video.is_finished</name>
+    <message>
+        <source>it is finished</source>
+        <translation>已完成</translation>
+    </message>
+</context>
+<context>
+    <name>video.largest_picture</name>
+    <message>
+        <source>more than 50 megapixels or 32000 pixels a side are not read</source>
+        <translation>超过 5000 万像素或单边 32000 像素则不读取</translation>
+    </message>
+</context>
+<context>
+    <name>video.make_smaller</name>
+    <message>
+        <source>make it smaller</source>
+        <translation>请缩小</translation>
+    </message>
+</context>
+<context>
+    <name>video.name_a_picture</name>
+    <message>
+        <source>name a picture</source>
+        <translation>请指定图片</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_decoder</name>
+    <message>
+        <source>there is no decoder for %1</source>
+        <translation>没有 %1 的解码器</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_encoder</name>
+    <message>
+        <source>the installed libavcodec has no encoder for it</source>
+        <translation>已安装的 libavcodec 没有相应编码器</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_ffv1_in_mp4</name>
+    <message>
+        <source>FFV1 does not go into MP4</source>
+        <translation>FFV1 不能放入 MP4</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_frame_written</name>
+    <message>
+        <source>no frame was written to it</source>
+        <translation>没有写入任何帧</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_jpeg_layout</name>
+    <message>
+        <source>JPEG does not have its layout of colours</source>
+        <translation>JPEG 不支持其颜色排列</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_known_ending</name>
+    <message>
+        <source>its name ends with neither .mkv nor .mp4</source>
+        <translation>其名称不以 .mkv 或 .mp4 结尾</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_picture_format</name>
+    <message>
+        <source>it is no PNG, JPEG, BMP, TIFF or PNM picture</source>
+        <translation>不是 PNG、JPEG、BMP、TIFF 或 PNM 图片</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_stream</name>
+    <message>
+        <source>it holds no video stream that can be read</source>
+        <translation>其中没有可读的视频流</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_time_scale</name>
+    <message>
+        <source>its time scale was not found where the muxer should have put it</source>
+        <translation>在复用器应写入的位置没有找到时间刻度</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_time_stamps</name>
+    <message>
+        <source>the file has no time stamps</source>
+        <translation>文件没有时间戳</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_video_kind</name>
+    <message>
+        <source>it is not a video of a kind that is read, or its header is damaged or missing (%1)</source>
+        <translation>不是可读类型的视频，或其文件头损坏或缺失（%1）</translation>
+    </message>
+</context>
+<context>
+    <name>video.no_whole_frame</name>
+    <message>
+        <source>not one whole frame is in it</source>
+        <translation>其中没有一帧完整</translation>
+    </message>
+</context>
+<context>
+    <name>video.packet_damaged</name>
+    <message>
+        <source>a packet there is damaged</source>
+        <translation>那里的一个数据包已损坏</translation>
+    </message>
+</context>
+<context>
+    <name>video.picture</name>
+    <message>
+        <source>picture</source>
+        <translation>图片</translation>
+    </message>
+</context>
+<context>
+    <name>video.picture_claims_size</name>
+    <message>
+        <source>it says that it has %1 pixels</source>
+        <translation>其声明有 %1 像素</translation>
+    </message>
+</context>
+<context>
+    <name>video.picture_damaged</name>
+    <message>
+        <source>its content is damaged or cut short</source>
+        <translation>其内容损坏或不完整</translation>
+    </message>
+</context>
+<context>
+    <name>video.picture_file_too_large</name>
+    <message>
+        <source>the file is larger than 200 MB</source>
+        <translation>文件大于 200 MB</translation>
+    </message>
+</context>
+<context>
+    <name>video.picture_format_unknown</name>
+    <message>
+        <source>its format is not known</source>
+        <translation>其格式未知</translation>
+    </message>
+</context>
+<context>
+    <name>video.picture_named</name>
+    <message>
+        <source>picture &apos;%1&apos;</source>
+        <translation>图片“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>video.picture_not_coded</name>
+    <message>
+        <source>a picture cannot be coded</source>
+        <translation>无法对画面编码</translation>
+    </message>
+</context>
+<context>
+    <name>video.picture_not_packed</name>
+    <message>
+        <source>it could not be packed</source>
+        <translation>无法打包</translation>
+    </message>
+</context>
+<context>
+    <name>video.pictures_too_large</name>
+    <message>
+        <source>its pictures have more than 100 megapixels or 32000 pixels a side</source>
+        <translation>其画面超过 1 亿像素或单边 32000 像素</translation>
+    </message>
+</context>
+<context>
+    <name>video.pixel_format_not_read</name>
+    <message>
+        <source>its pixel format %1 is not read</source>
+        <translation>不读取像素格式 %1</translation>
+    </message>
+</context>
+<context>
+    <name>video.rate_not_positive</name>
+    <message>
+        <source>its frame rate is not positive</source>
+        <translation>其帧率不为正</translation>
+    </message>
+</context>
+<context>
+    <name>video.rate_varies</name>
+    <message>
+        <source>its frame rate varies, pictures are %1 to %2 apart</source>
+        <translation>其帧率不恒定，图片间隔为 %1 到 %2</translation>
+    </message>
+</context>
+<context>
+    <name>video.report_bug</name>
+    <message>
+        <source>report this as a bug</source>
+        <translation>请将此作为缺陷报告</translation>
+    </message>
+</context>
+<context>
+    <name>video.siting_not_set</name>
+    <message>
+        <source>the chroma siting could not be set (%1)</source>
+        <translation>无法设置色度采样位置（%1）</translation>
+    </message>
+</context>
+<context>
+    <name>video.size_not_found</name>
+    <message>
+        <source>the size of its pictures could not be found out</source>
+        <translation>无法得知其画面尺寸</translation>
+    </message>
+</context>
+<context>
+    <name>video.sound_part_used</name>
+    <message>
+        <source>its sound part is used</source>
+        <translation>使用其完好部分</translation>
+    </message>
+</context>
+<context>
+    <name>video.stamps_repeat</name>
+    <message>
+        <source>their time stamps repeat the frame before</source>
+        <translation>其时间戳与前一帧重复</translation>
+    </message>
+</context>
+<context>
+    <name>video.stamps_span</name>
+    <message>
+        <source>its time stamps span %1</source>
+        <translation>其时间戳跨度为 %1</translation>
+    </message>
+</context>
+<context>
+    <name>video.start_it_again</name>
+    <message>
+        <source>start it again</source>
+        <translation>请重新开始</translation>
+    </message>
+</context>
+<context>
+    <name>video.start_video_again</name>
+    <message>
+        <source>start the video again</source>
+        <translation>请重新开始该视频</translation>
+    </message>
+</context>
+<context>
+    <name>video.time_not_after</name>
+    <message>
+        <source>its time is not after the frame&apos;s before it</source>
+        <translation>其时间不晚于前一帧</translation>
+    </message>
+</context>
+<context>
+    <name>video.unknown_format_not_read</name>
+    <message>
+        <source>its pixel format (unknown) is not read</source>
+        <translation>不读取其（未知的）像素格式</translation>
+    </message>
+</context>
+<context>
+    <name>video.use_another_picture</name>
+    <message>
+        <source>use another picture</source>
+        <translation>请换一张图片</translation>
+    </message>
+</context>
+<context>
+    <name>video.use_mjpeg</name>
+    <message>
+        <source>use MJPEG or FFV1, or another size</source>
+        <translation>请使用 MJPEG 或 FFV1，或其他尺寸</translation>
+    </message>
+</context>
+<context>
+    <name>video.use_mkv</name>
+    <message>
+        <source>use the ending .mkv</source>
+        <translation>请使用扩展名 .mkv</translation>
+    </message>
+</context>
+<context>
+    <name>video.use_other_chroma</name>
+    <message>
+        <source>use 4:2:0, 4:2:2 or 4:4:4</source>
+        <translation>请使用 4:2:0、4:2:2 或 4:4:4</translation>
+    </message>
+</context>
+<context>
+    <name>video.write_at_least_one</name>
+    <message>
+        <source>write at least one</source>
+        <translation>请至少写入一帧</translation>
+    </message>
+</context>
+<context>
+    <name>video.write_in_order</name>
+    <message>
+        <source>write the frames in order, at least a microsecond apart</source>
+        <translation>请按顺序写入帧，间隔至少一微秒</translation>
+    </message>
+</context>
+<context>
+    <name>video.write_one_format</name>
+    <message>
+        <source>write one format to a file</source>
+        <translation>一个文件只写一种格式</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.add_one_with</name>
+    <message>
+        <source>add one with</source>
+        <translation>请用以下命令添加一个</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.added_with_colour</name>
+    <message>
+        <source>it was added with the colour %1</source>
+        <translation>已用颜色 %1 添加</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.address_of_live_positions</name>
+    <message>
+        <source>address &apos;%1&apos; of live positions</source>
+        <translation>实时位置的地址“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.analyse_anew_with</name>
+    <message>
+        <source>analyse them anew with</source>
+        <translation>请用以下命令重新分析</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.analysing</name>
+    <message>
+        <source>analysing</source>
+        <translation>正在分析</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.analysing_robot</name>
+    <message>
+        <source>analysing %1</source>
+        <translation>正在分析 %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.another_picture_size</name>
+    <message>
+        <source>its pictures are %1 but the camera was calibrated at %2</source>
+        <translation>其画面为 %1，而相机在 %2 下标定</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.beyond_limits</name>
+    <message>
+        <source>%1 of what was measured is beyond the limits of task &apos;%2&apos;, so that they were left out</source>
+        <translation>所测数据的 %1 超出任务“%2”的限值，因此未采用这些限值</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.board_in_no_picture</name>
+    <message>
+        <source>the board was found in none of %1 pictures (%2)</source>
+        <translation>%1 张图片中都没有找到标定板（%2）</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.by_layout_and_lens</name>
+    <message>
+        <source>layout &apos;%1&apos;, lens of calibration %2</source>
+        <translation>布局“%1”，镜头标定 %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.by_layout_without_lens</name>
+    <message>
+        <source>layout &apos;%1&apos;, lens not calibrated</source>
+        <translation>布局“%1”，镜头未标定</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibrate_at_its_size</name>
+    <message>
+        <source>calibrate it at the size it records.</source>
+        <translation>请按录制的尺寸标定。</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibrate_at_recorded_size</name>
+    <message>
+        <source>calibrate and register the camera at the size it records</source>
+        <translation>请按录制尺寸标定并配准相机</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibrate_camera</name>
+    <message>
+        <source>calibrate camera %1</source>
+        <translation>标定相机 %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibrate_if_touched</name>
+    <message>
+        <source>if zoom, focus or the camera&apos;s settings were touched since, calibrate it again.</source>
+        <translation>如果此后动过变焦、对焦或相机设置，请重新标定。</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibrate_it</name>
+    <message>
+        <source>calibrate it.</source>
+        <translation>请标定它。</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibrate_lens_first</name>
+    <message>
+        <source>calibrate the lens first, or put another calibration in force</source>
+        <translation>请先标定镜头，或启用另一标定</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibrate_or_give_picture</name>
+    <message>
+        <source>calibrate it, import its intrinsics, or give --image or --video as well</source>
+        <translation>请标定它、导入其内参，或同时给出 --image 或 --video</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibrate_or_import_trial</name>
+    <message>
+        <source>calibrate it, import its intrinsics, or import a trial with it first</source>
+        <translation>请先标定它、导入其内参，或导入一个用它的试验</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibrated_from_pictures</name>
+    <message>
+        <source>calibrated from %1 pictures</source>
+        <translation>由 %1 张图片标定</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibrating_camera</name>
+    <message>
+        <source>calibrating camera %1</source>
+        <translation>正在标定相机 %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibration</name>
+    <message>
+        <source>calibration %1</source>
+        <translation>标定 %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibration_of_camera</name>
+    <message>
+        <source>calibration of camera &apos;%1&apos;</source>
+        <translation>相机“%1”的标定</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.calibration_picture</name>
+    <message>
+        <source>calibration picture &apos;%1&apos;</source>
+        <translation>标定图片“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.camera_gave_no_picture</name>
+    <message>
+        <source>camera &apos;%1&apos; gave no picture</source>
+        <translation>相机“%1”没有输出图像</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.camera_given_twice</name>
+    <message>
+        <source>camera &apos;%1&apos; or its address &apos;%2&apos; was given twice</source>
+        <translation>相机“%1”或其地址“%2”给出了两次</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.camera_given_two_videos</name>
+    <message>
+        <source>camera &apos;%1&apos; was given two videos</source>
+        <translation>给相机“%1”指定了两个视频</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.camera_not_on_floor</name>
+    <message>
+        <source>camera &apos;%1&apos; is not registered to the floor</source>
+        <translation>相机“%1”未对地面配准</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.camera_not_registered</name>
+    <message>
+        <source>camera &apos;%1&apos; is not registered</source>
+        <translation>相机“%1”未配准</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.cannot_be_looked_at</name>
+    <message>
+        <source>it cannot be looked at (%1)</source>
+        <translation>无法查看（%1）</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.cannot_write</name>
+    <message>
+        <source>cannot write &apos;%1&apos;</source>
+        <translation>无法写出“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.changed_in_file</name>
+    <message>
+        <source>they were changed in the file</source>
+        <translation>它们在文件中被更改过</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_cable_and_bandwidth</name>
+    <message>
+        <source>check cable, bandwidth and what else this machine does</source>
+        <translation>请检查电缆、带宽以及本机的其他工作</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_files_and_offset</name>
+    <message>
+        <source>check the files and the --sync offset</source>
+        <translation>请检查文件和偏移</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_folder_is_there</name>
+    <message>
+        <source>check that the folder is there and may be read</source>
+        <translation>请检查文件夹是否存在且可读</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_it_is_connected</name>
+    <message>
+        <source>check that it is connected and not used by another program</source>
+        <translation>请检查它已连接且未被其他程序占用</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_it_is_there</name>
+    <message>
+        <source>check that it is there and may be read</source>
+        <translation>请检查其是否存在且可读</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_its_cable</name>
+    <message>
+        <source>check its cable, and whether another program uses it</source>
+        <translation>请检查其电缆，以及是否有其他程序占用</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_or_analyse_again</name>
+    <message>
+        <source>run odograph check, or analyse the trial again</source>
+        <translation>请运行 odograph check，或重新分析该试验</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_or_register_again</name>
+    <message>
+        <source>check that the camera has not moved, or register it again.</source>
+        <translation>请检查相机是否移动，或重新配准。</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_rate</name>
+    <message>
+        <source>the views are joined by time, check --rate if one is slow motion</source>
+        <translation>视角按时间结合；若其一为慢动作，请检查 --rate</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_room_and_rights</name>
+    <message>
+        <source>check the free space and the rights of the project&apos;s folder</source>
+        <translation>请检查项目文件夹的可用空间和权限</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_they_are_connected</name>
+    <message>
+        <source>check that they are connected and not used by another program</source>
+        <translation>请检查它们已连接且未被其他程序占用</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_views_of_one_run</name>
+    <message>
+        <source>outside it only one view measures, so check that both belong to one run</source>
+        <translation>其外只有一个视角测量，请检查两者是否属于同一次运行</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.check_whether_moved</name>
+    <message>
+        <source>check whether camera %1 has moved</source>
+        <translation>检查相机 %1 是否移动</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_another_name</name>
+    <message>
+        <source>choose another name</source>
+        <translation>请换个名称</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_another_one</name>
+    <message>
+        <source>choose another one</source>
+        <translation>请另选一个</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_another_run</name>
+    <message>
+        <source>choose another run as well</source>
+        <translation>请再选一次运行</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_calibration</name>
+    <message>
+        <source>choose calibration %1 of camera %2</source>
+        <translation>选择相机 %2 的标定 %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_folder_for_demo</name>
+    <message>
+        <source>choose a folder you can write to, with 300 MB free</source>
+        <translation>请选择可写且有 300 MB 空间的文件夹</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_folder_of_copies</name>
+    <message>
+        <source>choose the folder where they were copied to</source>
+        <translation>请选择它们被复制到的文件夹</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_frame</name>
+    <message>
+        <source>choose one from %1 to %2</source>
+        <translation>请从 %1 到 %2 中选择</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_interface</name>
+    <message>
+        <source>choose one that `ip link` names, or lo to stay on this machine</source>
+        <translation>请选择 `ip link` 列出的接口，或选 lo 仅在本机使用</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_measured_frame</name>
+    <message>
+        <source>choose a frame with a measurement</source>
+        <translation>请选择有测量的帧</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_one_of_them</name>
+    <message>
+        <source>choose one of them</source>
+        <translation>请选择其中之一</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_registration</name>
+    <message>
+        <source>choose registration %1 of camera %2</source>
+        <translation>选择相机 %2 的配准 %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_robot_of_trial</name>
+    <message>
+        <source>choose a robot of the trial</source>
+        <translation>请选择该试验的机器人</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_time</name>
+    <message>
+        <source>choose a time from %1 to %2</source>
+        <translation>请选择 %1 到 %2 之间的时间</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_with_robot</name>
+    <message>
+        <source>choose one with --robot</source>
+        <translation>请用 --robot 选择一个</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.choose_writable_folder</name>
+    <message>
+        <source>choose a folder that you may write to</source>
+        <translation>请选择可写的文件夹</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.close_other_programs</name>
+    <message>
+        <source>close other programs and try again</source>
+        <translation>请关闭其他程序后重试</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.compared_with_itself</name>
+    <message>
+        <source>a run cannot be compared with itself</source>
+        <translation>运行不能与自身比较</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.comparison</name>
+    <message>
+        <source>comparison</source>
+        <translation>比较</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.comparison_of_trial</name>
+    <message>
+        <source>comparison of trial &apos;%1&apos;</source>
+        <translation>试验“%1”的比较</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.complete_trial</name>
+    <message>
+        <source>complete %1, whose recording was cut off</source>
+        <translation>补全录像被中断的 %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.completing_recording</name>
+    <message>
+        <source>completing a recording that was cut off</source>
+        <translation>正在补全中断的录像</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.completing_recordings</name>
+    <message>
+        <source>completing the recordings</source>
+        <translation>补全录像</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.computing_intrinsics</name>
+    <message>
+        <source>computing the intrinsics</source>
+        <translation>正在计算内参</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.copy</name>
+    <message>
+        <source>copy &apos;%1&apos;</source>
+        <translation>副本“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.copy_of</name>
+    <message>
+        <source>copy of &apos;%1&apos;</source>
+        <translation>“%1”的副本</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.copying_project</name>
+    <message>
+        <source>copying the project</source>
+        <translation>正在复制项目</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.demo</name>
+    <message>
+        <source>demo</source>
+        <translation>演示</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.demo_in</name>
+    <message>
+        <source>demo in &apos;%1&apos;</source>
+        <translation>“%1”中的演示</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.demo_is_there</name>
+    <message>
+        <source>%1 is there already</source>
+        <translation>%1 已存在</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.doubtful_name</name>
+    <message>
+        <source>from %1 to %2 it is doubtful whether this is %3 or %4</source>
+        <translation>从 %1 到 %2，这是 %3 还是 %4 存疑</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.doubtful_name_unknown</name>
+    <message>
+        <source>from %1 to %2 it is doubtful whether this is %3 or another robot of its look</source>
+        <translation>从 %1 到 %2，这是 %3 还是另一个外观相同的机器人存疑</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.doubtful_names</name>
+    <message>
+        <source>from %1 to %2 (the first of %3 times) it is doubtful whether this is %4 or %5</source>
+        <translation>从 %1 到 %2（共 %3 次，此为第一次），这是 %4 还是 %5 存疑</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.doubtful_names_unknown</name>
+    <message>
+        <source>from %1 to %2 (the first of %3 times) it is doubtful whether this is %4 or another robot of its look</source>
+        <translation>从 %1 到 %2（共 %3 次，此为第一次），这是 %4 还是另一个外观相同的机器人存疑</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.doubtful_step</name>
+    <message>
+        <source>it is in step to %1 only, which is %2 at 1 m/s</source>
+        <translation>它只同步到 %1，在 1 m/s 时为 %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.end_recording_first</name>
+    <message>
+        <source>end its recording first</source>
+        <translation>请先结束录制</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.error_estimated</name>
+    <message>
+        <source>positions to %1, as estimated from them</source>
+        <translation>位置精度 %1，由数据估计</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.error_stated</name>
+    <message>
+        <source>positions to %1, as the file says</source>
+        <translation>位置精度 %1，依文件所述</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.export</name>
+    <message>
+        <source>export of &apos;%1&apos;</source>
+        <translation>导出“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.faster_disk_or_fewer_cameras</name>
+    <message>
+        <source>record to a faster disk, or fewer cameras at once</source>
+        <translation>请录制到更快的磁盘，或同时使用更少的相机</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.file_is_missing</name>
+    <message>
+        <source>%1 is missing</source>
+        <translation>缺少 %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.file_without_picture</name>
+    <message>
+        <source>it has no picture</source>
+        <translation>没有图像</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.fitting_cameras_together</name>
+    <message>
+        <source>fitting %1 cameras together</source>
+        <translation>正在联合拟合 %1 台相机</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.floor_has_its_colour</name>
+    <message>
+        <source>its colour %1 is also that of the floor (%2 of view %3&apos;s picture)</source>
+        <translation>它的颜色 %1 也是地面的颜色（占视角 %3 画面的 %2）</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.folder</name>
+    <message>
+        <source>folder &apos;%1&apos;</source>
+        <translation>文件夹“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.found_by_colour</name>
+    <message>
+        <source>it is found by its colour</source>
+        <translation>它是按颜色找到的</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.frame_of_file</name>
+    <message>
+        <source>frame %1 of &apos;%2&apos;</source>
+        <translation>“%2”的第 %1 帧</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.frame_of_trial</name>
+    <message>
+        <source>frame %1 of trial &apos;%2&apos;</source>
+        <translation>试验“%2”的第 %1 帧</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_another_file</name>
+    <message>
+        <source>give another file</source>
+        <translation>请给出另一文件</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_camera_rate</name>
+    <message>
+        <source>give the rate at which the camera took the frames</source>
+        <translation>请给出相机拍摄的帧率</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_cameras</name>
+    <message>
+        <source>give one or more, like --camera A=sim:A</source>
+        <translation>请给出一个或多个，如 --camera A=sim:A</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_each_robot_one</name>
+    <message>
+        <source>give each robot one</source>
+        <translation>请给每个机器人一条</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_each_view_its_camera</name>
+    <message>
+        <source>give each view its own camera</source>
+        <translation>请给每个视角各自的相机</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_limits_of_fastest</name>
+    <message>
+        <source>give the task the limits of its fastest robot</source>
+        <translation>请为任务设定其最快机器人的限值</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_offset_for_each</name>
+    <message>
+        <source>give one offset for each view but the first, like --sync 0.1,0.2, or use --sync auto</source>
+        <translation>请为除第一个外的每个视角给出一个偏移，如 --sync 0.1,0.2，或使用 --sync auto</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_own_colours</name>
+    <message>
+        <source>give each a colour of its own</source>
+        <translation>请给每个机器人一种自己的颜色</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_picture_of_that_size</name>
+    <message>
+        <source>give a picture of that size</source>
+        <translation>请给出该尺寸的图像</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_pixels_or_picture</name>
+    <message>
+        <source>give --pixels pixels.csv, --image picture.png or --video clip.mp4</source>
+        <translation>请给出 --pixels pixels.csv、--image picture.png 或 --video clip.mp4</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_pre_roll</name>
+    <message>
+        <source>give a pre-roll of 0 to 10 seconds</source>
+        <translation>请给出 0 到 10 秒的预录时长</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_seconds</name>
+    <message>
+        <source>give the seconds, like 10</source>
+        <translation>请给出秒数，如 10</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_task</name>
+    <message>
+        <source>give %1 the task %2</source>
+        <translation>将任务 %2 赋予 %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_tracks</name>
+    <message>
+        <source>give one or more, like --track R=run.csv</source>
+        <translation>请给出一个或多个，如 --track R=run.csv</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.give_views</name>
+    <message>
+        <source>give one view or more, like --video A=a.mp4</source>
+        <translation>请给出一个或多个视角，如 --video A=a.mp4</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.import_again_for_offset</name>
+    <message>
+        <source>import the videos again and let the offset be found, or tell it</source>
+        <translation>请重新导入视频并让程序找出偏移，或自行给出</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.import_lens</name>
+    <message>
+        <source>import the lens of camera %1 from %2</source>
+        <translation>从 %2 导入相机 %1 的镜头</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.import_of_trial</name>
+    <message>
+        <source>import of trial &apos;%1&apos;</source>
+        <translation>导入试验“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.import_roster</name>
+    <message>
+        <source>import the roster %1</source>
+        <translation>导入名单 %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.import_trial</name>
+    <message>
+        <source>import trial %1</source>
+        <translation>导入试验 %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.interface_of_live_positions</name>
+    <message>
+        <source>interface &apos;%1&apos; of live positions</source>
+        <translation>实时位置的网络接口“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.intrinsics_of_camera</name>
+    <message>
+        <source>intrinsics of camera &apos;%1&apos;</source>
+        <translation>相机“%1”的内参</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.keeping_pictures</name>
+    <message>
+        <source>keeping the pictures</source>
+        <translation>正在保存图片</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.leave_frame</name>
+    <message>
+        <source>leave frame %1 of %2 to the program</source>
+        <translation>将 %2 的第 %1 帧交给程序判断</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.leave_out_trial</name>
+    <message>
+        <source>leave out %1, of which nothing was recorded</source>
+        <translation>舍去 %1（未录到任何内容）</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lens_imported_from</name>
+    <message>
+        <source>imported from %1</source>
+        <translation>从 %1 导入</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lens_never_calibrated</name>
+    <message>
+        <source>The lens of camera &apos;%1&apos; was never calibrated, its distortion is taken as none</source>
+        <translation>相机“%1”的镜头从未标定，按无畸变处理</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.link_lost_video</name>
+    <message>
+        <source>link a lost video</source>
+        <translation>关联一个丢失的视频</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.link_lost_videos</name>
+    <message>
+        <source>link %1 lost videos</source>
+        <translation>关联 %1 个丢失的视频</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.little_common_time</name>
+    <message>
+        <source>%1 and %2 long, %3 in common</source>
+        <translation>长 %1 和 %2，共同 %3</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.live_positions_to</name>
+    <message>
+        <source>live positions to %1</source>
+        <translation>发送到 %1 的实时位置</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.live_tracking</name>
+    <message>
+        <source>live tracking</source>
+        <translation>实时跟踪</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.look_at_outlines</name>
+    <message>
+        <source>look at the outlines, and tell the robot&apos;s colour or keep others out of the pictures</source>
+        <translation>请查看轮廓，并指定机器人的颜色，或不要让其他东西进入画面</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.look_for_lost_videos</name>
+    <message>
+        <source>look for lost videos</source>
+        <translation>查找丢失的视频</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.look_for_strays</name>
+    <message>
+        <source>look for stray files</source>
+        <translation>查找无归属的文件</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.look_in</name>
+    <message>
+        <source>look in &apos;%1&apos;</source>
+        <translation>在“%1”中查找</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.looking_for_board_in</name>
+    <message>
+        <source>looking for the board in %1</source>
+        <translation>正在 %1 中寻找标定板</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.looking_for_files</name>
+    <message>
+        <source>looking for files</source>
+        <translation>正在查找文件</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.looking_for_markers_again</name>
+    <message>
+        <source>looking for the markers again</source>
+        <translation>正在重新寻找标记</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.looking_for_markers_in</name>
+    <message>
+        <source>looking for the markers in %1</source>
+        <translation>正在 %1 中寻找标记</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.looking_through_media</name>
+    <message>
+        <source>looking through the media folder</source>
+        <translation>正在查看媒体文件夹</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lost_not_packed</name>
+    <message>
+        <source>the video of camera %1 in trial &apos;%2&apos; is lost, and not in the packed project</source>
+        <translation>试验“%2”中相机 %1 的视频丢失，未包含在打包项目中</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lost_video_not_there</name>
+    <message>
+        <source>the lost video is not there</source>
+        <translation>丢失的视频不在那里</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lost_videos</name>
+    <message>
+        <source>lost videos</source>
+        <translation>丢失的视频</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.lost_videos_not_there</name>
+    <message>
+        <source>none of the %1 lost videos is there</source>
+        <translation>%1 个丢失的视频都不在那里</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.made_through_registration</name>
+    <message>
+        <source>It was made through registration %1 of the project.</source>
+        <translation>它是通过项目的配准 %1 作出的。</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.made_with_it_already</name>
+    <message>
+        <source>it was made with it already</source>
+        <translation>已是用它完成的</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.making_hash</name>
+    <message>
+        <source>making the hash of %1</source>
+        <translation>正在计算 %1 的校验值</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.map_behind</name>
+    <message>
+        <source>the map is %1 behind, none skipped</source>
+        <translation>地图滞后 %1，无跳帧</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.map_behind_and_skipping</name>
+    <message>
+        <source>the map is %1 behind, %2 skipped</source>
+        <translation>地图滞后 %1，跳过 %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.mark_spike</name>
+    <message>
+        <source>mark frame %1 of %2 as a spike</source>
+        <translation>将 %2 的第 %1 帧标为异常点</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.markers_for_camera</name>
+    <message>
+        <source>markers for camera &apos;%1&apos;</source>
+        <translation>相机“%1”的标记</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.measure_again</name>
+    <message>
+        <source>measure %1 again</source>
+        <translation>重新测量 %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.measure_it_again</name>
+    <message>
+        <source>measure it again</source>
+        <translation>请重新测量</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.moved_cannot_be_told</name>
+    <message>
+        <source>whether %1 has moved cannot be told</source>
+        <translation>无法判断 %1 是否移动</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.name_another_camera</name>
+    <message>
+        <source>name another camera that is registered</source>
+        <translation>请指定另一台已配准的相机</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.name_its_camera</name>
+    <message>
+        <source>name one of its cameras</source>
+        <translation>请指定它的一台相机</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.name_its_robot</name>
+    <message>
+        <source>name one of its robots</source>
+        <translation>请指定它的一个机器人</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.name_place_in_pixels</name>
+    <message>
+        <source>name it in pixels from the picture&apos;s top left corner</source>
+        <translation>请以像素为单位、从画面左上角算起指定</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.name_robot_after_track</name>
+    <message>
+        <source>give the robot the name of one of them</source>
+        <translation>请给机器人取其中之一的名称</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.name_time_within_trial</name>
+    <message>
+        <source>name a time within the trial, in seconds</source>
+        <translation>请指定试验之内的时刻，以秒为单位</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.nearly_all_beyond_limits</name>
+    <message>
+        <source>nearly all that was measured is beyond the limits of task &apos;%1&apos;, so that they were left out</source>
+        <translation>所测数据几乎都超出任务“%1”的限值，因此未采用这些限值</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.neither_lens_nor_recording</name>
+    <message>
+        <source>it has no intrinsics and no recording</source>
+        <translation>没有内参也没有录像</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.never_calibrated</name>
+    <message>
+        <source>it was never calibrated</source>
+        <translation>从未标定</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.new_project</name>
+    <message>
+        <source>new project</source>
+        <translation>新项目</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_address_with_port</name>
+    <message>
+        <source>it is no IPv4 address with a port</source>
+        <translation>不是带端口的 IPv4 地址</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_camera_gave_picture</name>
+    <message>
+        <source>no camera gave a picture</source>
+        <translation>没有相机给出画面</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_camera_given</name>
+    <message>
+        <source>no camera was given</source>
+        <translation>没有给出相机</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_common_place</name>
+    <message>
+        <source>No place was measured by both analyses.</source>
+        <translation>没有任何位置被两次分析都测到。</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_common_time</name>
+    <message>
+        <source>views &apos;%1&apos; and &apos;%2&apos; have no time in common with an offset of %3</source>
+        <translation>视角“%1”和“%2”在偏移 %3 时没有共同时间</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_live_positions</name>
+    <message>
+        <source>none of its cameras is registered to the floor, so there are no live positions to send</source>
+        <translation>没有一台相机已对地面配准，因此没有实时位置可发送</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_multicast</name>
+    <message>
+        <source>interface &apos;%1&apos; takes no multicast</source>
+        <translation>接口“%1”不支持组播</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_picture_read</name>
+    <message>
+        <source>no picture could be read</source>
+        <translation>没有一张图片可读</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_picture_then</name>
+    <message>
+        <source>the view has no picture at that time</source>
+        <translation>该视角在那个时刻没有画面</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_pixels_no_picture</name>
+    <message>
+        <source>neither their pixels nor a picture to look in was given</source>
+        <translation>既没有给出像素，也没有给出可查找的图像</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_robot</name>
+    <message>
+        <source>the project has no robot to look for</source>
+        <translation>项目中没有可寻找的机器人</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_sample</name>
+    <message>
+        <source>the analysis has no sample</source>
+        <translation>该分析没有采样点</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_socket</name>
+    <message>
+        <source>this machine gives no socket</source>
+        <translation>本机无法提供套接字</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_such_frame</name>
+    <message>
+        <source>there is no such frame</source>
+        <translation>没有这一帧</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_such_interface</name>
+    <message>
+        <source>this machine has none of that name</source>
+        <translation>本机没有该名称的接口</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_such_view</name>
+    <message>
+        <source>the trial has no such view</source>
+        <translation>该试验没有这个视角</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_track_given</name>
+    <message>
+        <source>no track was given</source>
+        <translation>没有给出轨迹</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_track_imported</name>
+    <message>
+        <source>no track of it was imported</source>
+        <translation>没有导入它的轨迹</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_track_of_that_name</name>
+    <message>
+        <source>none of its tracks is called &apos;%1&apos;; it has %2</source>
+        <translation>其中没有名为“%1”的轨迹；已有：%2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_video_given</name>
+    <message>
+        <source>no video was given</source>
+        <translation>没有给出视频</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.no_video_lost</name>
+    <message>
+        <source>no video of this project is lost</source>
+        <translation>此项目没有丢失的视频</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.none_of_that_number</name>
+    <message>
+        <source>camera &apos;%1&apos; has none of that number</source>
+        <translation>相机“%1”没有此编号</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.not_measured_there</name>
+    <message>
+        <source>the robot was not measured there, so there is nothing to judge</source>
+        <translation>机器人在那里没有被测到，无从判断</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.not_registered_to_floor</name>
+    <message>
+        <source>it is not registered to the floor</source>
+        <translation>它未配准到地面</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.not_synchronised</name>
+    <message>
+        <source>it is not synchronised but taken as begun together with the first view, so that a moving robot is not where the two views put it</source>
+        <translation>它未同步，按与第一个视角同时开始处理，因此运动的机器人并不在两个视角所示的位置</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.not_tracked_in_trial</name>
+    <message>
+        <source>it is not tracked in trial &apos;%1&apos;</source>
+        <translation>试验“%1”中没有跟踪它</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.not_tracked_yet</name>
+    <message>
+        <source>it has not been tracked yet</source>
+        <translation>尚未跟踪</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.nothing_came</name>
+    <message>
+        <source>nothing came for %1, because %2</source>
+        <translation>有 %1 没有任何图像，原因：%2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.nothing_recorded</name>
+    <message>
+        <source>nothing was recorded</source>
+        <translation>什么也没有录制</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.nothing_said_there</name>
+    <message>
+        <source>nothing was said by hand there</source>
+        <translation>那里没有手动标注</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.nothing_stands_out</name>
+    <message>
+        <source>nothing stands out from the floor at %1,%2 at %3 for some frames</source>
+        <translation>在 %3 前后的若干帧中，%1,%2 处没有从地面中突出的物体</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.nothing_to_analyse_again</name>
+    <message>
+        <source>it has not been tracked yet, so there is nothing to analyse again</source>
+        <translation>尚未跟踪，没有可重新分析的内容</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.nothing_to_do</name>
+    <message>
+        <source>there is nothing to do</source>
+        <translation>无需操作</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.offsets_of_other_count</name>
+    <message>
+        <source>%1 views were given and the offsets of %2</source>
+        <translation>给出了 %1 个视角和 %2 个偏移</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.old_calibration</name>
+    <message>
+        <source>The lens calibration of camera &apos;%1&apos; is %2 days old</source>
+        <translation>相机“%1”的镜头标定已有 %2 天</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.old_registration</name>
+    <message>
+        <source>The floor registration of camera &apos;%1&apos; is %2 days old</source>
+        <translation>相机“%1”的地面配准已有 %2 天</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.one_follows_something_else</name>
+    <message>
+        <source>one of them follows something else, or is not where it was registered</source>
+        <translation>其中一个视角跟踪了别的东西，或者相机不在配准时的位置</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.only_frame</name>
+    <message>
+        <source>its only one is frame 0</source>
+        <translation>只有第 0 帧</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.open_it_or_elsewhere</name>
+    <message>
+        <source>open it, or choose another folder</source>
+        <translation>请打开它，或选择另一文件夹</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.other_sample_judged</name>
+    <message>
+        <source>another sample was judged by hand while this one was analysed</source>
+        <translation>分析此样本时，另一个样本被手动判定</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.outside_picture</name>
+    <message>
+        <source>the place lies outside the picture</source>
+        <translation>该位置在画面之外</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.pack</name>
+    <message>
+        <source>pack &apos;%1&apos;</source>
+        <translation>打包“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.pick_or_take_colour</name>
+    <message>
+        <source>pick its colour again, or take the colour from it</source>
+        <translation>请重新选取它的颜色，或去掉它的颜色</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.picture_lost_here</name>
+    <message>
+        <source>1 picture was lost because this computer or its disk was too slow</source>
+        <translation>因本机或其磁盘太慢，丢失 1 帧</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.picture_lost_on_wire</name>
+    <message>
+        <source>1 picture was lost between the camera and this program</source>
+        <translation>相机与本程序之间丢失 1 帧</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.picture_made_too_late</name>
+    <message>
+        <source>1 picture was lost because this machine was too slow to make them in time</source>
+        <translation>因本机太慢来不及生成，丢失 1 帧</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.picture_size_not_known</name>
+    <message>
+        <source>the size of its pictures is not known</source>
+        <translation>其画面尺寸未知</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.pictures_lost_here</name>
+    <message>
+        <source>%1 pictures were lost because this computer or its disk was too slow</source>
+        <translation>因本机或其磁盘太慢，丢失 %1 帧</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.pictures_lost_on_wire</name>
+    <message>
+        <source>%1 pictures were lost between the camera and this program</source>
+        <translation>相机与本程序之间丢失 %1 帧</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.pictures_made_too_late</name>
+    <message>
+        <source>%1 pictures were lost because this machine was too slow to make them in time</source>
+        <translation>因本机太慢来不及生成，丢失 %1 帧</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.point_out_whole_robot</name>
+    <message>
+        <source>point it out where all of it is seen and it moves</source>
+        <translation>请在能看到整个机器人且它在移动的地方指出</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.positions_change</name>
+    <message>
+        <source>Positions change by %1 RMS, at most by %2 (at %3).</source>
+        <translation>位置变化 %1 RMS，最大 %2（在 %3）。</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.project</name>
+    <message>
+        <source>project &apos;%1&apos;</source>
+        <translation>项目“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.project_file_gone</name>
+    <message>
+        <source>the project&apos;s file is no longer there</source>
+        <translation>项目文件已不在</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.project_lost</name>
+    <message>
+        <source>the project&apos;s file was deleted, renamed or replaced; recording goes on, and what is in it is rescued at the end</source>
+        <translation>项目文件被删除、重命名或替换；录制继续进行，结束时将挽救其内容</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.project_rescued</name>
+    <message>
+        <source>the project&apos;s file was deleted, renamed or replaced meanwhile; what was in it is rescued in &apos;%1&apos;, which is the project from now on</source>
+        <translation>项目文件在此期间被删除、重命名或替换；其内容已挽救到“%1”，今后它就是项目</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.put_axes_elsewhere</name>
+    <message>
+        <source>put the axes of layout %1 elsewhere</source>
+        <translation>移动布局 %1 的坐标轴</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.put_disk_back</name>
+    <message>
+        <source>put its disk or folder back where it was</source>
+        <translation>请把其磁盘或文件夹放回原处</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.put_file_back</name>
+    <message>
+        <source>put the file back in its place, and open the project again</source>
+        <translation>请把文件放回原处，并重新打开项目</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.put_plate_on_it</name>
+    <message>
+        <source>put a plate of another colour on it, or tell the colour it really has</source>
+        <translation>请在其上放另一种颜色的板，或给出它真实的颜色</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.reading_file</name>
+    <message>
+        <source>reading %1</source>
+        <translation>正在读取 %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.record</name>
+    <message>
+        <source>record %1</source>
+        <translation>录制 %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.record_it_again</name>
+    <message>
+        <source>record it again</source>
+        <translation>请重新录制</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.record_to_faster_disk</name>
+    <message>
+        <source>record to a faster disk</source>
+        <translation>请录制到更快的磁盘</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.recorded_at_another_size</name>
+    <message>
+        <source>The newest recording of camera &apos;%1&apos; is %2, its lens was calibrated at %3</source>
+        <translation>相机“%1”的最新录像为 %2，其镜头在 %3 下标定</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.recording</name>
+    <message>
+        <source>recording</source>
+        <translation>正在录制</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.recording_cut_off</name>
+    <message>
+        <source>its recording was cut off</source>
+        <translation>其录像被中断</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.recording_of_trial</name>
+    <message>
+        <source>recording of trial &apos;%1&apos;</source>
+        <translation>录制试验“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_camera</name>
+    <message>
+        <source>register camera %1</source>
+        <translation>配准相机 %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_camera_again</name>
+    <message>
+        <source>register camera %1 again</source>
+        <translation>重新配准相机 %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_camera_through</name>
+    <message>
+        <source>register camera %1 through camera %2</source>
+        <translation>通过相机 %2 配准相机 %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_cameras_again</name>
+    <message>
+        <source>register the cameras again</source>
+        <translation>请重新配准相机</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_cameras_together</name>
+    <message>
+        <source>register the cameras of layout %1 together</source>
+        <translation>联合配准布局 %1 的相机</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_it_again</name>
+    <message>
+        <source>register it again.</source>
+        <translation>请重新配准。</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_it_first</name>
+    <message>
+        <source>register it first, by markers or through another camera</source>
+        <translation>请先配准它，用标记或通过另一相机</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_or_do_not_send</name>
+    <message>
+        <source>run odograph register for one of them, or leave --ssl-vision out</source>
+        <translation>请配准其中一台，或去掉 --ssl-vision</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.register_through_it_again</name>
+    <message>
+        <source>register it through that camera again</source>
+        <translation>请再次通过那台相机配准</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registered_at_another_size</name>
+    <message>
+        <source>the picture is %1, the camera was registered at %2</source>
+        <translation>图像为 %1，相机在 %2 下配准</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registered_before_calibration</name>
+    <message>
+        <source>The floor registration of camera &apos;%1&apos; was made before its lens was calibrated</source>
+        <translation>相机“%1”的地面配准在镜头标定之前进行</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registered_through_another</name>
+    <message>
+        <source>it was registered through another camera</source>
+        <translation>它是通过另一相机配准的</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registered_with_other_lens</name>
+    <message>
+        <source>The floor registration of camera &apos;%1&apos; was made with another calibration of its lens than the one in force</source>
+        <translation>相机“%1”的地面配准所用的镜头标定不是当前生效的</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registration</name>
+    <message>
+        <source>registration %1</source>
+        <translation>配准 %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registration_of_camera</name>
+    <message>
+        <source>registration of camera &apos;%1&apos;</source>
+        <translation>相机“%1”的配准</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registration_through</name>
+    <message>
+        <source>registration of camera &apos;%1&apos; through &apos;%2&apos;</source>
+        <translation>通过“%2”对相机“%1”的配准</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.registration_with_lens_in_force</name>
+    <message>
+        <source>registration of camera &apos;%1&apos; with the lens in force</source>
+        <translation>用生效的镜头对相机“%1”的配准</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.remove_for_good</name>
+    <message>
+        <source>remove %1 for good</source>
+        <translation>永久删除 %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.remove_strays</name>
+    <message>
+        <source>remove stray files</source>
+        <translation>移除无归属的文件</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.removing</name>
+    <message>
+        <source>removing %1</source>
+        <translation>正在删除 %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.replaced_not_packed</name>
+    <message>
+        <source>the video of camera %1 in trial &apos;%2&apos; lies elsewhere and is another file than it was, and not in the packed project</source>
+        <translation>试验“%2”中相机 %1 的视频位于别处，且已不是原来的文件，未包含在打包项目中</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.results_changed</name>
+    <message>
+        <source>its results are not those that its analysis gave</source>
+        <translation>其结果与分析得出的结果不一致</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.robot_given_two_tracks</name>
+    <message>
+        <source>robot &apos;%1&apos; was given two tracks</source>
+        <translation>给机器人“%1”指定了两条轨迹</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.robot_in_view</name>
+    <message>
+        <source>robot &apos;%1&apos; in view &apos;%2&apos;</source>
+        <translation>视角“%2”中的机器人“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.robot_is_new</name>
+    <message>
+        <source>robot &apos;%1&apos; is new</source>
+        <translation>机器人“%1”是新的</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.robot_not_tracked</name>
+    <message>
+        <source>robot &apos;%1&apos; was not tracked in it, but %2</source>
+        <translation>其中没有跟踪机器人“%1”，跟踪了 %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.robot_pointed_out</name>
+    <message>
+        <source>robot &apos;%1&apos; pointed out in view &apos;%2&apos;</source>
+        <translation>在视角“%2”中指出的机器人“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.roster_line</name>
+    <message>
+        <source>line %1</source>
+        <translation>第 %1 行</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.run_calibrate</name>
+    <message>
+        <source>run odograph calibrate, or odograph intrinsics import</source>
+        <translation>请标定它，或导入其内参</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.run_track_first</name>
+    <message>
+        <source>run odograph track first</source>
+        <translation>请先跟踪</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.run_track_without_again</name>
+    <message>
+        <source>run odograph track without --again first</source>
+        <translation>请先不带 --again 进行跟踪</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.say_it_again</name>
+    <message>
+        <source>say it again for frame %1</source>
+        <translation>请对第 %1 帧再指定一次</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.see_flags_by_hand</name>
+    <message>
+        <source>see the flags by_hand in odograph export</source>
+        <translation>请查看 odograph export 中的 by_hand 标记</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.see_revisions</name>
+    <message>
+        <source>see its revisions for those there are</source>
+        <translation>请在其版本列表中查看现有的</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.settling_names</name>
+    <message>
+        <source>settling which robot is which</source>
+        <translation>正在分辨各机器人</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.several_robots</name>
+    <message>
+        <source>it has several robots</source>
+        <translation>有多个机器人</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.show_whole_board</name>
+    <message>
+        <source>show the whole board, flat, sharp and evenly lit, and check --pattern and --board</source>
+        <translation>请展示整块标定板，平整、清晰、光线均匀，并检查图案和尺寸</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.spikes_change</name>
+    <message>
+        <source>Spikes: %1 instead of %2.</source>
+        <translation>异常点：%1 个，原为 %2 个。</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.synchronisation_of_view</name>
+    <message>
+        <source>synchronisation of view &apos;%1&apos;</source>
+        <translation>视角“%1”的同步</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.take_fewer_cameras</name>
+    <message>
+        <source>close other programs, or take fewer such cameras at once</source>
+        <translation>请关闭其他程序，或同时使用更少的这类相机</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.take_over_set_up</name>
+    <message>
+        <source>take over the set-up of %1</source>
+        <translation>沿用 %1 的设置</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.taken_as_begun_together</name>
+    <message>
+        <source>%1, so it is taken as begun together</source>
+        <translation>%1，因此按同时开始处理</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.takes_two_runs</name>
+    <message>
+        <source>it takes two runs</source>
+        <translation>需要两次运行</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.taking_over_set_up</name>
+    <message>
+        <source>taking over the set-up</source>
+        <translation>正在沿用设置</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.task_was_changed</name>
+    <message>
+        <source>its task was changed while it was measured</source>
+        <translation>测量期间其任务被更改</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.through_itself</name>
+    <message>
+        <source>a camera cannot be registered through itself</source>
+        <translation>相机不能通过自身配准</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.time_of_trial</name>
+    <message>
+        <source>%1 of trial &apos;%2&apos;</source>
+        <translation>试验“%2”的 %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.times_count_from</name>
+    <message>
+        <source>its times count from %1</source>
+        <translation>其时间从 %1 起算</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.too_many_views</name>
+    <message>
+        <source>it has %1 views</source>
+        <translation>它有 %1 个视角</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.track</name>
+    <message>
+        <source>track %1</source>
+        <translation>跟踪 %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.track_it_first</name>
+    <message>
+        <source>track it first</source>
+        <translation>请先跟踪</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.track_of_file</name>
+    <message>
+        <source>the file&apos;s track &apos;%1&apos;</source>
+        <translation>文件中的轨迹“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.track_or_choose_another</name>
+    <message>
+        <source>track it, or choose another</source>
+        <translation>请跟踪它，或选择另一个</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.track_or_choose_with_robot</name>
+    <message>
+        <source>track it, or choose another with --robot</source>
+        <translation>请跟踪它，或用 --robot 选择另一个</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.track_those_seen</name>
+    <message>
+        <source>track only the robots that are in the pictures (--robot)</source>
+        <translation>请只跟踪画面中的机器人 (--robot)</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.track_trial_again</name>
+    <message>
+        <source>track the trial again</source>
+        <translation>请重新跟踪该试验</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.tracking</name>
+    <message>
+        <source>tracking</source>
+        <translation>跟踪</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.tracking_picture</name>
+    <message>
+        <source>tracking, picture %1 of %2</source>
+        <translation>正在跟踪，第 %1 幅，共 %2 幅</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.tracks_were_imported</name>
+    <message>
+        <source>its tracks were imported, so there is no video to track in</source>
+        <translation>其轨迹是导入的，没有可跟踪的视频</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.trial_being_recorded</name>
+    <message>
+        <source>trial &apos;%1&apos; is being recorded</source>
+        <translation>正在录制试验“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.trial_is_there</name>
+    <message>
+        <source>the project has a trial of that name</source>
+        <translation>项目中已有同名试验</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.trial_left_out</name>
+    <message>
+        <source>nothing of it had reached the disk, and it is left out</source>
+        <translation>没有内容写入磁盘，已舍去</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.turn_or_flash</name>
+    <message>
+        <source>let the robot turn, or flash the room&apos;s light, where both cameras see it</source>
+        <translation>请在两台相机都能看到处让机器人转弯，或闪一下室内灯</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.two_views</name>
+    <message>
+        <source>views &apos;%1&apos; and &apos;%2&apos;</source>
+        <translation>视角“%1”和“%2”</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.unequal_rates</name>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 和 %2</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.unlike_first_picture</name>
+    <message>
+        <source>it is %1×%2, the first picture %3×%4</source>
+        <translation>它为 %1×%2，第一张图片为 %3×%4</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.unusual_frame_rate</name>
+    <message>
+        <source>its frame rate is not between 0.1 and 100,000 frames a second</source>
+        <translation>帧率不在每秒 0.1 到 100,000 帧之间</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.unusual_length</name>
+    <message>
+        <source>it would take no time, or more than a day</source>
+        <translation>时长为零，或超过一天</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.unusual_pre_roll</name>
+    <message>
+        <source>what is kept from before is no time, or more than 10 s</source>
+        <translation>预先保留的时长无效，或超过 10 s</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.use_at_most</name>
+    <message>
+        <source>use at most %1</source>
+        <translation>最多使用 %1 个</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.use_frame</name>
+    <message>
+        <source>use frame %1 of %2</source>
+        <translation>使用 %2 的第 %1 帧</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.video</name>
+    <message>
+        <source>video &apos;%1&apos;</source>
+        <translation>视频“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.video_without_picture</name>
+    <message>
+        <source>the video has no picture</source>
+        <translation>视频中没有图像</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.view</name>
+    <message>
+        <source>view &apos;%1&apos;</source>
+        <translation>视角“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.view_ended_early</name>
+    <message>
+        <source>it ended early, because %1</source>
+        <translation>它提前结束，原因：%1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.view_is_kept</name>
+    <message>
+        <source>%1 of %2 view are kept, all but the last second at most</source>
+        <translation>保留了 %2 个视角的 %1，最多只缺最后一秒</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.view_left_out</name>
+    <message>
+        <source>it is left out, because nothing was recorded of it</source>
+        <translation>它被舍去，因为没有录到任何内容</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.view_of_trial</name>
+    <message>
+        <source>view &apos;%1&apos; of trial &apos;%2&apos;</source>
+        <translation>试验“%2”的视角“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.views_are_kept</name>
+    <message>
+        <source>%1 of %2 views are kept, all but the last second at most</source>
+        <translation>保留了 %2 个视角的 %1，最多只缺最后一秒</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.views_contradict</name>
+    <message>
+        <source>in %1 of %2 pictures the views contradict one another</source>
+        <translation>%2 幅画面中有 %1 幅，各视角相互矛盾</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.views_far_apart</name>
+    <message>
+        <source>in %1 of %2 pictures the views have it at places far apart</source>
+        <translation>%2 幅画面中有 %1 幅，各视角给出的位置相距很远</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.views_put_it_apart</name>
+    <message>
+        <source>they put it %1 apart</source>
+        <translation>它们给出的位置相差 %1</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.wait_until_ended</name>
+    <message>
+        <source>wait until that has ended</source>
+        <translation>请等待其结束</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.waited_for_disk</name>
+    <message>
+        <source>pictures waited up to %1 for the disk, and none was lost</source>
+        <translation>图像等待磁盘最长 %1，没有丢失</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.why_views_contradict</name>
+    <message>
+        <source>a camera was moved after it was registered, the views are out of step, or the robot&apos;s height is not what was told</source>
+        <translation>某台相机在配准后被移动、各视角不同步，或机器人的高度与所给的不符</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.write_address</name>
+    <message>
+        <source>write it like 224.5.23.2:10006</source>
+        <translation>请写成 224.5.23.2:10006 的形式</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.writing_last_pictures</name>
+    <message>
+        <source>writing the last pictures</source>
+        <translation>正在写入最后的图像</translation>
+    </message>
+</context>
+<context>
+    <name>workflow.written_just_now</name>
+    <message>
+        <source>another program is writing or removing it just now</source>
+        <translation>另一程序正在写入或移除它</translation>
     </message>
 </context>
 </TS>

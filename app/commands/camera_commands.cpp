@@ -9,6 +9,7 @@
 #include "core/project/repositories.h"
 #include "core/workflow/calibrate/calibrate_job.h"
 #include "core/workflow/calibrate/cameras.h"
+#include "ui/models/shared_messages.h"
 #include "ui/testbed/targets/target_sheet.h"
 
 #include <QJsonArray>
@@ -28,11 +29,11 @@ Result<void> runCamera(const QStringList &arguments, const CancelToken &cancel)
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
         return parsed.map([](bool) {});
     if (call.positional(0) != QStringLiteral("add"))
-        return call.wrongCall(QStringLiteral("'%1' is not known").arg(call.positional(0)));
+        return call.verbNotKnown();
     const auto project = call.openProject(1, Project::Access::ReadWrite);
     if (!project)
         return tl::unexpected(project.error());
-    const auto added = changing(**project, "add camera " + call.text(2), [&] {
+    const auto added = changing(**project, addCameraWords(call.text(2)), [&] {
         return (*project)->cameras().add({0, call.text(2), call.value(option::device)});
     });
     if (!added)
@@ -64,10 +65,10 @@ Result<void> runCameras(const QStringList &arguments, const CancelToken &cancel)
     QJsonArray cameras;
     QStringList lines;
     for (const CameraDescription &camera : listCameras()) {
-        const QString uri = QString::fromStdString(camera.uri), name = QString::fromStdString(camera.name);
+        const QString uri = QString::fromStdString(camera.uri), name = english(camera.name);
         QStringList formats;
-        for (const std::string &format : camera.formats)
-            formats << QString::fromStdString(format);
+        for (const Message &format : camera.formats)
+            formats << english(format);
         cameras.append(QJsonObject{{QStringLiteral("uri"), uri},
                                    {QStringLiteral("kind"), QString::fromStdString(camera.kind)},
                                    {QStringLiteral("name"), name},
@@ -101,7 +102,8 @@ Result<CalibrateSettings> calibrateSettings(const CommandCall &call)
         settings.board.rows = int(size->second);
         if (settings.board.columns < 3 || settings.board.rows < 3 || settings.board.columns > 100 ||
             settings.board.rows > 100)
-            return call.wrongCall(QStringLiteral("--board counts inner corners, 3x3 to 100x100"));
+            return call.wrongCall(
+                ODO_TEXT("app.board_counts_corners", "--board counts inner corners, 3x3 to 100x100"));
     }
     if (call.isSet(option::square)) {
         const auto side = call.lengthM(option::square);
@@ -115,7 +117,7 @@ Result<CalibrateSettings> calibrateSettings(const CommandCall &call)
     else if (patternName == "checkerboard")
         settings.board.pattern = BoardPattern::Checkerboard;
     else if (call.isSet(option::pattern))
-        return call.wrongCall(QStringLiteral("--pattern is checkerboard or charuco"));
+        return call.wrongCall(ODO_TEXT("app.pattern_is", "--pattern is checkerboard or charuco"));
     const std::string modelName = call.value(option::model);
     if (modelName == "standard")
         settings.model = LensModel::Standard;
@@ -124,7 +126,7 @@ Result<CalibrateSettings> calibrateSettings(const CommandCall &call)
     else if (modelName == "fisheye")
         settings.model = LensModel::Fisheye;
     else if (call.isSet(option::model))
-        return call.wrongCall(QStringLiteral("--model is standard, rational or fisheye"));
+        return call.wrongCall(ODO_TEXT("app.model_is", "--model is standard, rational or fisheye"));
     return settings;
 }
 
@@ -134,7 +136,7 @@ QJsonObject calibrationJson(const CalibrateJob &job)
     QJsonArray rejected;
     for (const RejectedPicture &picture : calibration.rejected)
         rejected.append(QJsonObject{{QStringLiteral("file"), QString::fromStdString(picture.file)},
-                                    {QStringLiteral("reason"), QString::fromStdString(picture.reason)}});
+                                    {QStringLiteral("reason"), english(picture.reason)}});
     QJsonObject perImage;
     for (const CalibrationPicture &picture : calibration.pictures)
         perImage.insert(QString::fromStdString(picture.view.source), picture.rmsPx);
@@ -145,16 +147,15 @@ QJsonObject calibrationJson(const CalibrateJob &job)
                        {QStringLiteral("intrinsics"), intrinsicsJson(calibration.intrinsics)},
                        {QStringLiteral("per_image_rms_px"), perImage},
                        {QStringLiteral("crossvalidation_px"), calibration.crossValidationPx},
-                       {QStringLiteral("lens_reason"), QString::fromStdString(calibration.lensReason)},
+                       {QStringLiteral("lens_reason"), english(calibration.lensReason)},
                        {QStringLiteral("corners_left_out"), qint64(calibration.cornersLeftOut())},
                        {QStringLiteral("corners_disagreeing"), calibration.disagreeingPart},
-                       {QStringLiteral("verdict"), QString::fromStdString(calibration.verdict)}};
+                       {QStringLiteral("verdict"), english(calibration.verdict)}};
     if (calibration.onFloor)
-        answer.insert(
-            QStringLiteral("on_floor_mm"),
-            QJsonObject{{QStringLiteral("middle"), toMillimetres(calibration.onFloor->middleM)},
-                        {QStringLiteral("worst"), toMillimetres(calibration.onFloor->worstM)},
-                        {QStringLiteral("where"), QString::fromStdString(calibration.onFloor->worstWhere)}});
+        answer.insert(QStringLiteral("on_floor_mm"),
+                      QJsonObject{{QStringLiteral("middle"), toMillimetres(calibration.onFloor->middleM)},
+                                  {QStringLiteral("worst"), toMillimetres(calibration.onFloor->worstM)},
+                                  {QStringLiteral("where"), english(calibration.onFloor->worstWhere)}});
     return answer;
 }
 
@@ -189,7 +190,7 @@ Result<void> runCalibrate(const QStringList &arguments, const CancelToken &cance
         return done;
     call.answer(calibrationJson(job),
                 QStringLiteral("%1\nRMS %2 px over %3; %4 not used.")
-                    .arg(QString::fromStdString(job.calibration().verdict))
+                    .arg(english(job.calibration().verdict))
                     .arg(job.calibration().rmsPx, 0, 'f', 3)
                     .arg(counted(job.calibration().picturesUsed(), QStringLiteral("picture")))
                     .arg(job.calibration().rejected.size()));
@@ -208,7 +209,8 @@ Result<void> runIntrinsics(const QStringList &arguments, const CancelToken &canc
         return parsed.map([](bool) {});
     const bool importing = call.positional(0) == QStringLiteral("import");
     if (!importing && call.positional(0) != QStringLiteral("export"))
-        return call.wrongCall(QStringLiteral("'%1' is neither import nor export").arg(call.positional(0)));
+        return call.wrongCall(
+            ODO_TEXT("app.neither_import_nor_export", "'%1' is neither import nor export")(call.text(0)));
     const auto project =
         call.openProject(1, importing ? Project::Access::ReadWrite : Project::Access::ReadOnly);
     if (!project)
@@ -245,12 +247,12 @@ Result<TargetSpec> targetFrom(const CommandCall &call)
                                                              {QStringLiteral("a3"), QPageSize::A3}};
     TargetSpec spec;
     if (!kinds.contains(call.positional(0)))
-        return call.wrongCall(
-            QStringLiteral("'%1' is not checkerboard, charuco, tags or rings").arg(call.positional(0)));
+        return call.wrongCall(ODO_TEXT("app.target_not_known",
+                                       "'%1' is not checkerboard, charuco, tags or rings")(call.text(0)));
     spec.kind = kinds.value(call.positional(0));
     const QString paper = QString::fromStdString(call.value(option::paper)).toLower();
     if (!papers.contains(paper))
-        return call.wrongCall(QStringLiteral("--paper is a4, letter or a3"));
+        return call.wrongCall(ODO_TEXT("app.target_paper_is", "--paper is a4, letter or a3"));
     spec.paper = papers.value(paper);
     const auto board = call.sizePair(option::board);
     const auto square = call.lengthM(option::square), size = call.lengthM(option::size);
@@ -295,7 +297,7 @@ Result<void> runTarget(const QStringList &arguments, const CancelToken &cancel)
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
         return parsed.map([](bool) {});
     if (!call.isSet(option::output))
-        return call.wrongCall(QStringLiteral("-o is missing"));
+        return call.missing(option::output);
     const auto spec = targetFrom(call);
     if (!spec)
         return tl::unexpected(spec.error());

@@ -8,7 +8,7 @@
 
 namespace odo {
 
-/// The subcommands of docs/command_line.md; each takes the arguments after its name, prints its answer on
+/// The subcommands of docs/cli.md; each takes the arguments after its name, prints its answer on
 /// standard output, and gives back what stood in its way.
 using Subcommand = Result<void> (*)(const QStringList &arguments, const CancelToken &cancel);
 

@@ -5,8 +5,10 @@
 #include "app/workbench.h"
 #include "core/exchange/track_export.h"
 #include "core/exchange/trial_json.h"
+#include "core/files/file_words.h"
 #include "core/files/output_file.h"
 #include "core/project/repositories.h"
+#include "core/workflow/shared_words.h"
 #include "core/workflow/trial_sources.h"
 #include "ui/report/annotated_video.h"
 
@@ -27,16 +29,17 @@ Result<AnnotatedVideoSettings> settingsOf(const CommandCall &call)
         return tl::unexpected(wantedSize.error());
     settings.sizePx = QSize(static_cast<int>(wantedSize->first), static_cast<int>(wantedSize->second));
     if (!AnnotatedVideoSettings::isSize(settings.sizePx))
-        return call.wrongCall(QStringLiteral("--size has even numbers, from 320x180 to 3840x2160"));
+        return call.wrongCall(
+            ODO_TEXT("app.video_size_is", "--size has even numbers, from 320x180 to 3840x2160"));
     const auto wantedSpeed = call.number(option::speed);
     if (!wantedSpeed)
         return tl::unexpected(wantedSpeed.error());
     if (!AnnotatedVideoSettings::isSpeed(*wantedSpeed))
-        return call.wrongCall(QStringLiteral("--speed is from 0.1 to 1"));
+        return call.wrongCall(ODO_TEXT("app.speed_is", "--speed is from 0.1 to 1"));
     settings.speed = *wantedSpeed;
     const std::string themeName = call.value(option::theme);
     if (themeName != "light" && themeName != "dark")
-        return call.wrongCall(QStringLiteral("--theme is light or dark"));
+        return call.wrongCall(ODO_TEXT("app.theme_is", "--theme is light or dark"));
     settings.isDark = themeName == "dark";
     return settings;
 }
@@ -84,24 +87,30 @@ Result<void> exportVideo(const CommandCall &call, const std::string &file)
 
 namespace {
 
+Message exportSubject(const std::string &trial)
+{
+    return ODO_TEXT("app.export_of_trial", "export of trial '%1'")(Named::trial(trial));
+}
+
 /// The one robot whose track the file is to hold.
 Result<const AnalysisRecord *> chosenRobot(const std::vector<AnalysisRecord> &analyses,
                                            const std::string &trial, const std::string &name)
 {
-    std::string names;
+    std::vector<std::string> names;
     for (const AnalysisRecord &analysis : analyses) {
         if (analysis.robotName == name || (name.empty() && analyses.size() == 1))
             return &analysis;
-        names += (names.empty() ? "'" : ", '") + analysis.robotName + "'";
+        names.push_back(analysis.robotName);
     }
-    const std::string what = "export of trial '" + trial + "'";
+    const Message what = exportSubject(trial);
     if (analyses.empty())
-        return fail(ErrorCode::NotFound, what, "it has not been tracked yet", "run odograph track first");
+        return fail(ErrorCode::NotFound, what, notTrackedYet(),
+                    ODO_TEXT("app.run_track_first", "run odograph track first"));
     if (name.empty())
-        return fail(ErrorCode::Undetermined, what, "it has several robots: " + names,
-                    "choose one with --robot");
-    return fail(ErrorCode::NotFound, what, "robot '" + name + "' was not tracked in it, but " + names,
-                "track it, or choose another with --robot");
+        return fail(ErrorCode::Undetermined, what, severalRobots(names),
+                    ODO_TEXT("app.choose_robot", "choose one with --robot"));
+    return fail(ErrorCode::NotFound, what, robotNotTracked(name, names),
+                ODO_TEXT("app.track_or_choose_robot", "track it, or choose another with --robot"));
 }
 
 /// Writes the file's text to a sink; made first, for the choice of robot and style may be wrong.
@@ -129,7 +138,8 @@ Result<WriteText> fileText(const CommandCall &call, const std::string &formatNam
         return [&](const TextSink &sink) { return writeTrackTracker(analysis, sink); };
     const auto style = parseCsvStyle(call.value(option::csvStyle));
     if (!style)
-        return call.wrongCall(QStringLiteral("--csv-style is analysis, international or continental"));
+        return call.wrongCall(
+            ODO_TEXT("app.csv_style_is", "--csv-style is analysis, international or continental"));
     return [&analysis, style = *style](const TextSink &sink) { return writeTrackCsv(analysis, style, sink); };
 }
 
@@ -139,9 +149,9 @@ Result<void> print(std::string_view piece)
 {
     if (std::fwrite(piece.data(), 1, piece.size(), stdout) == piece.size())
         return {};
-    return fail(ErrorCode::Io, "standard output",
-                std::string("it cannot be written (") + std::strerror(errno) + ")",
-                "give it to a program or a file that takes all of it");
+    return fail(ErrorCode::Io, ODO_TEXT("app.standard_output", "standard output"),
+                cannotBeWritten(std::strerror(errno)),
+                ODO_TEXT("app.take_all_of_it", "give it to a program or a file that takes all of it"));
 }
 
 } // namespace
@@ -166,16 +176,17 @@ Result<void> runExport(const QStringList &arguments, const CancelToken &cancel)
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
         return parsed.map([](bool) {});
     if (!call.isSet(option::output))
-        return call.wrongCall(QStringLiteral("-o is missing"));
+        return call.missing(option::output);
     static const std::vector<std::string> formats = {"csv", "tum", "json", "tracker", "video"};
     const std::string formatName = call.value(option::format);
     if (std::find(formats.begin(), formats.end(), formatName) == formats.end())
-        return call.wrongCall(QStringLiteral("--format is csv, tum, json, tracker or video"));
+        return call.wrongCall(ODO_TEXT("app.format_is", "--format is csv, tum, json, tracker or video"));
     const bool isPrinted = call.value(option::output) == standardOutput;
     if (isPrinted && formatName == "video")
-        return call.wrongCall(QStringLiteral("a video needs a file, not standard output"));
+        return call.wrongCall(ODO_TEXT("app.video_needs_file", "a video needs a file, not standard output"));
     if (isPrinted && call.json())
-        return call.wrongCall(QStringLiteral("-o - and --json would both write to standard output"));
+        return call.wrongCall(
+            ODO_TEXT("app.output_and_json", "-o - and --json would both write to standard output"));
     if (formatName == "video")
         return exportVideo(call, call.value(option::output));
     const auto project = call.openProject(0, Project::Access::ReadOnly);
@@ -203,8 +214,7 @@ Result<void> runExport(const QStringList &arguments, const CancelToken &cancel)
         return tl::unexpected(text.error());
     const WriteText untilCancelled = [&](const TextSink &sink) {
         return (*text)([&](std::string_view piece) {
-            return cancel.isCancelled() ? Result<void>(cancelled("export of trial '" + trial->name + "'"))
-                                        : sink(piece);
+            return cancel.isCancelled() ? Result<void>(cancelled(exportSubject(trial->name))) : sink(piece);
         });
     };
     if (isPrinted)
@@ -249,16 +259,16 @@ Result<void> runSnapshot(const QStringList &arguments, const CancelToken &cancel
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
         return parsed.map([](bool) {});
     if (!call.isSet(option::output))
-        return call.wrongCall(QStringLiteral("-o is missing"));
+        return call.missing(option::output);
     const auto wanted = call.sizePair(option::size);
     if (!wanted)
         return tl::unexpected(wanted.error());
     const auto inRange = [](double px) { return px >= smallestPx && px <= largestPx; };
     if (!inRange(wanted->first) || !inRange(wanted->second))
-        return call.wrongCall(QStringLiteral("--size is from 200x200 to 4000x4000"));
+        return call.wrongCall(ODO_TEXT("app.window_size_is", "--size is from 200x200 to 4000x4000"));
     const auto shown = modeFromWord(QString::fromStdString(call.value(option::mode)));
     if (!shown || *shown == WindowMode::Record) // which shows no trial
-        return call.wrongCall(QStringLiteral("--mode is review, compare, history or testbed"));
+        return call.wrongCall(ODO_TEXT("app.mode_is", "--mode is review, compare, history or testbed"));
     if (auto applied = applyLanguage(call); !applied)
         return applied;
     const auto target = targetOf(call);

@@ -19,7 +19,8 @@ Result<ImportSettings> importSettings(const CommandCall &call)
 {
     ImportSettings settings;
     if (!call.isSet(option::trial) || !call.isSet(option::video))
-        return call.wrongCall(QStringLiteral("--trial and --video, or --trial and --track, are needed"));
+        return call.wrongCall(
+            ODO_TEXT("app.import_needs", "--trial and --video, or --trial and --track, are needed"));
     settings.trial = call.value(option::trial);
     const auto videos = call.pairs(option::video);
     if (!videos)
@@ -36,10 +37,11 @@ Result<ImportSettings> importSettings(const CommandCall &call)
         }
         const auto offset = parseNumber(how);
         if (!offset)
-            return call.wrongCall(
-                QStringLiteral("--sync is auto, none or seconds, one of them for each view but the first"));
+            return call.wrongCall(ODO_TEXT(
+                "app.sync_is", "--sync is auto, none or seconds, one of them for each view but the first"));
         if (std::abs(*offset) > largestOffsetS)
-            return call.wrongCall(QStringLiteral("--sync takes seconds from -3600 to 3600"));
+            return call.wrongCall(
+                ODO_TEXT("app.sync_takes_seconds", "--sync takes seconds from -3600 to 3600"));
         settings.steps.push_back({ImportSettings::Sync::Told, *offset});
     }
     settings.team = call.value(option::team);
@@ -49,7 +51,7 @@ Result<ImportSettings> importSettings(const CommandCall &call)
         const auto framesPerSecond = call.number(option::rate);
         if (!framesPerSecond || *framesPerSecond < lowestFrameRate || *framesPerSecond > highestFrameRate)
             return call.wrongCall(
-                QStringLiteral("--rate is a number of frames a second from 0.1 to 100,000"));
+                ODO_TEXT("app.rate_is", "--rate is a number of frames a second from 0.1 to 100,000"));
         settings.rate = *framesPerSecond;
     }
     return settings;
@@ -58,11 +60,12 @@ Result<ImportSettings> importSettings(const CommandCall &call)
 Result<void> importTracksOf(const CommandCall &call)
 {
     if (!call.isSet(option::trial))
-        return call.wrongCall(QStringLiteral("--trial and --track are needed"));
+        return call.wrongCall(ODO_TEXT("app.trial_and_track_needed", "--trial and --track are needed"));
     for (const QString &other : {option::video, option::robot, option::rate, option::sync}) {
         if (call.isSet(other))
             return call.wrongCall(
-                QStringLiteral("--track goes with --trial, --team and --task, not with --%1").arg(other));
+                ODO_TEXT("app.track_goes_with",
+                         "--track goes with --trial, --team and --task, not with --%1")(other.toStdString()));
     }
     const auto tracks = call.pairs(option::track);
     if (!tracks)
@@ -142,7 +145,7 @@ Result<void> runImport(const QStringList &arguments, const CancelToken &cancel)
                                  .arg(job.recordings().size()))
                  << stepSentences(job.recordings()))
                     .join(u'\n'));
-    for (const std::string &warning : job.warnings())
+    for (const Message &warning : job.warnings())
         CommandCall::warn(warning);
     return {};
 }
@@ -185,14 +188,14 @@ QJsonObject importedTrackJson(const ImportedTrack &source)
             {QStringLiteral("bytes"), qint64(source.bytes)},
             {QStringLiteral("format"), QString::fromStdString(source.format)},
             {QStringLiteral("noise_mm"), toMillimetres(source.noiseM)},
-            {QStringLiteral("reading"), QString::fromStdString(source.reading)}};
+            {QStringLiteral("reading"), english(source.reading)}};
 }
 
 QString importedTrackText(const ImportedTrack &source)
 {
     return QStringLiteral("imported from %1 (%2, SHA-256 %3): %4")
         .arg(QString::fromStdString(source.file), QString::fromStdString(source.format),
-             QString::fromStdString(source.sha256.substr(0, 12)), QString::fromStdString(source.reading));
+             QString::fromStdString(source.sha256.substr(0, 12)), english(source.reading));
 }
 
 Result<void> importTracks(const CommandCall &call,
@@ -224,7 +227,7 @@ Result<void> importTracks(const CommandCall &call,
                  {QStringLiteral("robots"), robots},
                  {QStringLiteral("warnings"), sentencesJson(job.warnings())}},
                 lines.join(u'\n'));
-    for (const std::string &warning : job.warnings())
+    for (const Message &warning : job.warnings())
         CommandCall::warn(warning);
     return {};
 }

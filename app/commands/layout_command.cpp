@@ -8,6 +8,7 @@
 #include "core/project/repositories.h"
 #include "core/workflow/calibrate/cameras.h"
 #include "core/workflow/calibrate/layout_axes.h"
+#include "ui/models/shared_messages.h"
 
 #include <cmath>
 
@@ -54,7 +55,7 @@ Result<void> add(CommandCall &call)
     if (!project)
         return tl::unexpected(project.error());
     const auto added =
-        changing(**project, "add layout " + layout->name, [&] { return (*project)->layouts().add(*layout); });
+        changing(**project, addLayoutWords(layout->name), [&] { return (*project)->layouts().add(*layout); });
     if (!added)
         return tl::unexpected(added.error());
     const int markers = int(layout->markers.size());
@@ -137,7 +138,8 @@ Result<std::pair<std::string, std::string>> commaPair(const CommandCall &call, c
 {
     const QStringList parts = QString::fromStdString(call.value(option)).split(u',');
     if (parts.size() != 2 || parts[0].isEmpty() || parts[1].isEmpty())
-        return call.wrongCall(QStringLiteral("--%1 takes two, with a comma between").arg(option));
+        return call.wrongCall(
+            ODO_TEXT("app.takes_two", "--%1 takes two, with a comma between")(option.toStdString()));
     return std::pair(parts[0].toStdString(), parts[1].toStdString());
 }
 
@@ -158,7 +160,7 @@ Result<AxesChange> changeOf(const CommandCall &call)
         if (!degrees)
             return tl::unexpected(degrees.error());
         if (std::abs(*degrees) > 360)
-            return call.wrongCall(QStringLiteral("--turn takes degrees from -360 to 360"));
+            return call.wrongCall(ODO_TEXT("app.turn_takes", "--turn takes degrees from -360 to 360"));
         change.turnDegrees = *degrees;
     }
     if (call.isSet(option::xAxis)) {
@@ -170,7 +172,7 @@ Result<AxesChange> changeOf(const CommandCall &call)
     if (call.isSet(option::reverse)) {
         const std::string axes = call.value(option::reverse);
         if (axes != "x" && axes != "y" && axes != "xy")
-            return call.wrongCall(QStringLiteral("--reverse takes x, y or xy"));
+            return call.wrongCall(ODO_TEXT("app.reverse_takes", "--reverse takes x, y or xy"));
         change.reverseX = axes != "y";
         change.reverseY = axes != "x";
     }
@@ -204,14 +206,11 @@ Result<void> transform(CommandCall &call)
                  {QStringLiteral("markers"), markersJson(outcome->layout.layout)},
                  {QStringLiteral("cameras"), QJsonArray::fromStringList(cameras)}},
                 markersText(outcome->layout.layout) + u'\n' + carried);
-    if (!outcome->tasks.empty()) {
-        QStringList tasks;
-        for (const std::string &task : outcome->tasks)
-            tasks << QString::fromStdString(task);
-        CommandCall::warn("the gates and paths of tasks stay where they are in the axes that were: where "
-                          "they lie on this floor, make " +
-                          tasks.join(QStringLiteral(", ")).toStdString() + " anew");
-    }
+    if (!outcome->tasks.empty())
+        CommandCall::warn(ODO_TEXT("app.tasks_stay",
+                                   "the gates and paths of tasks stay where they are in the axes that were: "
+                                   "where they lie on this floor, make %1 anew")(
+            listed(outcome->tasks, MessageArgument::Kind::Task, MessageArgument::Joint::Comma)));
     return {};
 }
 
@@ -256,11 +255,11 @@ Result<void> runLayout(const QStringList &arguments, const CancelToken &cancel)
         if (call.positional(0) != QLatin1String(verb.name))
             continue;
         if (call.positionals().size() != verb.positionals)
-            return call.wrongCall(
-                QStringLiteral("'%1' takes %2 arguments").arg(call.positional(0)).arg(verb.positionals - 1));
+            return call.wrongCall(ODO_TEXT("app.verb_takes_arguments",
+                                           "'%1' takes %2 arguments")(call.text(0), verb.positionals - 1));
         return verb.run(call);
     }
-    return call.wrongCall(QStringLiteral("'%1' is not known").arg(call.positional(0)));
+    return call.verbNotKnown();
 }
 
 } // namespace odo

@@ -74,7 +74,7 @@ Result<void> findLost(const CommandCall &call, Project &project, MediaRepairs &r
     if (!done && done.error().code != ErrorCode::NotFound)
         return done;
     if (!done)
-        CommandCall::warn(done.error().message());
+        CommandCall::warnOf(done.error());
     repairs.json.insert(QStringLiteral("found"), qint64(job.foundCount()));
     repairs.lines << QStringLiteral("Lost videos found by their content: %1 of %2")
                          .arg(job.foundCount())
@@ -95,7 +95,7 @@ Result<void> adopt(const CommandCall &call, Project &project, const FindStraysJo
     }
     repairs.json.insert(QStringLiteral("adopted"), trials);
     for (const Error &failure : job.failures())
-        CommandCall::warn(failure.message());
+        CommandCall::warnOf(failure);
     return {};
 }
 
@@ -166,7 +166,7 @@ namespace {
 tl::unexpected<Error> stopped(Error error, bool repairs)
 {
     if (repairs && error.code == ErrorCode::Cancelled)
-        error.advice = "what was repaired until then is kept";
+        error.advice = ODO_TEXT("app.repairs_kept", "what was repaired until then is kept");
     return tl::unexpected(std::move(error));
 }
 
@@ -203,10 +203,11 @@ Result<void> runCheck(const QStringList &arguments, const CancelToken &cancel)
     QStringList lines = repaired->lines;
     QJsonObject json = repaired->json;
     for (const ProjectProblem &problem : *problems) {
-        list.append(QJsonObject{{QStringLiteral("what"), QString::fromStdString(problem.what)},
-                                {QStringLiteral("where"), QString::fromStdString(problem.where)},
-                                {QStringLiteral("advice"), QString::fromStdString(problem.advice)}});
-        lines << QString::fromStdString(problem.where + ": " + problem.what + "; " + problem.advice);
+        list.append(QJsonObject{{QStringLiteral("what"), english(problem.what)},
+                                {QStringLiteral("where"), english(problem.where)},
+                                {QStringLiteral("advice"), english(problem.advice)}});
+        lines << english(
+            joined({joined({problem.where, problem.what}, Join::Colon), problem.advice}, Join::Semicolon));
     }
     if (problems->empty())
         lines << QStringLiteral("All is well.");
@@ -219,9 +220,11 @@ Result<void> runCheck(const QStringList &arguments, const CancelToken &cancel)
     json.insert(QStringLiteral("without_digest"), qint64(*unproved));
     call.answer(json, lines.join(u'\n'));
     if (!problems->empty())
-        return fail(ErrorCode::InvalidInput, "check of '" + call.text(0) + "'",
-                    counted(problems->size(), QStringLiteral("problem")).toStdString() + " found",
-                    "follow the advice given with each");
+        return fail(
+            ErrorCode::InvalidInput, ODO_TEXT("app.check_of", "check of '%1'")(Named::file(call.text(0))),
+            problems->size() == 1 ? Message(ODO_TEXT("app.problem_found", "1 problem found"))
+                                  : ODO_TEXT("app.problems_found", "%1 problems found")(problems->size()),
+            ODO_TEXT("app.follow_advice", "follow the advice given with each"));
     return {};
 }
 

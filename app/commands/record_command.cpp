@@ -3,7 +3,10 @@
 #include "app/command_call.h"
 #include "app/commands/commands.h"
 #include "core/base/percentile.h"
+#include "core/base/subjects.h"
+#include "core/project/repositories.h"
 #include "core/workflow/record/record_trial.h"
+#include "core/workflow/shared_words.h"
 
 #include <cmath>
 
@@ -21,8 +24,9 @@ Result<void> answerRecover(const CommandCall &call)
     if (!trials)
         return tl::unexpected(trials.error());
     if (const auto left = std::ranges::find_if(*trials, &TrialName::unfinished); left != trials->end())
-        return fail(ErrorCode::InvalidInput, "trial '" + left->name + "'",
-                    "its recording was cut off; it is not complete yet", "follow what is said above");
+        return fail(ErrorCode::InvalidInput, trialSubject(left->name),
+                    ODO_TEXT("app.cut_off", "its recording was cut off; it is not complete yet"),
+                    ODO_TEXT("app.follow_above", "follow what is said above"));
     call.answer({{QStringLiteral("project"), call.positional(0)}},
                 QStringLiteral("No recording is left that was cut off."));
     return {};
@@ -31,9 +35,9 @@ Result<void> answerRecover(const CommandCall &call)
 Result<RecordSettings> recordSettings(const CommandCall &call)
 {
     if (!call.isSet(option::trial))
-        return call.wrongCall(QStringLiteral("--trial is missing"));
+        return call.missing(option::trial);
     if (!call.isSet(option::camera))
-        return call.wrongCall(QStringLiteral("--camera is missing"));
+        return call.missing(option::camera);
     auto cameras = call.pairs(option::camera);
     if (!cameras)
         return tl::unexpected(cameras.error());
@@ -45,7 +49,7 @@ Result<RecordSettings> recordSettings(const CommandCall &call)
         const auto number = call.number(option::seconds);
         if (!number || *number <= 0 || *number > longestRecordingS)
             return call.wrongCall(
-                QStringLiteral("--seconds is a number above zero, of 86,400 (a day) at most"));
+                ODO_TEXT("app.seconds_is", "--seconds is a number above zero, of 86,400 (a day) at most"));
         settings.seconds = *number;
     }
     if (call.isSet(option::sslVision)) {
@@ -57,7 +61,8 @@ Result<RecordSettings> recordSettings(const CommandCall &call)
     if (call.isSet(option::preRoll)) {
         const auto number = call.number(option::preRoll);
         if (!number || *number < 0 || *number > longestPreRollS)
-            return call.wrongCall(QStringLiteral("--pre-roll is a number of seconds from 0 to 10"));
+            return call.wrongCall(
+                ODO_TEXT("app.pre_roll_is", "--pre-roll is a number of seconds from 0 to 10"));
         settings.preRollS = *number;
     }
     return settings;
@@ -168,7 +173,7 @@ Result<void> runRecord(const QStringList &arguments, const CancelToken &cancel)
         words += viewWords(QString::fromStdString(settings->cameras[i].first), recorded.outcome().views[i]);
     if (!errorsS.empty())
         words += QStringLiteral("\nThe views are %1, which the analysis takes into account.")
-                     .arg(QString::fromStdString(inStepWords(percentile(errorsS, 95))));
+                     .arg(english(inStepWords(percentile(errorsS, 95))));
     call.answer({{QStringLiteral("trial"), QString::fromStdString(recorded.trial().name)},
                  {QStringLiteral("duration_s"), recorded.trial().durationS},
                  {QStringLiteral("views"), viewsJson(recorded, *settings)},
@@ -179,12 +184,13 @@ Result<void> runRecord(const QStringList &arguments, const CancelToken &cancel)
                               {QStringLiteral("p95"), 1000 * percentile(errorsS, 95)},
                               {QStringLiteral("max"), 1000 * percentile(errorsS, 100)}}}},
                 words);
-    for (const std::string &warning : recorded.warnings())
+    for (const Message &warning : recorded.warnings())
         CommandCall::warn(warning);
     if (!call.control().isCancelled())
         return {};
-    return fail(ErrorCode::Cancelled, "recording of trial '" + recorded.trial().name + "'",
-                "it was stopped before its time was over", "what was recorded until then is kept");
+    return fail(ErrorCode::Cancelled, recordingSubject(recorded.trial().name),
+                ODO_TEXT("app.stopped_early", "it was stopped before its time was over"),
+                ODO_TEXT("app.recorded_kept", "what was recorded until then is kept"));
 }
 
 } // namespace odo

@@ -2,6 +2,7 @@
 #include "app/answers.h"
 #include "app/command_call.h"
 #include "app/commands/commands.h"
+#include "core/base/subjects.h"
 #include "core/exchange/labelled_points.h"
 #include "core/project/repositories.h"
 #include "core/workflow/calibrate/moved_job.h"
@@ -27,7 +28,7 @@ QJsonObject registrationJson(const std::string &cameraName, const std::string &l
             {QStringLiteral("camera_position_m"), vectorJson(position)},
             {QStringLiteral("height_above_floor_m"), position.z()},
             {QStringLiteral("markers"), markers},
-            {QStringLiteral("verdict"), QString::fromStdString(registration.verdict)}};
+            {QStringLiteral("verdict"), english(registration.verdict)}};
 }
 
 /// "LABEL=U,V" of each --hint.
@@ -42,7 +43,7 @@ Result<std::vector<MarkerPixel>> hintsOf(const CommandCall &call)
         const auto u = parseNumber(place.substr(0, comma));
         const auto v = comma == std::string::npos ? u : parseNumber(place.substr(comma + 1));
         if (comma == std::string::npos || !u || !v)
-            return call.wrongCall(QStringLiteral("--hint takes LABEL=U,V"));
+            return call.wrongCall(ODO_TEXT("app.hint_takes", "--hint takes LABEL=U,V"));
         hints.push_back({label, {*u, *v}});
     }
     return hints;
@@ -69,7 +70,7 @@ Result<void> registerByMarkers(CommandCall &call)
         return done;
     const FloorRegistration &registration = job.record().registration;
     call.answer(registrationJson(settings.camera, settings.layout, registration),
-                QString::fromStdString(registration.verdict));
+                english(registration.verdict));
     return {};
 }
 
@@ -88,7 +89,7 @@ Result<void> registerThroughCamera(CommandCall &call)
     const FloorRegistration &registration = job.record().registration;
     QJsonObject answer = registrationJson(settings.camera, job.layoutName(), registration);
     answer.insert(QStringLiteral("through"), QString::fromStdString(settings.through));
-    call.answer(answer, QString::fromStdString(registration.verdict));
+    call.answer(answer, english(registration.verdict));
     return {};
 }
 
@@ -104,7 +105,7 @@ Result<void> registerAgain(CommandCall &call)
     if (!used)
         return tl::unexpected(used.error());
     call.answer(registrationJson(call.value(option::camera), used->layout.name, record->registration),
-                QString::fromStdString(record->registration.verdict));
+                english(record->registration.verdict));
     return {};
 }
 
@@ -143,12 +144,12 @@ Result<void> registerTogether(CommandCall &call)
                         {QStringLiteral("sigma_x_mm"), toMillimetres(std::sqrt(marker.covariance(0, 0)))},
                         {QStringLiteral("sigma_y_mm"), toMillimetres(std::sqrt(marker.covariance(1, 1)))},
                         {QStringLiteral("suspicious"), marker.isSuspicious}});
-    lines << QString::fromStdString(outcome.verdict);
+    lines << english(outcome.verdict);
     call.answer({{QStringLiteral("layout"), QString::fromStdString(settings.layout)},
                  {QStringLiteral("cameras"), cameras},
                  {QStringLiteral("markers"), markers},
                  {QStringLiteral("rms_px"), outcome.rmsPx},
-                 {QStringLiteral("verdict"), QString::fromStdString(outcome.verdict)}},
+                 {QStringLiteral("verdict"), english(outcome.verdict)}},
                 lines.join(u'\n'));
     return {};
 }
@@ -191,35 +192,35 @@ Result<void> runRegister(const QStringList &arguments, const CancelToken &cancel
         for (const QString &other : {option::again, option::camera, option::through, option::pixels,
                                      option::image, option::video, option::hint}) {
             if (call.isSet(other))
-                return call.wrongCall(QStringLiteral("--joint and --%1 exclude each other").arg(other));
+                return call.exclude(option::joint, other);
         }
         if (!call.isSet(option::layout))
-            return call.wrongCall(QStringLiteral("--joint needs --layout"));
+            return call.lacks(option::joint, option::layout);
         return registerTogether(call);
     }
     if (!call.isSet(option::camera))
-        return call.wrongCall(QStringLiteral("--camera is missing"));
+        return call.missing(option::camera);
     if (call.isSet(option::again)) {
         for (const QString &other :
              {option::layout, option::through, option::pixels, option::image, option::video, option::hint}) {
             if (call.isSet(other))
-                return call.wrongCall(QStringLiteral("--again and --%1 exclude each other").arg(other));
+                return call.exclude(option::again, other);
         }
         return registerAgain(call);
     }
     if (call.isSet(option::through)) {
         for (const QString &other : {option::layout, option::image, option::video}) {
             if (call.isSet(other))
-                return call.wrongCall(QStringLiteral("--through and --%1 exclude each other").arg(other));
+                return call.exclude(option::through, other);
         }
         if (!call.isSet(option::pixels))
-            return call.wrongCall(QStringLiteral("--through needs --pixels"));
+            return call.lacks(option::through, option::pixels);
         return registerThroughCamera(call);
     }
     if (!call.isSet(option::layout))
-        return call.wrongCall(QStringLiteral("--layout is missing"));
+        return call.missing(option::layout);
     if (call.isSet(option::image) && call.isSet(option::video))
-        return call.wrongCall(QStringLiteral("--image and --video exclude each other"));
+        return call.exclude(option::image, option::video);
     return registerByMarkers(call);
 }
 
@@ -252,8 +253,8 @@ QJsonObject movedJson(const QString &cameraName, const MovedCheck &check)
             {QStringLiteral("shift_px"), check.shiftPx},
             {QStringLiteral("shift_mm"), toMillimetres(check.shiftM)},
             {QStringLiteral("markers"), markers},
-            {QStringLiteral("missing"), sentencesJson(check.missing)},
-            {QStringLiteral("verdict"), QString::fromStdString(check.words)}};
+            {QStringLiteral("missing"), namesJson(check.missing)},
+            {QStringLiteral("verdict"), english(check.words)}};
 }
 
 } // namespace
@@ -271,7 +272,7 @@ Result<void> runMoved(const QStringList &arguments, const CancelToken &cancel)
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
         return parsed.map([](bool) {});
     if (!call.isSet(option::camera) || !call.isSet(option::image))
-        return call.wrongCall(QStringLiteral("--camera and --image are needed"));
+        return call.wrongCall(ODO_TEXT("app.camera_and_image_needed", "--camera and --image are needed"));
     // What was found is kept where it can be; where it cannot, it is told all the same.
     auto project = call.openProject(0, Project::Access::ReadWrite);
     const bool canKeep = project || project.error().code != ErrorCode::ReadOnly;
@@ -291,15 +292,14 @@ Result<void> runMoved(const QStringList &arguments, const CancelToken &cancel)
     if (!done)
         return done;
     const MovedCheck &check = job.check();
-    call.answer(movedJson(QString::fromStdString(call.value(option::camera)), check),
-                QString::fromStdString(check.words));
+    call.answer(movedJson(QString::fromStdString(call.value(option::camera)), check), english(check.words));
     if (check.verdict == MovedCheck::Verdict::Still)
         return {};
-    return fail(ErrorCode::InvalidInput, "camera '" + call.value(option::camera) + "'",
+    return fail(ErrorCode::InvalidInput, cameraSubject(call.value(option::camera)),
                 check.verdict == MovedCheck::Verdict::CameraMoved
-                    ? "it has moved since it was registered"
-                    : "a marker has moved since it was registered",
-                "see the answer for what to do");
+                    ? ODO_TEXT("app.camera_moved", "it has moved since it was registered")
+                    : ODO_TEXT("app.marker_moved", "a marker has moved since it was registered"),
+                ODO_TEXT("app.see_answer", "see the answer for what to do"));
 }
 
 namespace {
@@ -318,12 +318,12 @@ QJsonObject revisionJson(const Revision &revision)
             {QStringLiteral("id"), qint64(revision.id)},
             {QStringLiteral("made"), dateText(revision.made)},
             {QStringLiteral("software_version"), QString::fromStdString(revision.softwareVersion)},
-            {QStringLiteral("origin"), QString::fromStdString(revision.origin)},
+            {QStringLiteral("origin"), english(revision.origin)},
             {QStringLiteral("evidence"), revision.evidence},
             {QStringLiteral("rms_px"), revision.rmsPx},
-            {QStringLiteral("verdict"), QString::fromStdString(revision.verdict)},
+            {QStringLiteral("verdict"), english(revision.verdict)},
             {QStringLiteral("in_force"), revision.isCurrent},
-            {QStringLiteral("trials"), sentencesJson(revision.trials)}};
+            {QStringLiteral("trials"), namesJson(revision.trials)}};
 }
 
 QString revisionText(const Revision &revision)
@@ -331,7 +331,7 @@ QString revisionText(const Revision &revision)
     QString text = QStringLiteral("%1:%2  %3  %4, %5 px")
                        .arg(kindName(revision.kind))
                        .arg(revision.id)
-                       .arg(dateText(revision.made), QString::fromStdString(revision.origin))
+                       .arg(dateText(revision.made), english(revision.origin))
                        .arg(revision.rmsPx, 0, 'f', 2);
     if (!revision.trials.empty())
         text += QStringLiteral(", ") + counted(revision.trials.size(), QStringLiteral("trial"));
@@ -347,7 +347,7 @@ Result<std::pair<Revision::Kind, RecordId>> chosenOf(const CommandCall &call)
     for (const auto &[kind, name] : kinds)
         if (isNumber && text.section(u':', 0, 0) == QLatin1String(name))
             return std::pair(kind, id);
-    return call.wrongCall(QStringLiteral("--use takes calibration:NUMBER or registration:NUMBER"));
+    return call.wrongCall(ODO_TEXT("app.use_takes", "--use takes calibration:NUMBER or registration:NUMBER"));
 }
 
 } // namespace

@@ -43,14 +43,14 @@ Result<void> runReport(const QStringList &arguments, const CancelToken &cancel)
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
         return parsed.map([](bool) {});
     if (!call.isSet(option::output))
-        return call.wrongCall(QStringLiteral("-o is missing"));
+        return call.missing(option::output);
     const bool hasTrials = call.positionals().size() > 1;
     if (!hasTrials && !call.isSet(option::ofClass))
-        return call.wrongCall(QStringLiteral("name a trial, or a class with --class"));
+        return call.wrongCall(ODO_TEXT("app.name_trial_or_class", "name a trial, or a class with --class"));
     if (!call.isSet(option::ofClass))
         for (const QString &needsClass : {option::task, option::figure, option::teams})
             if (call.isSet(needsClass))
-                return call.wrongCall(QStringLiteral("--%1 needs --class").arg(needsClass));
+                return call.lacks(needsClass, option::ofClass);
     const auto options = readReportOptions(call);
     if (!options)
         return tl::unexpected(options.error());
@@ -97,10 +97,11 @@ Result<void> readAlignment(const CommandCall &call, CompareSettings &settings, d
     }
     const auto seconds = call.number(option::align);
     if (!seconds)
-        return call.wrongCall(
-            QStringLiteral("--align is auto, start_gate, motion_onset, distance or a number of seconds"));
+        return call.wrongCall(ODO_TEXT(
+            "app.align_is", "--align is auto, start_gate, motion_onset, distance or a number of seconds"));
     if (std::abs(*seconds) > largestOffsetS)
-        return call.wrongCall(QStringLiteral("--align takes seconds from -3600 to 3600"));
+        return call.wrongCall(
+            ODO_TEXT("app.align_takes_seconds", "--align takes seconds from -3600 to 3600"));
     settings.alignBy = AlignBy::ByHand;
     laterS = *seconds;
     return {};
@@ -250,7 +251,8 @@ Result<void> runCompare(const QStringList &arguments, const CancelToken &cancel)
         return parsed.map([](bool) {});
     const std::vector<std::string> robots = call.texts(option::robot);
     if (robots.size() > 2)
-        return call.wrongCall(QStringLiteral("--robot is given once for both trials, or once for each"));
+        return call.wrongCall(
+            ODO_TEXT("app.robot_once_or_twice", "--robot is given once for both trials, or once for each"));
     CompareSettings settings;
     settings.runs = {{call.text(1), robots.empty() ? std::string() : robots.front()},
                      {call.text(2), robots.empty() ? std::string() : robots.back()}};
@@ -272,7 +274,7 @@ Result<void> runCompare(const QStringList &arguments, const CancelToken &cancel)
             return written;
     call.answer(comparisonJson(*compared), comparisonText(*trials, *compared));
     for (const ComparedTrial &run : trials->runs)
-        for (const std::string &warning : analysisWarnings(run.analysis, run.trial.name))
+        for (const Message &warning : analysisWarnings(run.analysis, run.trial.name))
             CommandCall::warn(warning);
     return {};
 }

@@ -7,6 +7,8 @@
 #include "core/project/repositories.h"
 #include "core/tracking/picked_colour.h"
 #include "core/workflow/calibrate/calibration_pictures.h"
+#include "core/workflow/shared_words.h"
+#include "ui/models/shared_messages.h"
 
 #include <QJsonArray>
 #include <array>
@@ -27,8 +29,8 @@ Result<PixelRect> boxFrom(const CommandCall &call)
     const auto [x, y, width, height] = numbers;
     constexpr int most = 1 << 20; // wider than any picture, and far from overflowing
     if (!good || width <= 0 || height <= 0 || std::max({std::abs(x), std::abs(y), width, height}) > most)
-        return call.wrongCall(QStringLiteral("--box '%1' is not of the form x,y,w,h in pixels")
-                                  .arg(QString::fromStdString(call.value(option::box))));
+        return call.wrongCall(ODO_TEXT("app.not_a_box", "--box '%1' is not of the form x,y,w,h in pixels")(
+            call.value(option::box)));
     return PixelRect{x, y, x + width, y + height};
 }
 
@@ -36,7 +38,7 @@ Result<PixelRect> boxFrom(const CommandCall &call)
 Result<RgbColour> pickedColour(const CommandCall &call)
 {
     if (!call.isSet(option::box))
-        return call.wrongCall(QStringLiteral("--pick needs --box x,y,w,h round the robot"));
+        return call.wrongCall(ODO_TEXT("app.pick_needs_box", "--pick needs --box x,y,w,h round the robot"));
     const auto box = boxFrom(call);
     if (!box)
         return tl::unexpected(box.error());
@@ -45,8 +47,8 @@ Result<RgbColour> pickedColour(const CommandCall &call)
                              ? QString::fromStdString(call.value(option::frame)).toLongLong(&isWhole)
                              : 0;
     if (!isWhole || frame < 0)
-        return call.wrongCall(QStringLiteral("--frame '%1' is not a whole number")
-                                  .arg(QString::fromStdString(call.value(option::frame))));
+        return call.wrongCall(
+            ODO_TEXT("app.not_a_frame", "--frame '%1' is not a whole number")(call.value(option::frame)));
     const auto picture = pictureOf(call.value(option::pick), frame);
     if (!picture)
         return tl::unexpected(picture.error());
@@ -58,14 +60,14 @@ Result<RgbColour> pickedColour(const CommandCall &call)
 Result<std::optional<RgbColour>> colourFrom(const CommandCall &call)
 {
     if (call.isSet(option::colour) && call.isSet(option::pick))
-        return call.wrongCall(QStringLiteral("--colour and --pick are two colours"));
+        return call.wrongCall(ODO_TEXT("app.two_colours", "--colour and --pick are two colours"));
     if (call.isSet(option::pick))
         return pickedColour(call);
     if (!call.isSet(option::colour))
         return std::nullopt;
     const auto colour = parseColour(call.value(option::colour));
     if (!colour)
-        return call.wrongCall(QString::fromStdString(colour.error().what + " is " + colour.error().why));
+        return call.wrongCall(ODO_TEXT("app.colour_is", "%1 is %2")(colour.error().what, colour.error().why));
     return *colour;
 }
 
@@ -100,8 +102,9 @@ Result<RobotRecord> robotFrom(const CommandCall &call)
                    left = parseNumber(parts.back().toStdString());
         if (parts.size() != 2 || !forward || !left)
             return call.wrongCall(
-                QStringLiteral("--reference '%1' is not of the form FORWARD,LEFT, two numbers in millimetres")
-                    .arg(QString::fromStdString(call.value(option::reference))));
+                ODO_TEXT("app.not_a_reference",
+                         "--reference '%1' is not of the form FORWARD,LEFT, two numbers in millimetres")(
+                    call.value(option::reference)));
         robot.referenceM = {fromMillimetres(*forward), fromMillimetres(*left)};
     }
     return robot;
@@ -140,7 +143,7 @@ Result<void> runRobot(const QStringList &arguments, const CancelToken &cancel)
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
         return parsed.map([](bool) {});
     if (call.positional(0) != QStringLiteral("add"))
-        return call.wrongCall(QStringLiteral("'%1' is not known").arg(call.positional(0)));
+        return call.verbNotKnown();
     const auto robot = robotFrom(call);
     if (!robot)
         return tl::unexpected(robot.error());
@@ -148,7 +151,7 @@ Result<void> runRobot(const QStringList &arguments, const CancelToken &cancel)
     if (!project)
         return tl::unexpected(project.error());
     const auto added =
-        changing(**project, "add robot " + robot->name, [&] { return (*project)->robots().add(*robot); });
+        changing(**project, addRobotWords(robot->name), [&] { return (*project)->robots().add(*robot); });
     if (!added)
         return tl::unexpected(added.error());
     const QString name = QString::fromStdString(added->name),
@@ -185,7 +188,7 @@ Result<void> addTask(const CommandCall &call)
     const auto project = call.openProject(1, Project::Access::ReadWrite);
     if (!project)
         return tl::unexpected(project.error());
-    const auto added = changing(**project, "add task " + call.text(2), [&] {
+    const auto added = changing(**project, addTaskWords(call.text(2)), [&] {
         return (*project)->tasks().add({0, call.text(2), *task});
     });
     if (!added)
@@ -225,7 +228,7 @@ Result<void> setTask(const CommandCall &call)
     const auto task = (*project)->tasks().find(call.text(3));
     if (!task)
         return tl::unexpected(task.error());
-    if (auto set = (*project)->change("give " + trial->name + " the task " + task->name,
+    if (auto set = (*project)->change(giveTaskChange(trial->name, task->name),
                                       [&] { return (*project)->trials().setTask(trial->id, task->name); });
         !set)
         return set;
@@ -258,7 +261,7 @@ Result<void> runTask(const QStringList &arguments, const CancelToken &cancel)
     if (verb == QStringLiteral("set") && count == 4)
         return setTask(call);
     return call.wrongCall(
-        QStringLiteral("give add P.odo NAME task.json, list P.odo, or set P.odo TRIAL NAME"));
+        ODO_TEXT("app.task_verbs", "give add P.odo NAME task.json, list P.odo, or set P.odo TRIAL NAME"));
 }
 
 } // namespace odo

@@ -122,12 +122,11 @@ QStringList robotText(const AnalysisRecord &analysis, const std::vector<Occlusio
     for (const Spike &spike : analysis.profile.spikes)
         lines << QStringLiteral("  spike at %1 s: %2")
                      .arg(toSeconds(spike.time), 0, 'f', 3)
-                     .arg(QString::fromStdString(reasonAmong(occlusions, spike)));
+                     .arg(english(reasonAmong(occlusions, spike)));
     for (const DoubtfulName &doubt : analysis.doubtfulNames)
-        lines << QStringLiteral("  %1").arg(
-            QString::fromStdString(doubtfulNamesSentence({&doubt, 1}, analysis.robotName)));
+        lines << QStringLiteral("  %1").arg(english(doubtfulNamesSentence({&doubt, 1}, analysis.robotName)));
     for (const Occlusion &one : occlusions)
-        lines << QStringLiteral("  %1").arg(QString::fromStdString(occlusionSentence(one)));
+        lines << QStringLiteral("  %1").arg(english(occlusionSentence(one)));
     if (accuracy)
         lines << QStringLiteral("  against the known truth: %1 mm, %2 mm/s, %3 mm/s² RMS")
                      .arg(toMillimetres(accuracy->positionRmsM), 0, 'f', 2)
@@ -168,7 +167,7 @@ Result<void> runShow(const QStringList &arguments, const CancelToken &cancel)
     if (!imported)
         return tl::unexpected(imported.error());
     QJsonObject robots;
-    std::vector<std::string> warnings;
+    std::vector<Message> warnings;
     QStringList lines(QStringLiteral("Trial %1, team %2")
                           .arg(QString::fromStdString(trial->name), QString::fromStdString(trial->teamName)));
     lines << stepSentences(*recordings);
@@ -208,7 +207,7 @@ Result<void> runShow(const QStringList &arguments, const CancelToken &cancel)
         lines << robotText(analysis, (*occlusions)[a], accuracy);
         if (const ImportedTrack *source = sourceOf(analysis, *imported))
             lines << QStringLiteral("  ") + importedTrackText(*source);
-        for (std::string &warning : analysisWarnings(analysis, trial->name))
+        for (Message &warning : analysisWarnings(analysis, trial->name))
             warnings.push_back(std::move(warning));
     }
     call.answer({{QStringLiteral("trial"), QString::fromStdString(trial->name)},
@@ -220,7 +219,7 @@ Result<void> runShow(const QStringList &arguments, const CancelToken &cancel)
                  {QStringLiteral("robots"), robots},
                  {QStringLiteral("warnings"), sentencesJson(warnings)}},
                 lines.join(u'\n'));
-    for (const std::string &warning : warnings)
+    for (const Message &warning : warnings)
         CommandCall::warn(warning);
     return {};
 }

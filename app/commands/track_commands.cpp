@@ -68,8 +68,8 @@ Result<std::vector<RobotPointer>> pointersOf(const CommandCall &call)
         const auto time = figure(0), x = figure(1), y = figure(2);
         if (!isComplete || !time || !x || !y)
             return call.wrongCall(
-                QStringLiteral("--at '%1=%2' is not of the form R=VIEW,SECONDS,X,Y or R=none")
-                    .arg(QString::fromStdString(robot), QString::fromStdString(where)));
+                ODO_TEXT("app.not_a_pointer",
+                         "--at '%1=%2' is not of the form R=VIEW,SECONDS,X,Y or R=none")(robot, where));
         pointer.view = parts.first(first).join(u',').toStdString();
         pointer.timeS = *time;
         pointer.pixel = {*x, *y};
@@ -104,14 +104,15 @@ Result<void> runTrack(const QStringList &arguments, const CancelToken &cancel)
     if (call.isSet(option::smoother)) {
         const auto known = parseSmoother(call.value(option::smoother));
         if (!known)
-            return call.wrongCall(QStringLiteral("--smoother is rts, savgol, tracker or none"));
+            return call.wrongCall(ODO_TEXT("app.smoother_is", "--smoother is rts, savgol, tracker or none"));
         settings.smoother = *known;
     }
     auto pointers = pointersOf(call);
     if (!pointers)
         return tl::unexpected(pointers.error());
     if (settings.again && !pointers->empty())
-        return call.wrongCall(QStringLiteral("--at needs the videos, and --again does not read them"));
+        return call.wrongCall(
+            ODO_TEXT("app.at_needs_videos", "--at needs the videos, and --again does not read them"));
     settings.pointers = std::move(*pointers);
     const auto project = call.openProject(0, Project::Access::ReadWrite);
     if (!project)
@@ -133,7 +134,7 @@ Result<void> runTrack(const QStringList &arguments, const CancelToken &cancel)
                  {QStringLiteral("decode_s"), outcome.decodeS},
                  {QStringLiteral("frames_per_s"), outcome.framesPerSecond}},
                 lines.join(u'\n'));
-    for (const std::string &warning : outcome.warnings)
+    for (const Message &warning : outcome.warnings)
         CommandCall::warn(warning);
     return {};
 }
@@ -143,9 +144,10 @@ namespace {
 Result<OverruleRequest> requestOf(const CommandCall &call)
 {
     if (int(call.isSet(option::spike)) + int(call.isSet(option::valid)) + int(call.isSet(option::clear)) != 1)
-        return call.wrongCall(QStringLiteral("one of --spike, --valid and --clear is needed"));
+        return call.wrongCall(
+            ODO_TEXT("app.flag_needs_word", "one of --spike, --valid and --clear is needed"));
     if (call.isSet(option::time) == call.isSet(option::frame))
-        return call.wrongCall(QStringLiteral("one of --time and --frame is needed"));
+        return call.wrongCall(ODO_TEXT("app.flag_needs_moment", "one of --time and --frame is needed"));
     OverruleRequest request;
     request.trial = call.text(1);
     request.robot = call.value(option::robot);
@@ -156,11 +158,12 @@ Result<OverruleRequest> requestOf(const CommandCall &call)
     if (!number)
         return tl::unexpected(number.error());
     if (call.isSet(option::time) && std::abs(*number) > 1e9)
-        return call.wrongCall(QStringLiteral("--time takes seconds from -1,000,000,000 to 1,000,000,000"));
+        return call.wrongCall(
+            ODO_TEXT("app.time_takes", "--time takes seconds from -1,000,000,000 to 1,000,000,000"));
     if (call.isSet(option::time))
         request.timeS = *number;
     else if (*number != std::floor(*number) || std::abs(*number) > 1e9)
-        return call.wrongCall(QStringLiteral("--frame is a whole number"));
+        return call.wrongCall(ODO_TEXT("app.frame_is", "--frame is a whole number"));
     else
         request.frame = static_cast<std::int64_t>(*number);
     return request;
@@ -244,7 +247,7 @@ QJsonObject changeJson(const ProfileChange &change)
             {QStringLiteral("spikes_before"), qint64(change.spikesBefore)},
             {QStringLiteral("spikes_after"), qint64(change.spikesAfter)},
             {QStringLiteral("metrics"), metrics},
-            {QStringLiteral("verdict"), QString::fromStdString(change.words)}};
+            {QStringLiteral("verdict"), english(change.words)}};
 }
 
 } // namespace
@@ -276,7 +279,7 @@ Result<void> runReprocess(const QStringList &arguments, const CancelToken &cance
     for (const ReprocessedRobot &robot : job.robots()) {
         robots.insert(QString::fromStdString(robot.name), changeJson(robot.change));
         lines << QStringLiteral("%1: %2").arg(QString::fromStdString(robot.name),
-                                              QString::fromStdString(robot.change.words));
+                                              english(robot.change.words));
     }
     if (!call.isSet(option::keep))
         lines << QStringLiteral("Nothing was stored; --keep stores it.");

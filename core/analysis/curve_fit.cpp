@@ -6,7 +6,6 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
-#include <string>
 #include <vector>
 
 namespace odo {
@@ -165,10 +164,14 @@ Eigen::Matrix3d fromScaled(double halfS, double midS)
 
 tl::unexpected<Error> tooShort(std::size_t points, FitShape shape)
 {
-    const char *const names[] = {"a constant", "a straight line", "a parabola"};
-    return fail(ErrorCode::Undetermined, std::string("fit of ") + names[static_cast<int>(shape)],
-                std::to_string(points) + (points == 1 ? " point is" : " points are") + " too few for it",
-                "choose a longer range");
+    const Message shapes[] = {ODO_TEXT("analysis.a_constant", "a constant"),
+                              ODO_TEXT("analysis.a_straight_line", "a straight line"),
+                              ODO_TEXT("analysis.a_parabola", "a parabola")};
+    return fail(ErrorCode::Undetermined,
+                ODO_TEXT("analysis.fit_of", "fit of %1")(shapes[static_cast<int>(shape)]),
+                points == 1 ? ODO_TEXT("analysis.one_point_too_few", "%1 point is too few for it")(points)
+                            : ODO_TEXT("analysis.points_too_few", "%1 points are too few for it")(points),
+                ODO_TEXT("analysis.choose_longer_range", "choose a longer range"));
 }
 
 } // namespace

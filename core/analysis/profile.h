@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/analysis/task.h"
+#include "core/base/message.h"
 #include "core/base/units.h"
 
 #include <Eigen/Core>
@@ -99,7 +100,7 @@ struct Spike
     std::int64_t sampleIndex = 0;
     Nanoseconds time{0};
     SampleFlags flags = 0;
-    std::string reason; ///< e.g. "views disagree by 84 mm"
+    Message reason; ///< such as "views disagree by 84 mm"
 };
 
 /// A robot's passing of a gate, in the gate's direction.

@@ -71,24 +71,30 @@ bool hasCourse(const Task &task)
 Result<void> checkScoring(const std::vector<Criterion> &criteria)
 {
     if (criteria.size() > mostLines)
-        return fail(ErrorCode::InvalidInput, "scoring",
-                    "it has more than " + std::to_string(mostLines) + " lines", "keep those that matter");
+        return fail(ErrorCode::InvalidInput, ODO_TEXT("analysis.scoring", "scoring"),
+                    ODO_TEXT("analysis.many_lines", "it has more than %1 lines")(mostLines),
+                    ODO_TEXT("analysis.keep_what_matters", "keep those that matter"));
     for (std::size_t i = 0; i < criteria.size(); ++i) {
         const Criterion &line = criteria[i];
-        const auto refuse = [i](const std::string &why, const std::string &advice) {
-            return fail(ErrorCode::InvalidInput, "line " + std::to_string(i + 1) + " of the scoring", why,
-                        advice);
+        const auto refuse = [i](Message why, Message advice) {
+            return fail(ErrorCode::InvalidInput,
+                        ODO_TEXT("analysis.line_of_scoring", "line %1 of the scoring")(i + 1), std::move(why),
+                        std::move(advice));
         };
         if (line.metric.empty())
-            return refuse("it names no figure", "choose what is scored");
+            return refuse(ODO_TEXT("analysis.no_figure", "it names no figure"),
+                          ODO_TEXT("analysis.choose_figure", "choose what is scored"));
         if (!std::isfinite(line.fullAt) || !std::isfinite(line.noneAt) || !std::isfinite(line.points))
-            return refuse("a number in it is none", "give three numbers");
+            return refuse(ODO_TEXT("analysis.number_is_none", "a number in it is none"),
+                          ODO_TEXT("analysis.give_three_numbers", "give three numbers"));
         if (line.fullAt == line.noneAt)
-            return refuse("all points and no points are at the same value",
-                          "give two values, between which the points rise");
+            return refuse(
+                ODO_TEXT("analysis.same_values", "all points and no points are at the same value"),
+                ODO_TEXT("analysis.give_two_values", "give two values, between which the points rise"));
         if (line.points == 0 || std::abs(line.points) > mostPoints)
-            return refuse("its points are 0, or beyond 1000",
-                          "give points from 1 to 1000, below zero for a penalty");
+            return refuse(
+                ODO_TEXT("analysis.points_out_of_range", "its points are 0, or beyond 1000"),
+                ODO_TEXT("analysis.give_points", "give points from 1 to 1000, below zero for a penalty"));
     }
     return {};
 }

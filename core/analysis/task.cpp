@@ -17,6 +17,32 @@ constexpr std::string_view insideWord = "stay_inside", outsideWord = "stay_outsi
 constexpr std::size_t fewestCorners = 3, mostCorners = 100, mostZones = 30;
 constexpr double shortestEdgeM = 0.001;
 
+Message zoneSubject(const Zone &zone)
+{
+    return ODO_TEXT("analysis.zone", "zone '%1'")(zone.name);
+}
+
+Message gateSubject(const Gate &gate)
+{
+    return ODO_TEXT("analysis.gate", "gate '%1'")(gate.name);
+}
+
+Message nameIsThereTwice()
+{
+    return ODO_TEXT("analysis.name_twice", "the name is there twice");
+}
+
+Message checkTheNumbers()
+{
+    return ODO_TEXT("analysis.check_numbers", "check the numbers");
+}
+
+/// As much of a word that was typed as an error shows.
+std::string beginningOf(std::string_view word)
+{
+    return std::string(word.substr(0, 40));
+}
+
 /// Positive: c lies to the left of a → b.
 double turn(const Vector2d &a, const Vector2d &b, const Vector2d &c)
 {
@@ -70,8 +96,9 @@ Result<ZoneRule> parseZoneRule(std::string_view word)
         return ZoneRule::StayInside;
     if (word == outsideWord)
         return ZoneRule::StayOutside;
-    return fail(ErrorCode::NotFound, "rule '" + std::string(word.substr(0, 40)) + "'",
-                "there is no such rule of a zone", "use stay_inside or stay_outside");
+    return fail(ErrorCode::NotFound, ODO_TEXT("analysis.rule", "rule '%1'")(beginningOf(word)),
+                ODO_TEXT("analysis.no_such_rule", "there is no such rule of a zone"),
+                ODO_TEXT("analysis.use_a_rule", "use stay_inside or stay_outside"));
 }
 
 std::string_view zoneRuleWord(ZoneRule rule)
@@ -87,36 +114,41 @@ Zone rectangularZone(const std::string &name, ZoneRule rule, const Vector2d &one
 
 Result<void> checkZone(const Zone &zone)
 {
-    const auto refuse = [&zone](const std::string &why, const std::string &advice) {
-        return fail(ErrorCode::InvalidInput, "zone '" + zone.name + "'", why, advice);
+    const auto refuse = [&zone](Message why, Message advice) {
+        return fail(ErrorCode::InvalidInput, zoneSubject(zone), std::move(why), std::move(advice));
     };
     const auto &corners = zone.corners;
     if (corners.size() < fewestCorners)
-        return refuse("it has less than three corners", "give the corners of its outline, all the way round");
+        return refuse(
+            ODO_TEXT("analysis.few_corners", "it has less than three corners"),
+            ODO_TEXT("analysis.give_corners", "give the corners of its outline, all the way round"));
     if (corners.size() > mostCorners)
-        return refuse("it has more than " + std::to_string(mostCorners) + " corners",
-                      "draw it more coarsely");
+        return refuse(ODO_TEXT("analysis.many_corners", "it has more than %1 corners")(mostCorners),
+                      ODO_TEXT("analysis.draw_coarsely", "draw it more coarsely"));
     if (!std::ranges::all_of(corners, isOnFloor))
-        return refuse("its corners are not on a floor of 1 km", "check the numbers");
+        return refuse(ODO_TEXT("analysis.corners_off_floor", "its corners are not on a floor of 1 km"),
+                      checkTheNumbers());
     for (std::size_t i = 0; i < corners.size(); ++i) {
         if ((corners[(i + 1) % corners.size()] - corners[i]).norm() < shortestEdgeM)
-            return refuse("two corners are less than 1 mm apart", "give each corner once");
+            return refuse(ODO_TEXT("analysis.corners_too_near", "two corners are less than 1 mm apart"),
+                          ODO_TEXT("analysis.corners_once", "give each corner once"));
     }
     if (meetsItself(corners))
-        return refuse("its outline crosses itself", "give the corners in order, all the way round");
+        return refuse(ODO_TEXT("analysis.outline_crosses", "its outline crosses itself"),
+                      ODO_TEXT("analysis.corners_in_order", "give the corners in order, all the way round"));
     return {};
 }
 
 Result<void> checkZoneAmong(const std::vector<Zone> &zones)
 {
-    const std::string what = "zone '" + zones.back().name + "'";
+    const Message what = zoneSubject(zones.back());
     if (zones.size() > mostZones)
         return fail(ErrorCode::InvalidInput, what,
-                    "the task has " + std::to_string(mostZones) + " zones already",
-                    "join zones that lie beside one another");
+                    ODO_TEXT("analysis.many_zones", "the task has %1 zones already")(mostZones),
+                    ODO_TEXT("analysis.join_zones", "join zones that lie beside one another"));
     if (std::ranges::count(zones, zones.back().name, &Zone::name) > 1)
-        return fail(ErrorCode::InvalidInput, what, "the name is there twice",
-                    "give each zone a name of its own");
+        return fail(ErrorCode::InvalidInput, what, nameIsThereTwice(),
+                    ODO_TEXT("analysis.name_each_zone", "give each zone a name of its own"));
     return {};
 }
 
@@ -139,16 +171,17 @@ constexpr double shortestGateM = 0.001;
 constexpr double largestChordErrorM = 5e-5;
 
 template <class Value, std::size_t Count>
-Result<Value> parse(const Words<Value, Count> &words, std::string_view word, const char *kind)
+Result<Value> parse(const Words<Value, Count> &words, std::string_view word, Message what, Message why)
 {
-    std::string known;
+    std::vector<std::string> known;
     for (const auto &[value, its] : words) {
         if (its == word)
             return value;
-        known += (known.empty() ? "" : its == words.back().second ? " or " : ", ") + std::string(its);
+        known.emplace_back(its);
     }
-    return fail(ErrorCode::NotFound, std::string(kind) + " '" + std::string(word.substr(0, 40)) + "'",
-                "there is no such " + std::string(kind), "use " + known);
+    return fail(ErrorCode::NotFound, std::move(what), std::move(why),
+                ODO_TEXT("analysis.use_one_of",
+                         "use %1")(listed(known, MessageArgument::Kind::Label, MessageArgument::Joint::Or)));
 }
 
 template <class Value, std::size_t Count>
@@ -180,7 +213,8 @@ ReferencePath sampled(const std::function<Eigen::Vector2d(double)> &curve, doubl
 
 Result<TaskTemplate> parseTaskTemplate(std::string_view word)
 {
-    return parse(templateWords, word, "template");
+    return parse(templateWords, word, ODO_TEXT("analysis.template", "template '%1'")(beginningOf(word)),
+                 ODO_TEXT("analysis.no_such_template", "there is no such template"));
 }
 
 std::string_view taskTemplateWord(TaskTemplate kind)
@@ -190,7 +224,8 @@ std::string_view taskTemplateWord(TaskTemplate kind)
 
 Result<GateRole> parseGateRole(std::string_view word)
 {
-    return parse(roleWords, word, "role");
+    return parse(roleWords, word, ODO_TEXT("analysis.role", "role '%1'")(beginningOf(word)),
+                 ODO_TEXT("analysis.no_such_role", "there is no such role"));
 }
 
 std::string_view gateRoleWord(GateRole role)
@@ -200,57 +235,66 @@ std::string_view gateRoleWord(GateRole role)
 
 Result<void> checkGate(const Gate &gate)
 {
-    const std::string what = "gate '" + gate.name + "'";
+    const Message what = gateSubject(gate);
     if (!isOnFloor(gate.from) || !isOnFloor(gate.to))
-        return fail(ErrorCode::InvalidInput, what, "its ends are not on a floor of 1 km",
-                    "check the numbers");
+        return fail(ErrorCode::InvalidInput, what,
+                    ODO_TEXT("analysis.ends_off_floor", "its ends are not on a floor of 1 km"),
+                    checkTheNumbers());
     if ((gate.to - gate.from).norm() < shortestGateM)
-        return fail(ErrorCode::InvalidInput, what, "its ends are less than 1 mm apart",
-                    "give the two ends of the line that is to be passed");
+        return fail(ErrorCode::InvalidInput, what,
+                    ODO_TEXT("analysis.ends_too_near", "its ends are less than 1 mm apart"),
+                    ODO_TEXT("analysis.give_ends", "give the two ends of the line that is to be passed"));
     return {};
 }
 
 Result<void> checkGateAmong(const std::vector<Gate> &gates)
 {
     const Gate &last = gates.back();
-    const std::string what = "gate '" + last.name + "'";
+    const Message what = gateSubject(last);
     const auto starts = [](GateRole role) {
         return role == GateRole::Start || role == GateRole::StartFinish;
     };
     const auto ends = [](GateRole role) { return role == GateRole::Finish || role == GateRole::StartFinish; };
     for (std::size_t i = 0; i + 1 < gates.size(); ++i) {
         if (gates[i].name == last.name)
-            return fail(ErrorCode::InvalidInput, what, "the name is there twice",
-                        "give each gate a name of its own");
+            return fail(ErrorCode::InvalidInput, what, nameIsThereTwice(),
+                        ODO_TEXT("analysis.name_each_gate", "give each gate a name of its own"));
         if ((starts(gates[i].role) && starts(last.role)) || (ends(gates[i].role) && ends(last.role)))
-            return fail(ErrorCode::InvalidInput, what,
-                        "gate '" + gates[i].name + "' is the " +
-                            (starts(gates[i].role) && starts(last.role) ? "start" : "finish") + " already",
-                        "keep one start and one finish, or one gate with the role start_finish");
+            return fail(
+                ErrorCode::InvalidInput, what,
+                starts(gates[i].role) && starts(last.role)
+                    ? ODO_TEXT("analysis.start_is_there", "gate '%1' is the start already")(gates[i].name)
+                    : ODO_TEXT("analysis.finish_is_there", "gate '%1' is the finish already")(gates[i].name),
+                ODO_TEXT("analysis.one_start_and_finish",
+                         "keep one start and one finish, or one gate with the role start_finish"));
     }
     return {};
 }
 
 Result<void> checkReferencePath(const ReferencePath &path)
 {
-    const auto refuse = [](const std::string &why, const std::string &advice) {
-        return fail(ErrorCode::InvalidInput, "reference path", why, advice);
+    const auto refuse = [](Message why, Message advice) {
+        return fail(ErrorCode::InvalidInput, ODO_TEXT("analysis.reference_path", "reference path"),
+                    std::move(why), std::move(advice));
     };
     constexpr std::size_t mostPoints = 5000;
     if (path.points.empty())
         return {};
     if (path.points.size() < 2 || (path.closed && path.points.size() < 3))
-        return refuse("it has too few points", "give two points or more, three where the path is closed");
+        return refuse(
+            ODO_TEXT("analysis.few_points", "it has too few points"),
+            ODO_TEXT("analysis.give_two_points", "give two points or more, three where the path is closed"));
     if (path.points.size() > mostPoints)
-        return refuse("it has more than " + std::to_string(mostPoints) + " points",
-                      "sample it more coarsely");
+        return refuse(ODO_TEXT("analysis.many_points", "it has more than %1 points")(mostPoints),
+                      ODO_TEXT("analysis.sample_coarsely", "sample it more coarsely"));
     if (!std::all_of(path.points.begin(), path.points.end(), isOnFloor))
-        return refuse("its points are not on a floor of 1 km", "check the numbers");
+        return refuse(ODO_TEXT("analysis.points_off_floor", "its points are not on a floor of 1 km"),
+                      checkTheNumbers());
     double lengthM = 0;
     for (std::size_t i = 1; i < path.points.size(); ++i)
         lengthM += (path.points[i] - path.points[i - 1]).norm();
     if (lengthM < shortestGateM)
-        return refuse("it is shorter than 1 mm", "check the numbers");
+        return refuse(ODO_TEXT("analysis.path_too_short", "it is shorter than 1 mm"), checkTheNumbers());
     return {};
 }
 
@@ -258,8 +302,11 @@ Result<void> checkTaskLimits(const TaskLimits &limits)
 {
     for (const std::optional<double> &limit : {limits.maxSpeedMps, limits.maxAccelMps2}) {
         if (limit && !(*limit > 0 && std::isfinite(*limit)))
-            return fail(ErrorCode::InvalidInput, "limits of a task", "a limit is not above zero",
-                        "give the largest speed and acceleration that a robot can have in the task");
+            return fail(
+                ErrorCode::InvalidInput, ODO_TEXT("analysis.limits", "limits of a task"),
+                ODO_TEXT("analysis.limit_not_positive", "a limit is not above zero"),
+                ODO_TEXT("analysis.give_limits",
+                         "give the largest speed and acceleration that a robot can have in the task"));
     }
     return {};
 }

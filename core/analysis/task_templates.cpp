@@ -50,17 +50,20 @@ void addRound(const TemplateSizes &sizes, Task &task)
 
 Result<Task> taskFromTemplate(TaskTemplate kind, const TemplateSizes &sizes)
 {
-    const auto refuse = [](const std::string &why, const std::string &advice) {
-        return fail(ErrorCode::InvalidInput, "template of a task", why, advice);
+    const auto refuse = [](Message why, Message advice) {
+        return fail(ErrorCode::InvalidInput, ODO_TEXT("analysis.template_of_task", "template of a task"),
+                    std::move(why), std::move(advice));
     };
     for (const double size : {sizes.lengthM, sizes.widthM, sizes.gateM})
         if (!(size >= smallestM) || !std::isfinite(size))
-            return refuse("a size is less than 1 mm", "give the sizes in millimetres");
+            return refuse(ODO_TEXT("analysis.size_too_small", "a size is less than 1 mm"),
+                          ODO_TEXT("analysis.give_sizes", "give the sizes in millimetres"));
     if (!sizes.centre.allFinite() || !std::isfinite(sizes.directionRad))
-        return refuse("its place is not a number", "give where it lies in millimetres");
+        return refuse(ODO_TEXT("analysis.place_no_number", "its place is not a number"),
+                      ODO_TEXT("analysis.give_place", "give where it lies in millimetres"));
     if (sizes.poles < 1 || sizes.poles > mostPoles)
-        return refuse("a slalom has 1 to 100 poles, not " + std::to_string(sizes.poles),
-                      "give another number");
+        return refuse(ODO_TEXT("analysis.wrong_poles", "a slalom has 1 to 100 poles, not %1")(sizes.poles),
+                      ODO_TEXT("analysis.give_another_number", "give another number"));
     Task task;
     task.kind = kind;
     if (kind == TaskTemplate::Circle || kind == TaskTemplate::FigureEight)

@@ -187,8 +187,8 @@ void onCrash(int signal, siginfo_t *information, void *)
         for (;;)
             ::pause();
     ::alarm(10); // whatever hangs in here
-    if (const char *why = shortageNowOfSystem())
-        endForShortage(why);
+    if (const MessageText *why = shortageNowOfSystem())
+        endForShortage(*why);
     int descriptor = prepared.descriptor;
     const bool isUnnamed = descriptor >= 0;
     if (!isUnnamed)

@@ -30,22 +30,34 @@ std::string shortened(const std::string &part)
 
 std::string Error::message() const
 {
-    std::string line = shortened(what) + ": " + shortened(why);
-    if (!advice.empty())
-        line += "; " + shortened(advice);
+    std::string line = shortened(what.english()) + ": " + shortened(why.english());
+    if (!advice.isEmpty())
+        line += "; " + shortened(advice.english());
     std::ranges::replace_if(
         line, [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
     return plainLine(line);
 }
 
-tl::unexpected<Error> fail(ErrorCode code, std::string what, std::string why, std::string advice)
+tl::unexpected<Error> fail(ErrorCode code, Message what, Message why, Message advice)
 {
     return tl::unexpected<Error>(Error{code, std::move(what), std::move(why), std::move(advice)});
 }
 
-tl::unexpected<Error> cancelled(std::string what)
+tl::unexpected<Error> cancelled(Message what)
 {
-    return fail(ErrorCode::Cancelled, std::move(what), "cancelled", "nothing was changed");
+    return fail(ErrorCode::Cancelled, std::move(what), ODO_TEXT("base.cancelled", "cancelled"),
+                ODO_TEXT("base.nothing_changed", "nothing was changed"));
+}
+
+Message wholeMessage(Message what, Message why, Message advice)
+{
+    return joined({joined({std::move(what), std::move(why)}, Join::Colon), std::move(advice)},
+                  Join::Semicolon);
+}
+
+Message wholeMessage(const Error &error)
+{
+    return wholeMessage(error.what, error.why, error.advice);
 }
 
 } // namespace odo

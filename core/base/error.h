@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/message.h"
+
 #include <string>
-#include <string_view>
 #include <tl/expected.hpp>
 
 namespace odo {
@@ -26,24 +27,29 @@ enum class ErrorCode {
 struct Error
 {
     ErrorCode code = ErrorCode::Internal;
-    std::string what;   ///< what could not be done, with the file or name at fault
-    std::string why;    ///< the cause, with line or figure where there is one
-    std::string advice; ///< what the user can do now
+    Message what;   ///< what could not be done, with the file or name at fault
+    Message why;    ///< the cause, with line or figure where there is one
+    Message advice; ///< what the user can do now
 
-    /// "what: why; advice", on one line: control characters are replaced by spaces, and of a part of more
-    /// than 600 bytes (a long path) the middle is left out.
+    /// "what: why; advice" in English, on one line: control characters are replaced by spaces, and of a part
+    /// of more than 600 bytes (a long path) the middle is left out.
     std::string message() const;
 };
+
+/// "what: why; advice" as one message.
+Message wholeMessage(Message what, Message why, Message advice = {});
+/// What went wrong as a message, alone or as a part of another one.
+Message wholeMessage(const Error &error);
 
 /// A value, or the Error that stood in its way. Expected failures travel so; broken invariants assert.
 template <class T>
 using Result = tl::expected<T, Error>;
 
 /// Shorthand for returning a failure from a function that gives a Result.
-tl::unexpected<Error> fail(ErrorCode code, std::string what, std::string why, std::string advice);
+tl::unexpected<Error> fail(ErrorCode code, Message what, Message why, Message advice);
 
 /// The failure of a cancelled job.
-tl::unexpected<Error> cancelled(std::string what);
+tl::unexpected<Error> cancelled(Message what);
 
 /// Whether it went well, where nobody wants the value.
 template <class T>

@@ -68,23 +68,28 @@ Kind kindOfItself(const fs::path &path)
         answer(unknown, [&](std::error_code &code) { return fs::symlink_status(path, code); }));
 }
 
-const char *insteadOfFile(Kind kind)
+Message isAFolder()
+{
+    return ODO_TEXT("base.is_folder", "it is a folder");
+}
+
+Message insteadOfFile(Kind kind)
 {
     switch (kind) {
     case Kind::Missing:
     case Kind::File:
     case Kind::Link:
-        return nullptr;
+        return {};
     case Kind::Folder:
-        return "it is a folder";
+        return isAFolder();
     case Kind::Pipe:
-        return "it is a named pipe";
+        return ODO_TEXT("base.is_pipe", "it is a named pipe");
     case Kind::Socket:
-        return "it is a socket";
+        return ODO_TEXT("base.is_socket", "it is a socket");
     case Kind::Device:
         break;
     }
-    return "it is a device";
+    return ODO_TEXT("base.is_device", "it is a device");
 }
 
 bool exists(const fs::path &path)

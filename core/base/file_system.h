@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/message.h"
+
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -21,8 +23,10 @@ enum class Kind { Missing, File, Folder, Link, Pipe, Socket, Device };
 Kind kindOf(const std::filesystem::path &path, std::error_code &problem);
 /// What is there itself: a link is a Link. Missing where it cannot be looked at.
 Kind kindOfItself(const std::filesystem::path &path);
-/// For messages, what is there in place of a file: "it is a named pipe". Null for a file, a link and nothing.
-const char *insteadOfFile(Kind kind);
+/// What is there in place of a file: "it is a named pipe". Empty for a file, a link and nothing.
+Message insteadOfFile(Kind kind);
+/// "it is a folder"
+Message isAFolder();
 
 /// Through links; false where it cannot be looked at.
 bool exists(const std::filesystem::path &path);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/message.h"
+
 #include <atomic>
 #include <functional>
 #include <memory>
@@ -25,9 +27,9 @@ struct JobControl
 {
     CancelToken cancel;
     /// fraction in [0,1]; may be empty
-    std::function<void(double fraction, const std::string &text)> progress;
+    std::function<void(double fraction, const Message &text)> progress;
 
-    void report(double fraction, const std::string &text) const
+    void report(double fraction, const Message &text) const
     {
         if (progress)
             progress(fraction, text);

@@ -22,11 +22,31 @@
 
 namespace odo {
 
+const MessageText &cannotDoThis() noexcept
+{
+    return ODO_TEXT("base.cannot_do_this", "cannot do this");
+}
+
+const MessageText &closeOtherPrograms() noexcept
+{
+    return ODO_TEXT("base.close_other_programs", "close other programs and try again");
+}
+
+const MessageText &noFurtherThread() noexcept
+{
+    return ODO_TEXT("base.no_thread", "this computer gives no further thread");
+}
+
 namespace {
 
-Error shortage(std::string what, const char *why)
+const MessageText &savedIsSafe() noexcept
 {
-    return {ErrorCode::Unavailable, std::move(what), why, shortageAdvice};
+    return ODO_TEXT("base.saved_is_safe", "what was saved is safe");
+}
+
+Error shortage(Message what, const MessageText &why)
+{
+    return {ErrorCode::Unavailable, std::move(what), why, shortageAdvice()};
 }
 
 bool isCancelledWork()
@@ -40,33 +60,40 @@ bool isCancelledWork()
     }
 }
 
-std::string wordsOfException()
+Message wordsOfException()
 {
     try {
         throw;
     } catch (const std::exception &problem) {
-        return problem.what();
+        return foreignWords(problem.what());
     } catch (...) {
-        return "an exception without words";
+        return ODO_TEXT("base.wordless_exception", "an exception without words");
     }
 }
 
 } // namespace
 
-Error noThread(std::string what)
+Message shortageAdvice()
 {
-    return shortage(std::move(what), "this computer gives no further thread");
+    return joined({savedIsSafe(), closeOtherPrograms()}, Join::Semicolon);
 }
 
-Error shortageNow(std::string what)
+Error noThread(Message what)
+{
+    return shortage(std::move(what), noFurtherThread());
+}
+
+Error shortageNow(Message what)
 {
     if (isCancelledWork())
         return cancelled(std::move(what)).value();
-    if (const char *why = shortageBeingHandled())
-        return shortage(std::move(what), why);
+    if (const MessageText *why = shortageBeingHandled())
+        return shortage(std::move(what), *why);
     return {ErrorCode::Internal, std::move(what),
-            "something unexpected happened (" + wordsOfException() + ")",
-            "what was saved is safe; try again, and report it if it happens again"};
+            ODO_TEXT("base.unexpected", "something unexpected happened (%1)")(wordsOfException()),
+            joined({savedIsSafe(),
+                    ODO_TEXT("base.try_again_and_report", "try again, and report it if it happens again")},
+                   Join::Semicolon)};
 }
 
 void sideBySide(std::size_t parts, const std::function<void(std::size_t)> &work)
@@ -100,9 +127,15 @@ void sideBySide(std::size_t parts, const std::function<void(std::size_t)> &work)
 
 namespace {
 
-constexpr const char *noMemory = "this computer has not enough free memory for it";
-constexpr const char *noFiles = "too many files are open";
-constexpr const char *noFurtherThread = "this computer gives no further thread";
+const MessageText &noMemory() noexcept
+{
+    return ODO_TEXT("base.no_memory", "this computer has not enough free memory for it");
+}
+
+const MessageText &noFiles() noexcept
+{
+    return ODO_TEXT("base.no_files", "too many files are open");
+}
 
 bool isMemoryThere() noexcept
 {
@@ -151,8 +184,8 @@ void put(const char *text) noexcept
 
 [[noreturn]] void onUncaught() noexcept
 {
-    if (const char *why = shortageBeingHandled())
-        endForShortage(why);
+    if (const MessageText *why = shortageBeingHandled())
+        endForShortage(*why);
     try {
         if (std::current_exception())
             throw;
@@ -167,21 +200,21 @@ void put(const char *text) noexcept
 
 } // namespace
 
-const char *shortageBeingHandled() noexcept
+const MessageText *shortageBeingHandled() noexcept
 {
     if (!std::current_exception())
         return nullptr;
     try {
         throw;
     } catch (const std::bad_alloc &) {
-        return noMemory;
+        return &noMemory();
     } catch (const std::system_error &problem) {
         const std::error_code &code = problem.code();
         if (code == std::errc::resource_unavailable_try_again)
-            return noFurtherThread;
+            return &noFurtherThread();
         if (code == std::errc::too_many_files_open || code == std::errc::too_many_files_open_in_system)
-            return noFiles;
-        return code == std::errc::not_enough_memory ? noMemory : nullptr;
+            return &noFiles();
+        return code == std::errc::not_enough_memory ? &noMemory() : nullptr;
     } catch (...) {
         return nullptr;
     }
@@ -190,25 +223,27 @@ const char *shortageBeingHandled() noexcept
 void needFiles(std::size_t count) noexcept
 {
     if (!canOpenFiles(count))
-        endForShortage(noFiles);
+        endForShortage(noFiles());
 }
 
-const char *shortageNowOfSystem() noexcept
+const MessageText *shortageNowOfSystem() noexcept
 {
-    return !isMemoryThere()                 ? noMemory
-           : !canOpenFiles(filesOfALibrary) ? noFiles
-           : !isProcessThere()              ? noFurtherThread
+    return !isMemoryThere()                 ? &noMemory()
+           : !canOpenFiles(filesOfALibrary) ? &noFiles()
+           : !isProcessThere()              ? &noFurtherThread()
                                             : nullptr;
 }
 
-void endForShortage(const char *why) noexcept
+void endForShortage(const MessageText &why) noexcept
 {
     put("odograph: ");
-    put(cannotDoThis);
+    put(cannotDoThis().english);
     put(": ");
-    put(why);
+    put(why.english);
     put("; ");
-    put(shortageAdvice);
+    put(savedIsSafe().english);
+    put("; ");
+    put(closeOtherPrograms().english);
     put("\n");
     ::_exit(1);
 }

@@ -5,7 +5,6 @@
 
 #include <cstddef>
 #include <functional>
-#include <string>
 #include <thread>
 #include <type_traits>
 
@@ -14,22 +13,24 @@ namespace odo {
 /// What to do when this computer has run out of memory, threads or open files: the standard library throws,
 /// and here that becomes an Error, code Unavailable, before it can end the program. Any thread.
 
-/// What a job is told as that ends by a shortage.
-inline constexpr const char *cannotDoThis = "cannot do this";
+/// What is said of it, to be had without any memory.
+const MessageText &cannotDoThis() noexcept; ///< what a job is told as that ends by a shortage
+const MessageText &closeOtherPrograms() noexcept;
+const MessageText &noFurtherThread() noexcept; ///< a reason of it
 
-/// What to do then.
-inline constexpr const char *shortageAdvice = "what was saved is safe; close other programs and try again";
+/// That what was saved is safe, and to close other programs.
+Message shortageAdvice();
 
 /// Within a handler: the Error of a shortage that is being handled, or of any other exception, code Internal,
 /// with its own words.
-Error shortageNow(std::string what);
+Error shortageNow(Message what);
 
 /// That there is no thread to be had, where something else than the standard library found out.
-Error noThread(std::string what);
+Error noThread(Message what);
 
 /// Does work that gives a Result; an exception in it is its Error.
 template <class Work>
-std::invoke_result_t<Work &> orShortage(const std::string &what, Work &&work)
+std::invoke_result_t<Work &> orShortage(const Message &what, Work &&work)
 {
     try {
         return work();
@@ -41,7 +42,7 @@ std::invoke_result_t<Work &> orShortage(const std::string &what, Work &&work)
 /// A new thread that does the work, or why there is none. What the work throws ends the program
 /// (last_resort.h).
 template <class Work>
-Result<std::thread> startThread(const std::string &what, Work &&work)
+Result<std::thread> startThread(const Message &what, Work &&work)
 {
     return orShortage(what, [&]() -> Result<std::thread> { return std::thread(std::forward<Work>(work)); });
 }
@@ -56,15 +57,15 @@ void sideBySide(std::size_t parts, const std::function<void(std::size_t)> &work)
 
 /// Within a handler: why this computer could not give what was asked of it; null where another exception is
 /// handled.
-const char *shortageBeingHandled() noexcept;
+const MessageText *shortageBeingHandled() noexcept;
 
 /// Asks the system now whether it still gives memory, files and processes: why not, or null. Safe in a signal
 /// handler.
-const char *shortageNowOfSystem() noexcept;
+const MessageText *shortageNowOfSystem() noexcept;
 
 /// Writes the one line and ends the program with status 1. Nothing is put away, no memory is asked for. Safe
 /// in a signal handler.
-[[noreturn]] void endForShortage(const char *why) noexcept;
+[[noreturn]] void endForShortage(const MessageText &why) noexcept;
 
 /// Ends it so where not so many more files may be opened, of 64 at most: before a library would tell of it in
 /// lines of its own.

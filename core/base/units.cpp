@@ -9,9 +9,10 @@ namespace odo {
 
 namespace {
 
-std::string quoted(std::string_view text)
+/// As much of what was typed as an error shows.
+std::string beginningOf(std::string_view text)
 {
-    return '\'' + std::string(text.substr(0, 40)) + '\'';
+    return std::string(text.substr(0, 40));
 }
 
 } // namespace
@@ -28,8 +29,9 @@ Result<double> parseNumber(std::string_view text)
     double value = 0;
     const auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     if (problem != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value))
-        return fail(ErrorCode::InvalidInput, "number " + quoted(text), "not a finite decimal number",
-                    "write it with digits and a point, like 12.5");
+        return fail(ErrorCode::InvalidInput, ODO_TEXT("base.number", "number '%1'")(beginningOf(text)),
+                    ODO_TEXT("base.no_number", "not a finite decimal number"),
+                    ODO_TEXT("base.write_number", "write it with digits and a point, like 12.5"));
     return value;
 }
 
@@ -38,11 +40,6 @@ std::string formatNumber(double value, int decimals)
     char text[400]; // the longest double has 309 digits before its point
     const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, decimals).ptr;
     return std::string(text, end);
-}
-
-std::string secondsText(double seconds, int decimals)
-{
-    return formatNumber(seconds, decimals) + " s";
 }
 
 Result<double> parseLengthM(std::string_view text)
@@ -61,8 +58,9 @@ Result<double> parseLengthM(std::string_view text)
             break;
         return *value * unit.metres;
     }
-    return fail(ErrorCode::InvalidInput, "length " + quoted(text), "not a number with the unit mm, cm or m",
-                "write it like 25mm, 2.5cm or 0.3m");
+    return fail(ErrorCode::InvalidInput, ODO_TEXT("base.length", "length '%1'")(beginningOf(text)),
+                ODO_TEXT("base.no_length", "not a number with the unit mm, cm or m"),
+                ODO_TEXT("base.write_length", "write it like 25mm, 2.5cm or 0.3m"));
 }
 
 std::string RgbColour::toString() const
@@ -81,8 +79,9 @@ Result<RgbColour> parseColour(std::string_view text)
             return RgbColour{static_cast<std::uint8_t>(value >> 16), static_cast<std::uint8_t>(value >> 8),
                              static_cast<std::uint8_t>(value)};
     }
-    return fail(ErrorCode::InvalidInput, "colour " + quoted(text), "not of the form #rrggbb",
-                "write it like #d72328");
+    return fail(ErrorCode::InvalidInput, ODO_TEXT("base.colour", "colour '%1'")(beginningOf(text)),
+                ODO_TEXT("base.no_colour", "not of the form #rrggbb"),
+                ODO_TEXT("base.write_colour", "write it like #d72328"));
 }
 
 } // namespace odo

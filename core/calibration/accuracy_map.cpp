@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/accuracy_map.h"
 
-#include "core/base/units.h"
 #include "core/calibration/internal/plane_pose.h"
 #include "core/calibration/internal/wording.h"
 
@@ -44,9 +43,10 @@ double largestSigma(const Matrix2d &covariance)
     return std::sqrt(std::max(0.0, Eigen::SelfAdjointEigenSolver<Matrix2d>(covariance).eigenvalues().y()));
 }
 
-tl::unexpected<Error> noCamera(std::string why, std::string advice)
+tl::unexpected<Error> noCamera(Message why, Message advice)
 {
-    return fail(ErrorCode::InvalidInput, "the planned camera", std::move(why), std::move(advice));
+    return fail(ErrorCode::InvalidInput, ODO_TEXT("calibration.planned_camera", "the planned camera"),
+                std::move(why), std::move(advice));
 }
 
 /// What a registration by these markers would leave of the pose: σ²(JᵀJ)⁻¹.
@@ -63,13 +63,18 @@ Result<Eigen::Matrix<double, 6, 6>> poseCovariance(const FloorView &view, const 
         seen.push_back(marker.label);
     }
     if (seen.size() < 4)
-        return noCamera("from there it would see " + std::to_string(seen.size()) +
-                            " of the layout's markers (" + listed(seen) + "), four are needed",
-                        "move it back or up, or choose a wider lens");
+        return noCamera(
+            ODO_TEXT("calibration.planned_sees_too_few",
+                     "from there it would see %1 of the layout's markers (%2), four are needed")(
+                seen.size(), listed(seen, MessageArgument::Kind::Marker)),
+            ODO_TEXT("calibration.move_planned_back", "move it back or up, or choose a wider lens"));
     const auto pose = fitPlanePose(pairs, view.camera(), FocalLength::Known);
     if (!pose)
-        return noCamera("the markers that it would see do not hold it: " + pose.error().why,
-                        pose.error().advice);
+        return noCamera(
+            joined({ODO_TEXT("calibration.planned_not_held", "the markers that it would see do not hold it"),
+                    pose.error().why},
+                   Join::Colon),
+            pose.error().advice);
     return Eigen::Matrix<double, 6, 6>(sigmaPx * sigmaPx * pose->inverseNormal);
 }
 
@@ -133,18 +138,25 @@ void PlannedCamera::standAt(const Vector2d &footM)
         directionDegrees = std::atan2(away.y(), away.x()) * 180 / EIGEN_PI;
 }
 
-Result<FloorView> plannedView(const PlannedCamera &camera, const MarkerLayout &layout, double sigmaPx)
+namespace {
+
+/// Its view, as if its pose were exact.
+Result<FloorView> exactView(const PlannedCamera &camera)
 {
     if (!(camera.heightM >= 0.05 && camera.heightM <= 100))
-        return noCamera("it cannot stand " + formatNumber(camera.heightM, 2) + " m above the floor",
-                        "give a height of 0.05 m to 100 m");
+        return noCamera(ODO_TEXT("calibration.planned_height",
+                                 "it cannot stand %1 above the floor")(quantity(camera.heightM, 2, "m")),
+                        ODO_TEXT("calibration.give_height", "give a height of 0.05 m to 100 m"));
     if (!(camera.distanceM >= 0 && camera.distanceM <= 1000))
-        return noCamera("it cannot stand " + formatNumber(camera.distanceM, 2) + " m away",
-                        "give a distance of 0 m to 1000 m");
+        return noCamera(ODO_TEXT("calibration.planned_distance",
+                                 "it cannot stand %1 away")(quantity(camera.distanceM, 2, "m")),
+                        ODO_TEXT("calibration.give_distance", "give a distance of 0 m to 1000 m"));
     if (!(camera.fieldOfViewDegrees >= 2 && camera.fieldOfViewDegrees <= 150) || camera.widthPx <= 0 ||
         camera.heightPx <= 0)
-        return noCamera("its field of view is " + formatNumber(camera.fieldOfViewDegrees, 1) + "°",
-                        "give 2° to 150°, and the size of its pictures");
+        return noCamera(
+            ODO_TEXT("calibration.planned_field_of_view",
+                     "its field of view is %1")(quantity(camera.fieldOfViewDegrees, 1, "°")),
+            ODO_TEXT("calibration.give_field_of_view", "give 2° to 150°, and the size of its pictures"));
     const double direction = camera.directionDegrees * EIGEN_PI / 180;
     const Vector2d away(std::cos(direction), std::sin(direction));
     const Vector2d foot = camera.footM();
@@ -160,11 +172,20 @@ Result<FloorView> plannedView(const PlannedCamera &camera, const MarkerLayout &l
     const auto model = CameraModel::create(std::move(lens));
     if (!model)
         return tl::unexpected(model.error());
-    const FloorView exact(*model, {Eigen::Quaterniond(axes), place}, Eigen::Matrix<double, 6, 6>::Zero());
-    const auto covariance = poseCovariance(exact, layout, sigmaPx);
+    return FloorView(*model, {Eigen::Quaterniond(axes), place}, Eigen::Matrix<double, 6, 6>::Zero());
+}
+
+} // namespace
+
+Result<FloorView> plannedView(const PlannedCamera &camera, const MarkerLayout &layout, double sigmaPx)
+{
+    const auto exact = exactView(camera);
+    if (!exact)
+        return exact;
+    const auto covariance = poseCovariance(*exact, layout, sigmaPx);
     if (!covariance)
         return tl::unexpected(covariance.error());
-    return FloorView(*model, exact.worldFromCamera(), *covariance);
+    return FloorView(exact->camera(), exact->worldFromCamera(), *covariance);
 }
 
 namespace {
@@ -173,8 +194,9 @@ using Eigen::Vector2d;
 
 constexpr double nearABorder = 0.15; // of the extent
 
-std::string whereOf(const Vector2d &place, const Vector2d &lower, const Vector2d &upper,
-                    const MarkerLayout &layout)
+/// The sentence about the figures. place: of the worst one.
+Message figureWords(const AccuracySummary &summary, const Vector2d &place, const Vector2d &lower,
+                    const Vector2d &upper, const MarkerLayout &layout)
 {
     const auto nearest = std::ranges::min_element(
         layout.markers, {}, [&](const Marker &marker) { return (marker.pointInWorld - place).norm(); });
@@ -183,10 +205,24 @@ std::string whereOf(const Vector2d &place, const Vector2d &lower, const Vector2d
         return place[axis] < lower[axis] + room || place[axis] > upper[axis] - room;
     };
     const int borders = int(isAtBorder(0)) + int(isAtBorder(1));
-    return std::string(borders == 2   ? "in the corner near "
-                       : borders == 1 ? "at the edge near "
-                                      : "near ") +
-           nearest->label;
+    const MessageArgument worst = millimetres(summary.worstM), marker = Named::marker(nearest->label);
+    if (std::isnan(summary.middleM)) {
+        const MessageText &words =
+            borders == 2 ? ODO_TEXT("calibration.unseen_middle_corner",
+                                    "The middle is not seen, ±%1 in the corner near %2.")
+            : borders == 1
+                ? ODO_TEXT("calibration.unseen_middle_edge",
+                           "The middle is not seen, ±%1 at the edge near %2.")
+                : ODO_TEXT("calibration.unseen_middle_near", "The middle is not seen, ±%1 near %2.");
+        return words(worst, marker);
+    }
+    const MessageText &words =
+        borders == 2
+            ? ODO_TEXT("calibration.middle_and_corner", "±%1 in the middle, ±%2 in the corner near %3.")
+        : borders == 1
+            ? ODO_TEXT("calibration.middle_and_edge", "±%1 in the middle, ±%2 at the edge near %3.")
+            : ODO_TEXT("calibration.middle_and_near", "±%1 in the middle, ±%2 near %3.");
+    return words(millimetres(summary.middleM), worst, marker);
 }
 
 } // namespace
@@ -195,7 +231,9 @@ AccuracySummary summariseAccuracy(const FloorGrid &grid, const std::vector<doubl
                                   const MarkerLayout &layout)
 {
     constexpr double unseen = std::numeric_limits<double>::quiet_NaN();
-    AccuracySummary summary{unseen, unseen, 0, "None of the floor among the markers is seen."};
+    AccuracySummary summary{
+        unseen, unseen, 0,
+        ODO_TEXT("calibration.floor_unseen", "None of the floor among the markers is seen.")};
     if (layout.markers.empty())
         return summary;
     Vector2d lower = layout.markers.front().pointInWorld, upper = lower, worst = lower;
@@ -230,14 +268,13 @@ AccuracySummary summariseAccuracy(const FloorGrid &grid, const std::vector<doubl
     if (seen == 0)
         return summary;
     summary.seenPart = double(seen) / places;
-    summary.words = std::isnan(summary.middleM)
-                        ? "The middle is not seen"
-                        : std::string("±") + millimetres(summary.middleM) + " in the middle";
-    summary.words +=
-        std::string(", ±") + millimetres(summary.worstM) + " " + whereOf(worst, lower, upper, layout) + ".";
+    summary.words = figureWords(summary, worst, lower, upper, layout);
     if (seen < places)
-        summary.words += ' ' + formatNumber(std::max(1.0, 100 * (1 - summary.seenPart)), 0) +
-                         " % of the floor among the markers is not seen.";
+        summary.words = joined(
+            {std::move(summary.words),
+             ODO_TEXT("calibration.floor_part_unseen", "%1 of the floor among the markers is not seen.")(
+                 quantity(std::max(1.0, 100 * (1 - summary.seenPart)), 0, "%"))},
+            Join::Space);
     return summary;
 }
 
@@ -335,18 +372,20 @@ Result<PlannedCamera> bestPlace(const PlannedCamera &like, const MarkerLayout &l
                                 std::span<const FloorView> others, const PlaceSearch &search,
                                 const JobControl &control)
 {
-    const std::string what = "the best place for a camera";
+    const Message what = ODO_TEXT("calibration.best_place", "the best place for a camera");
     Searcher searcher(like, layout, others, search);
     if (layout.markers.size() < 4)
         return fail(ErrorCode::InvalidInput, what,
-                    "the layout has " + std::to_string(layout.markers.size()) + " markers, four are needed",
-                    "make a layout of four markers or more");
+                    ODO_TEXT("calibration.layout_too_small",
+                             "the layout has %1 markers, four are needed")(layout.markers.size()),
+                    ODO_TEXT("calibration.make_larger_layout", "make a layout of four markers or more"));
     Vector2d halfSize = 0.5 * searcher.floor().sizes() + Vector2d::Constant(search.reachM);
     searcher.tryAbout(searcher.floor().center(), halfSize, placesAcross);
     for (int round = 0; round < rounds && searcher.best(); ++round) {
         if (control.isCancelled())
             return cancelled(what);
-        control.report(double(round + 1) / (rounds + 1), "looking about the best place");
+        control.report(double(round + 1) / (rounds + 1),
+                       ODO_TEXT("calibration.looking_about", "looking about the best place"));
         halfSize *= round == 0 ? 1.5 / (placesAcross - 1) : 0.5;
         searcher.tryAbout(searcher.best()->footM(), halfSize, 5);
     }
@@ -358,13 +397,14 @@ Result<PlannedCamera> bestPlace(const PlannedCamera &like, const MarkerLayout &l
     PlannedCamera plain = like;
     plain.aimM = searcher.floor().center();
     plain.standAt(plain.aimM - Vector2d(0, 0.5 * searcher.floor().sizes().y() + search.reachM));
-    if (const auto view = plannedView(plain, layout);
-        !view && view.error().why.find("it would see") == std::string::npos)
+    if (const auto view = exactView(plain); !view)
         return tl::unexpected(view.error());
-    return fail(ErrorCode::Undetermined, what,
-                "from nowhere within " + formatNumber(search.reachM, 1) +
-                    " m beyond the markers would it see four of them at the height and with the lens given",
-                "let it stand higher or farther away, or choose a wider lens");
+    return fail(
+        ErrorCode::Undetermined, what,
+        ODO_TEXT("calibration.sees_too_few_anywhere",
+                 "from nowhere within %1 beyond the markers would it see four of them at the height and with "
+                 "the lens given")(quantity(search.reachM, 1, "m")),
+        ODO_TEXT("calibration.stand_higher", "let it stand higher or farther away, or choose a wider lens"));
 }
 
 } // namespace odo

@@ -76,7 +76,7 @@ struct AccuracySummary
     double middleM = 0; ///< in its middle; NaN where that is not seen
     double worstM = 0;  ///< where it is largest; NaN where nothing is seen
     double seenPart = 0;
-    std::string words; ///< "±1.8 mm in the middle, ±6.0 mm in the corner near D." and what is not seen
+    Message words; ///< "±1.8 mm in the middle, ±6.0 mm in the corner near D." and what is not seen
 };
 
 /// sigmaM: one value a place of the grid, NaN where it is not seen. Pure; any thread.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/board_collector.h"
 
+#include "core/calibration/internal/wording.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -15,29 +17,33 @@ constexpr Nanoseconds stillFor = std::chrono::milliseconds(500);
 constexpr double stillPart = 0.004; // of the picture's width
 constexpr double sharpOfSpacing = 0.25;
 
-std::string whole(double value)
+Error refusal(const std::string &source, Message why, Message advice)
 {
-    return formatNumber(value, 0);
+    return {ErrorCode::Undetermined, nameAlone(source), std::move(why), std::move(advice)};
 }
 
-Error refusal(const std::string &source, std::string why, std::string advice)
+Error refusedAsKnown(const std::string &source, Message standsAsBefore)
 {
-    return {ErrorCode::Undetermined, source, std::move(why), std::move(advice)};
+    return refusal(source, std::move(standsAsBefore),
+                   ODO_TEXT("calibration.move_board", "move it elsewhere, turn it or tilt it"));
 }
 
 std::optional<Error> faultOf(const CollectedPicture &picture)
 {
     const std::string &source = picture.view.source;
     if (picture.placement.angleDegrees() > mostObliqueDegrees)
-        return refusal(source,
-                       "the board is seen too obliquely, at " + whole(picture.placement.angleDegrees()) +
-                           " degrees",
-                       "tilt it by 30 to 45 degrees");
+        return refusal(
+            source,
+            ODO_TEXT("calibration.board_too_oblique", "the board is seen too obliquely, at %1 degrees")(
+                quantity(picture.placement.angleDegrees(), 0)),
+            ODO_TEXT("calibration.tilt_less", "tilt it by 30 to 45 degrees"));
     if (picture.placement.size < leastSize)
         return refusal(source,
-                       "the board is too small: it fills " +
-                           whole(100 * picture.placement.size * picture.placement.size) + " % of the picture",
-                       "hold it closer to the camera");
+                       joined({ODO_TEXT("calibration.board_too_small", "the board is too small"),
+                               ODO_TEXT("calibration.board_fills", "it fills %1 of the picture")(
+                                   quantity(100 * picture.placement.size * picture.placement.size, 0, "%"))},
+                              Join::Colon),
+                       ODO_TEXT("calibration.hold_board_closer", "hold it closer to the camera"));
     return std::nullopt;
 }
 
@@ -60,11 +66,9 @@ PictureAnswer BoardCollector::look(const Frame &frame, const std::string &source
         m_heightPx = frame.format.height;
     }
     if (frame.format.width != m_widthPx || frame.format.height != m_heightPx) {
-        answer.refusal = refusal(source,
-                                 "it is " + std::to_string(frame.format.width) + "×" +
-                                     std::to_string(frame.format.height) + ", the first picture " +
-                                     std::to_string(m_widthPx) + "×" + std::to_string(m_heightPx),
-                                 "use pictures of one camera at one resolution");
+        answer.refusal = refusal(
+            source, otherSizeThanFirst(frame.format, m_widthPx, m_heightPx),
+            ODO_TEXT("calibration.use_one_resolution", "use pictures of one camera at one resolution"));
         return answer;
     }
     auto view = findBoard(frame, m_spec, source);
@@ -74,8 +78,9 @@ PictureAnswer BoardCollector::look(const Frame &frame, const std::string &source
     }
     const auto placement = placementOf(*view, m_widthPx, m_heightPx);
     if (!placement) {
-        answer.refusal = refusal(source, "the corners do not lie as on a flat board",
-                                 "glue the board onto something stiff and flat");
+        answer.refusal = refusal(
+            source, ODO_TEXT("calibration.board_not_flat", "the corners do not lie as on a flat board"),
+            ODO_TEXT("calibration.glue_board_flat", "glue the board onto something stiff and flat"));
         return answer;
     }
     answer.picture = CollectedPicture{std::move(*view), *placement};
@@ -99,8 +104,9 @@ PictureAnswer BoardCollector::offer(const Frame &frame, const std::string &sourc
     for (const CollectedPicture &there : m_pictures) {
         if (distanceOf(there.placement, answer.picture->placement) >= leastNews)
             continue;
-        answer.refusal = refusal(source, "the board stands as in " + there.view.source + " already",
-                                 "move it elsewhere, turn it or tilt it");
+        answer.refusal =
+            refusedAsKnown(source, ODO_TEXT("calibration.board_stands_as_in",
+                                            "the board stands as in %1 already")(there.view.source));
         return answer;
     }
     keep(*answer.picture);
@@ -129,18 +135,21 @@ PictureAnswer BoardCollector::watch(const Frame &frame, const std::string &sourc
     const bool still = isStill(*answer.picture, frame.time);
     for (const CollectedPicture &there : m_pictures) {
         if (distanceOf(there.placement, answer.picture->placement) < leastNews) {
-            answer.refusal = refusal(source, "the board stands as in a picture already taken",
-                                     "move it elsewhere, turn it or tilt it");
+            answer.refusal =
+                refusedAsKnown(source, ODO_TEXT("calibration.board_stands_as_before",
+                                                "the board stands as in a picture already taken"));
             return answer;
         }
     }
     if (!still)
         return answer;
     if (answer.picture->view.edgeWidthPx > sharpOfSpacing * spacingPx(*answer.picture)) {
-        answer.refusal = refusal(source,
-                                 "the board is not sharp: its edges are " +
-                                     whole(answer.picture->view.edgeWidthPx) + " pixels wide",
-                                 "focus the camera, or give more light");
+        answer.refusal =
+            refusal(source,
+                    joined({ODO_TEXT("calibration.board_not_sharp", "the board is not sharp"),
+                            edgesAreWide(answer.picture->view.edgeWidthPx)},
+                           Join::Colon),
+                    ODO_TEXT("calibration.focus_or_light", "focus the camera, or give more light"));
         return answer;
     }
     keep(*answer.picture);

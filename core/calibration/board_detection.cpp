@@ -2,10 +2,10 @@
 #include "core/calibration/board_detection.h"
 
 #include "core/base/job_control.h"
-#include "core/base/units.h"
 #include "core/calibration/charuco_layout.h"
 #include "core/calibration/internal/corner_grid.h"
 #include "core/calibration/internal/luma_matrix.h"
+#include "core/calibration/internal/wording.h"
 #include "core/geometry/homography.h"
 
 #include <algorithm>
@@ -132,6 +132,21 @@ std::vector<ForetoldCorner> foretellCorners(const std::vector<ReadMarker> &marke
     return sure;
 }
 
+std::string sizeText(int columns, int rows)
+{
+    return std::to_string(columns) + "x" + std::to_string(rows);
+}
+
+Message noBoardFound()
+{
+    return ODO_TEXT("calibration.no_board_found", "no board found");
+}
+
+Message countCorners()
+{
+    return ODO_TEXT("calibration.count_corners", "count the inner corners, or leave the size out");
+}
+
 BoardView refined(const cv::Mat &luma, const std::vector<ForetoldCorner> &corners,
                   const CharucoLayout &layout, const BoardSpec &spec, const std::string &source)
 {
@@ -165,8 +180,10 @@ Result<BoardView> findCharucoBoard(const cv::Mat &luma, const BoardSpec &spec, c
 {
     const std::vector<NamedDictionary> dictionaries = dictionariesFor(spec.dictionary);
     if (dictionaries.empty())
-        return fail(ErrorCode::InvalidInput, source, "there is no marker dictionary " + spec.dictionary,
-                    "name one like DICT_6X6_250, or leave it out");
+        return fail(
+            ErrorCode::InvalidInput, nameAlone(source),
+            ODO_TEXT("calibration.no_dictionary", "there is no marker dictionary %1")(spec.dictionary),
+            ODO_TEXT("calibration.name_dictionary", "name one like DICT_6X6_250, or leave it out"));
     const double scale = searchScale(luma);
     const cv::Mat searched = reduced(luma, scale);
     cv::Mat inverted;
@@ -182,22 +199,30 @@ Result<BoardView> findCharucoBoard(const cv::Mat &luma, const BoardSpec &spec, c
             const double ratio = measuredMarkerRatio(markers, *layout);
             BoardView view = refined(luma, foretellCorners(markers, *layout, ratio), *layout, spec, source);
             if (view.pixels.size() < leastCornersOfView)
-                return refuseBoard(
-                    source, "only " + std::to_string(view.pixels.size()) + " corners of the board are seen",
-                    "show more of the board");
+                return refuseBoard(source,
+                                   ODO_TEXT("calibration.few_corners_seen",
+                                            "only %1 corners of the board are seen")(view.pixels.size()),
+                                   ODO_TEXT("calibration.show_more_of_board", "show more of the board"));
             return view;
         }
     }
     if (mostMarkers < 4)
+        return refuseBoard(
+            source,
+            joined({noBoardFound(),
+                    ODO_TEXT("calibration.markers_read", "%1 of its markers could be read")(mostMarkers)},
+                   Join::Colon),
+            ODO_TEXT("calibration.show_board_larger", "show the board larger, sharp and well lit"));
+    if (spec.columns > 0)
         return refuseBoard(source,
-                           "no board found: " + std::to_string(mostMarkers) + " of its markers could be read",
-                           "show the board larger, sharp and well lit");
-    const std::string size = spec.columns > 0 ? " of " + std::to_string(spec.columns) + "x" +
-                                                    std::to_string(spec.rows) + " inner corners"
-                                              : "";
-    return refuseBoard(source, "the markers that were read do not lie as on a ChArUco board" + size,
-                       spec.columns > 0 ? "count the inner corners, or leave the size out"
-                                        : "show one ChArUco board");
+                           ODO_TEXT("calibration.no_charuco_of_size",
+                                    "the markers that were read do not lie as on a ChArUco board of %1 inner "
+                                    "corners")(sizeText(spec.columns, spec.rows)),
+                           countCorners());
+    return refuseBoard(
+        source,
+        ODO_TEXT("calibration.no_charuco", "the markers that were read do not lie as on a ChArUco board"),
+        ODO_TEXT("calibration.show_one_charuco", "show one ChArUco board"));
 }
 
 namespace {
@@ -212,11 +237,6 @@ constexpr float mostMoved = 0.3F; // of the spacing, when a corner is refined
 constexpr float worstBlurOfSpacing = 0.4F;
 constexpr float worstBlurPx = 12;
 constexpr double leastPartOfBoard = 2.0 / 3;
-
-std::string sizeText(int columns, int rows)
-{
-    return std::to_string(columns) + "x" + std::to_string(rows);
-}
 
 bool isSize(const CornerGrid &grid, int columns, int rows)
 {
@@ -344,17 +364,19 @@ Result<CornerGrid> refined(const cv::Mat &luma, const CornerGrid &grid, float bl
     const float spacing = grid.spacing();
     if (blur > worstBlurOfSpacing * spacing || blur > worstBlurPx)
         return refuseBoard(source,
-                           "the board is blurred: its edges are " +
-                               formatNumber(static_cast<double>(blur), 0) + " pixels wide",
-                           "hold it still, and focus the camera");
+                           joined({ODO_TEXT("calibration.board_blurred", "the board is blurred"),
+                                   edgesAreWide(static_cast<double>(blur))},
+                                  Join::Colon),
+                           ODO_TEXT("calibration.hold_board_still", "hold it still, and focus the camera"));
     CornerGrid sharp = grid;
     const int half = std::clamp(static_cast<int>(windowOfSpacing * spacing), 2, widestCornerWindowPx);
     cv::cornerSubPix(luma, sharp.corners, {half, half}, {-1, -1},
                      {cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 50, 0.005});
     for (std::size_t i = 0; i < sharp.corners.size(); ++i) {
         if (cv::norm(sharp.corners[i] - grid.corners[i]) > static_cast<double>(mostMoved * spacing))
-            return refuseBoard(source, "a corner of the board cannot be made out",
-                               "keep the board clear and well lit");
+            return refuseBoard(
+                source, ODO_TEXT("calibration.corner_unclear", "a corner of the board cannot be made out"),
+                ODO_TEXT("calibration.keep_board_clear", "keep the board clear and well lit"));
     }
     return sharp;
 }
@@ -391,12 +413,17 @@ Result<CornerGrid> matched(const cv::Mat &luma, const CornerGrid &grid, const Bo
                         (upright.columns == spec.columns || leavesPicture(upright, luma, true)) &&
                         (upright.rows == spec.rows || leavesPicture(upright, luma, false));
     if (!cutOff)
-        return refuseBoard(source, "this board has " + found + " inner corners, " + asked + " was asked for",
-                           "count the inner corners, or leave the size out");
+        return refuseBoard(source,
+                           ODO_TEXT("calibration.board_of_other_size",
+                                    "this board has %1 inner corners, %2 was asked for")(found, asked),
+                           countCorners());
     if (static_cast<double>(upright.corners.size()) < leastPartOfBoard * spec.columns * spec.rows)
-        return refuseBoard(
-            source, "the board is cut off: only " + found + " of its " + asked + " inner corners are seen",
-            "keep the whole board in the picture");
+        return refuseBoard(source,
+                           joined({ODO_TEXT("calibration.board_cut_off", "the board is cut off"),
+                                   ODO_TEXT("calibration.board_part_seen",
+                                            "only %1 of its %2 inner corners are seen")(found, asked)},
+                                  Join::Colon),
+                           ODO_TEXT("calibration.keep_whole_board", "keep the whole board in the picture"));
     return upright;
 }
 
@@ -408,7 +435,9 @@ Result<BoardView> findCheckerboard(const cv::Mat &luma, const BoardSpec &spec, c
 {
     const CornerGrid grid = searchScales(luma, spec);
     if (grid.corners.empty())
-        return refuseBoard(source, "no board found", "show the whole board, flat, sharp and well lit");
+        return refuseBoard(
+            source, noBoardFound(),
+            ODO_TEXT("calibration.show_whole_board", "show the whole board, flat, sharp and well lit"));
     const auto upright = matched(luma, grid, spec, source);
     if (!upright)
         return tl::unexpected(upright.error());
@@ -421,24 +450,34 @@ Result<BoardView> findCheckerboard(const cv::Mat &luma, const BoardSpec &spec, c
     return view;
 }
 
-tl::unexpected<Error> refuseBoard(const std::string &source, std::string why, std::string advice)
+tl::unexpected<Error> refuseBoard(const std::string &source, Message why, Message advice)
 {
-    return fail(ErrorCode::Undetermined, source, std::move(why), std::move(advice));
+    return fail(ErrorCode::Undetermined, nameAlone(source), std::move(why), std::move(advice));
+}
+
+Message otherSizeThanFirst(const FrameFormat &format, int firstWidthPx, int firstHeightPx)
+{
+    return ODO_TEXT("calibration.other_picture_size", "it is %1×%2, the first picture %3×%4")(
+        format.width, format.height, firstWidthPx, firstHeightPx);
 }
 
 Result<BoardView> findBoard(const Frame &frame, const BoardSpec &spec, const std::string &source)
 {
     if (frame.y.data == nullptr || frame.y.width < 32 || frame.y.height < 32)
-        return fail(ErrorCode::Undetermined, source, "the picture is too small to hold a board",
-                    "use a picture of the camera");
+        return refuseBoard(
+            source, ODO_TEXT("calibration.too_small_for_board", "the picture is too small to hold a board"),
+            useCameraPicture());
     const bool told = spec.columns != 0 || spec.rows != 0;
     if (told && (spec.columns < 3 || spec.rows < 3))
-        return fail(ErrorCode::InvalidInput, source,
-                    "a board of " + std::to_string(spec.columns) + "x" + std::to_string(spec.rows) +
-                        " inner corners is too small",
-                    "give 3x3 at least, like 9x6, or leave the size out");
+        return fail(
+            ErrorCode::InvalidInput, nameAlone(source),
+            ODO_TEXT("calibration.told_board_too_small",
+                     "a board of %1 inner corners is too small")(sizeText(spec.columns, spec.rows)),
+            ODO_TEXT("calibration.give_board_size", "give 3x3 at least, like 9x6, or leave the size out"));
     if (!(spec.squareM > 0))
-        return fail(ErrorCode::InvalidInput, source, "the squares have no size", "give it like 25mm");
+        return fail(ErrorCode::InvalidInput, nameAlone(source),
+                    ODO_TEXT("calibration.squares_without_size", "the squares have no size"),
+                    ODO_TEXT("calibration.give_square_size", "give it like 25mm"));
     try {
         const cv::Mat luma = lumaMatrix(frame);
         if (spec.pattern == BoardPattern::Checkerboard)
@@ -448,7 +487,8 @@ Result<BoardView> findBoard(const Frame &frame, const BoardSpec &spec, const std
             return charuco;
         return findCheckerboard(luma, spec, source);
     } catch (const cv::Exception &exception) {
-        return fail(ErrorCode::Internal, source, exception.what(), "use another picture");
+        return fail(ErrorCode::Internal, nameAlone(source), foreignWords(exception.what()),
+                    ODO_TEXT("calibration.use_another_picture", "use another picture"));
     }
 }
 

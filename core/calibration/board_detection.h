@@ -42,7 +42,10 @@ struct BoardView
 inline constexpr int widestCornerWindowPx = 11;
 
 /// Why a picture shows no board that can be used: Undetermined.
-tl::unexpected<Error> refuseBoard(const std::string &source, std::string why, std::string advice);
+tl::unexpected<Error> refuseBoard(const std::string &source, Message why, Message advice);
+
+/// Why a picture cannot be used that has another size than the first one.
+Message otherSizeThanFirst(const FrameFormat &format, int firstWidthPx, int firstHeightPx);
 
 /// Looks for the board in the luma plane. Error Undetermined with the reason: none found, another size found,
 /// too blurred, cut off.

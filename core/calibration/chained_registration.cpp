@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/chained_registration.h"
 
-#include "core/base/units.h"
 #include "core/calibration/internal/plane_pose.h"
 #include "core/calibration/internal/wording.h"
 #include "core/geometry/homography.h"
@@ -24,53 +23,78 @@ using Eigen::Vector3d;
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 
-constexpr const char *throughRegistration = "the camera cannot be registered through another";
 constexpr double pixelSigma = 0.3;         // of a point picked or found in a picture
 constexpr double nearestPointPixels = 1.0; // points closer than that are one and the same
 constexpr double worstPointSigma = 0.05;   // of the points' extent on the floor
 
-tl::unexpected<Error> refuseThrough(std::string why, std::string advice)
+Message notRegisteredThrough()
 {
-    return fail(ErrorCode::Undetermined, throughRegistration, std::move(why), std::move(advice));
+    return ODO_TEXT("calibration.not_registered_through", "the camera cannot be registered through another");
+}
+
+tl::unexpected<Error> refuseThrough(Message why, Message advice)
+{
+    return fail(ErrorCode::Undetermined, notRegisteredThrough(), std::move(why), std::move(advice));
+}
+
+std::string pictureSize(const CameraModel &camera)
+{
+    return std::to_string(camera.intrinsics().widthPx) + "×" + std::to_string(camera.intrinsics().heightPx);
 }
 
 Result<void> checkInPicture(const SharedPoint &point, const Vector2d &pixel, const CameraModel &camera,
-                            const std::string &whose)
+                            const Message &isOutside)
 {
     const Intrinsics &lens = camera.intrinsics();
     if (!pixel.allFinite())
-        return refuseThrough("the pixel of point " + point.label + " is not a finite number",
-                             "correct the pixels");
+        return refuseThrough(
+            ODO_TEXT("calibration.point_pixel_no_number",
+                     "the pixel of point %1 is not a finite number")(Named::marker(point.label)),
+            correctPixels());
     if (pixel.x() < -1 || pixel.y() < -1 || pixel.x() > lens.widthPx || pixel.y() > lens.heightPx)
-        return refuseThrough("point " + point.label + " lies outside the picture of " + whose + " (" +
-                                 std::to_string(lens.widthPx) + "×" + std::to_string(lens.heightPx) + ")",
-                             "check which columns belong to which camera");
+        return refuseThrough(
+            isOutside, ODO_TEXT("calibration.check_columns", "check which columns belong to which camera"));
     return {};
 }
 
-Result<void> checkPoints(const FloorView &through, const std::string &throughName,
+Result<void> checkPoints(const FloorView &through, const Message &throughName,
                          const std::vector<SharedPoint> &points, const CameraModel &camera)
 {
     if (points.size() < 4)
-        return refuseThrough("four points are needed that both cameras see; there are " +
-                                 std::to_string(points.size()),
-                             "add points of the floor, such as corners of tiles");
+        return refuseThrough(
+            joined(
+                {ODO_TEXT("calibration.four_shared_points", "four points are needed that both cameras see"),
+                 ODO_TEXT("calibration.shared_points", "there are %1")(points.size())},
+                Join::Semicolon),
+            ODO_TEXT("calibration.add_floor_points", "add points of the floor, such as corners of tiles"));
     std::set<std::string> labels;
     for (const SharedPoint &point : points) {
+        const MessageArgument label = Named::marker(point.label);
         if (!labels.insert(point.label).second)
-            return refuseThrough("point " + point.label + " is there twice",
-                                 "give each point a label of its own");
-        if (auto sound = checkInPicture(point, point.pixel, camera, "the camera to register"); !sound)
+            return refuseThrough(ODO_TEXT("calibration.point_twice", "point %1 is there twice")(label),
+                                 labelEachPoint());
+        if (auto sound =
+                checkInPicture(point, point.pixel, camera,
+                               ODO_TEXT("calibration.point_outside_own",
+                                        "point %1 lies outside the picture of the camera to register (%2)")(
+                                   label, pictureSize(camera)));
+            !sound)
             return sound;
-        if (auto sound = checkInPicture(point, point.throughPixel, through.camera(), throughName); !sound)
+        if (auto sound = checkInPicture(
+                point, point.throughPixel, through.camera(),
+                ODO_TEXT("calibration.point_outside_through", "point %1 lies outside the picture of %2 (%3)")(
+                    label, throughName, pictureSize(through.camera())));
+            !sound)
             return sound;
         for (const SharedPoint &other : points) {
             if (&other == &point)
                 break;
             if ((other.pixel - point.pixel).norm() < nearestPointPixels ||
                 (other.throughPixel - point.throughPixel).norm() < nearestPointPixels)
-                return refuseThrough("points " + other.label + " and " + point.label + " lie on one pixel",
-                                     "mark each of them where it is seen");
+                return refuseThrough(
+                    ODO_TEXT("calibration.points_on_one_pixel",
+                             "points %1 and %2 lie on one pixel")(Named::marker(other.label), label),
+                    markWhereSeen());
         }
     }
     return {};
@@ -90,28 +114,33 @@ std::optional<std::vector<PointPair>> laid(const FloorView &through, const std::
     return pairs;
 }
 
-Result<void> checkHorizon(const FloorView &through, const std::string &throughName,
+Result<void> checkHorizon(const FloorView &through, const Message &throughName,
                           const std::vector<SharedPoint> &points)
 {
     for (const SharedPoint &point : points) {
         if (!through.floorFromPixel(point.throughPixel, 0))
-            return refuseThrough("point " + point.label + " lies at or beyond the horizon of " + throughName,
-                                 "choose points of the floor");
+            return refuseThrough(
+                ODO_TEXT("calibration.point_beyond_through", "point %1 lies at or beyond the horizon of %2")(
+                    Named::marker(point.label), throughName),
+                ODO_TEXT("calibration.choose_floor_points", "choose points of the floor"));
     }
     return {};
 }
 
 /// Chains floor → rays of the other camera → rays of this one. Both cameras are above the floor, so both see
 /// it the same way round.
-Result<void> checkSide(const FloorView &through, const std::string &throughName,
+Result<void> checkSide(const FloorView &through, const Message &throughName,
                        const std::vector<SharedPoint> &points, const CameraModel &camera)
 {
     std::vector<PointPair> rays;
     for (const SharedPoint &point : points) {
         const auto from = through.camera().unproject(point.throughPixel), to = camera.unproject(point.pixel);
         if (!from || !to || !(from->z() > 0) || !(to->z() > 0))
-            return refuseThrough("point " + point.label + " lies where a lens cannot have put it",
-                                 "check its pixels and the intrinsics of both cameras");
+            return refuseThrough(
+                ODO_TEXT("calibration.point_against_lens",
+                         "point %1 lies where a lens cannot have put it")(Named::marker(point.label)),
+                ODO_TEXT("calibration.check_both_lenses",
+                         "check its pixels and the intrinsics of both cameras"));
         rays.push_back({from->hnormalized(), to->hnormalized(), point.label});
     }
     const auto raysFromThrough = Homography::estimate(rays);
@@ -125,9 +154,11 @@ Result<void> checkSide(const FloorView &through, const std::string &throughName,
     if (!raysFromFloor)
         return refuseThrough(raysFromFloor.error().why, raysFromFloor.error().advice);
     if (raysFromFloor->matrix().determinant() > 0)
-        return refuseThrough("the points are mirrored between the pictures of the two cameras",
-                             "check which label belongs to which point in " + throughName +
-                                 " and in this camera");
+        return refuseThrough(
+            ODO_TEXT("calibration.points_mirrored",
+                     "the points are mirrored between the pictures of the two cameras"),
+            ODO_TEXT("calibration.check_point_labels",
+                     "check which label belongs to which point in %1 and in this camera")(throughName));
     return {};
 }
 
@@ -187,7 +218,7 @@ std::optional<Matrix6d> carried(const FloorView &through, const std::vector<Shar
         for (int side = 0; side < 2; ++side) {
             const auto pairs = laid(moved(through, side == 0 ? step : Vector6d(-step)), points);
             const auto pose = pairs ? fitPlanePose(*pairs, camera, FocalLength::Known, weights)
-                                    : Result<PlanePose>(refuseThrough("", ""));
+                                    : Result<PlanePose>(refuseThrough({}, {}));
             if (!pose)
                 return std::nullopt;
             poses[std::size_t(side)] = pose->worldFromCamera;
@@ -221,8 +252,10 @@ Result<void> measure(const std::vector<PointPair> &pairs, const FloorView &view,
         const auto seen = view.floorFromPixel(pair.target, 0);
         const auto back = view.pixelFromWorld({pair.source.x(), pair.source.y(), 0});
         if (!seen || !back)
-            return refuseThrough("point " + pair.label + " would lie at or beyond the horizon",
-                                 "check its pixels in both pictures");
+            return refuseThrough(
+                ODO_TEXT("calibration.point_beyond_horizon",
+                         "point %1 would lie at or beyond the horizon")(Named::marker(pair.label)),
+                ODO_TEXT("calibration.check_both_pixels", "check its pixels in both pictures"));
         const double errorM = (*seen - pair.source).norm();
         registration.markers.push_back({pair.label, errorM, (*back - pair.target).norm()});
         squares += errorM * errorM;
@@ -231,19 +264,29 @@ Result<void> measure(const std::vector<PointPair> &pairs, const FloorView &view,
     return {};
 }
 
-std::string verdictOf(const FloorRegistration &registration, const std::string &throughName, double sigmaM,
-                      double throughSigmaM, double spanM)
+Message verdictOf(const FloorRegistration &registration, const Message &throughName, double sigmaM,
+                  double throughSigmaM, double spanM, bool intrinsicsKnown)
 {
     const auto worst = std::ranges::max_element(registration.markers, {}, &MarkerError::errorM);
-    std::string verdict = registrationGrade(std::max(registration.rmsM, sigmaM), spanM);
-    verdict += "through " + throughName + " " + std::to_string(registration.markers.size()) +
-               " points of the floor fit to " + millimetres(registration.rmsM) + " RMS (worst " +
-               worst->label + ", " + millimetres(worst->errorM) +
-               "), and the floor among them is known to ±" + millimetres(sigmaM) + ", of which ±" +
-               millimetres(throughSigmaM) + " come from " + throughName + ".";
+    std::vector<Message> sentences{registrationVerdict(
+        std::max(registration.rmsM, sigmaM), spanM,
+        ODO_TEXT(
+            "calibration.points_fit",
+            "through %1 %2 points of the floor fit to %3 RMS (worst %4, %5), and the floor among them is "
+            "known to ±%6, of which ±%7 come from %8")(
+            throughName, registration.markers.size(), millimetres(registration.rmsM),
+            Named::marker(worst->label), millimetres(worst->errorM), millimetres(sigmaM),
+            millimetres(throughSigmaM), throughName))};
     if (registration.markers.size() == 4)
-        verdict += " Four points hardly check one another; a fifth would.";
-    return verdict;
+        sentences.push_back(hardlyChecked(
+            ODO_TEXT("calibration.four_points_unchecked", "Four points hardly check one another")));
+    if (!intrinsicsKnown) {
+        sentences.push_back(ODO_TEXT("calibration.focal_length_taken",
+                                     "The camera was taken as free of distortion, its focal length as %1.")(
+            quantity(registration.intrinsics.fxPx, 0, "px")));
+        sentences.push_back(calibrateToRely());
+    }
+    return joined(std::move(sentences), Join::Space);
 }
 
 /// registerFloor's answer about the laid points: all its checks, the focal length where that is free, and
@@ -255,13 +298,18 @@ Result<FloorRegistration> unweighted(const MarkerLayout &places, const std::vect
     if (registration)
         return registration;
     Error error = registration.error();
-    error.what = throughRegistration;
+    error.what = notRegisteredThrough();
     return tl::unexpected(error);
 }
 
 } // namespace
 
-Result<ChainedRegistration> registerThrough(const FloorView &through, const std::string &throughName,
+Message labelEachPoint()
+{
+    return ODO_TEXT("calibration.label_each_point", "give each point a label of its own");
+}
+
+Result<ChainedRegistration> registerThrough(const FloorView &through, const Message &throughName,
                                             const std::vector<SharedPoint> &points, const CameraModel &camera,
                                             bool intrinsicsKnown)
 {
@@ -292,8 +340,8 @@ Result<ChainedRegistration> registerThrough(const FloorView &through, const std:
     const auto pose = fitPlanePose(pairs, *lens, FocalLength::Known, weights);
     const auto common = carried(through, points, *lens, weights);
     if (!pose || !common)
-        return refuseThrough("the points do not determine where the camera stands",
-                             "spread them over the floor");
+        return refuseThrough(pointsUndetermined(),
+                             ODO_TEXT("calibration.spread_them", "spread them over the floor"));
 
     registration.worldFromCamera = pose->worldFromCamera;
     registration.rmsPx = pose->rmsPx;
@@ -304,17 +352,15 @@ Result<ChainedRegistration> registerThrough(const FloorView &through, const std:
         return tl::unexpected(measured.error());
     const double sigmaM = largestSigma(view, points), spanM = extentOf(places);
     if (sigmaM > worstPointSigma * spanM)
-        return refuseThrough("the floor among the points is known only to ±" + millimetres(sigmaM),
-                             "spread the points over the floor, or register " + throughName +
-                                 " better first");
+        return refuseThrough(
+            ODO_TEXT("calibration.floor_unsure",
+                     "the floor among the points is known only to ±%1")(millimetres(sigmaM)),
+            ODO_TEXT("calibration.spread_or_register_better",
+                     "spread the points over the floor, or register %1 better first")(throughName));
     registration.floorSigmaM = sigmaM;
     const FloorView commonOnly(*lens, registration.worldFromCamera, *common);
-    registration.verdict =
-        verdictOf(registration, throughName, sigmaM, largestSigma(commonOnly, points), spanM);
-    if (!intrinsicsKnown)
-        registration.verdict += " The camera was taken as free of distortion, its focal length as " +
-                                formatNumber(registration.intrinsics.fxPx, 0) +
-                                " px. Calibrate it for positions to rely on.";
+    registration.verdict = verdictOf(registration, throughName, sigmaM, largestSigma(commonOnly, points),
+                                     spanM, intrinsicsKnown);
     return result;
 }
 

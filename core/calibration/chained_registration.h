@@ -24,6 +24,9 @@ struct ChainedRegistration
     std::vector<MarkerPixel> pixels;
 };
 
+/// The advice where points share a label.
+Message labelEachPoint();
+
 /// Registers a camera to the floor without markers: the points are laid on the floor by a camera that is
 /// registered (itself through another, if need be), and the pose is fitted to where they lie.
 ///
@@ -33,9 +36,10 @@ struct ChainedRegistration
 /// covariance of this one, so that over a chain of cameras nothing is lost. The lens of the other camera is
 /// taken as exact.
 ///
-/// throughName: for messages. Refuses by name what registerFloor refuses, and pixels outside the picture,
-/// points at or beyond the other camera's horizon, and points that are mirrored between the two pictures.
-Result<ChainedRegistration> registerThrough(const FloorView &through, const std::string &throughName,
+/// throughName: the other camera for messages, as cameraSubject() has it. Refuses by name what registerFloor
+/// refuses, and pixels outside the picture, points at or beyond the other camera's horizon, and points that
+/// are mirrored between the two pictures.
+Result<ChainedRegistration> registerThrough(const FloorView &through, const Message &throughName,
                                             const std::vector<SharedPoint> &points, const CameraModel &camera,
                                             bool intrinsicsKnown);
 

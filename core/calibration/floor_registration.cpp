@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/floor_registration.h"
 
-#include "core/base/units.h"
 #include "core/calibration/internal/plane_pose.h"
 #include "core/calibration/internal/wording.h"
 #include "core/calibration/lens_influence.h"
@@ -17,7 +16,6 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr const char *floorRegistration = "the floor cannot be registered";
 constexpr double leastHeightM = 0.05, mostHeightM = 100;
 constexpr double nearestPixels = 1.0;  // markers closer than that are one and the same
 constexpr double nearestPlaces = 1e-3; // of the layout's extent
@@ -37,19 +35,29 @@ constexpr double worstSigma = 0.02;      // of the layout's extent on the floor
 constexpr double carefulMarkPx = 1, carefulTapeM = 0.002, carefulTapeShare = 0.0005;
 constexpr double worstSumOfFour = 8, worstSumOfFive = 40;
 
-tl::unexpected<Error> refuse(std::string why, std::string advice)
+tl::unexpected<Error> refuse(Message why, Message advice, ErrorCode code = ErrorCode::Undetermined)
 {
-    return fail(ErrorCode::Undetermined, floorRegistration, std::move(why), std::move(advice));
+    return fail(code, ODO_TEXT("calibration.floor_not_registered", "the floor cannot be registered"),
+                std::move(why), std::move(advice));
+}
+
+Message correctLayout()
+{
+    return ODO_TEXT("calibration.correct_layout", "correct the layout");
+}
+
+Message nameEachMarker()
+{
+    return ODO_TEXT("calibration.name_each_marker", "give each marker a name of its own");
 }
 
 template <class Points>
-Result<void> checkLabels(const Points &points, const char *where)
+Result<void> checkLabels(const Points &points, const MessageText &isThereTwice)
 {
     std::set<std::string> seen;
     for (const auto &point : points) {
         if (!seen.insert(point.label).second)
-            return refuse("marker " + point.label + " stands twice in " + where,
-                          "give each marker a name of its own");
+            return refuse(isThereTwice(Named::marker(point.label)), nameEachMarker());
     }
     return {};
 }
@@ -58,15 +66,17 @@ Result<void> checkNumbers(const MarkerLayout &layout, const std::vector<MarkerPi
 {
     for (const Marker &marker : layout.markers) {
         if (!marker.pointInWorld.allFinite())
-            return fail(ErrorCode::InvalidInput, floorRegistration,
-                        "the place of marker " + marker.label + " is not a finite number",
-                        "correct the layout");
+            return refuse(
+                ODO_TEXT("calibration.marker_place_no_number",
+                         "the place of marker %1 is not a finite number")(Named::marker(marker.label)),
+                correctLayout(), ErrorCode::InvalidInput);
     }
     for (const MarkerPixel &pixel : pixels) {
         if (!pixel.pixel.allFinite())
-            return fail(ErrorCode::InvalidInput, floorRegistration,
-                        "the pixel of marker " + pixel.label + " is not a finite number",
-                        "correct the pixels");
+            return refuse(
+                ODO_TEXT("calibration.marker_pixel_no_number",
+                         "the pixel of marker %1 is not a finite number")(Named::marker(pixel.label)),
+                correctPixels(), ErrorCode::InvalidInput);
     }
     return {};
 }
@@ -75,15 +85,21 @@ Result<void> checkDistances(const std::vector<PointPair> &pairs, double extentM)
 {
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         for (std::size_t j = i + 1; j < pairs.size(); ++j) {
-            const std::string both = "markers " + pairs[i].label + " and " + pairs[j].label;
-            if ((pairs[i].source - pairs[j].source).norm() <= nearestPlaces * extentM)
-                return refuse(both + " lie at one place of the floor", "correct the layout");
-            if ((pairs[i].target - pairs[j].target).norm() < nearestPixels)
-                return refuse(both + " lie on one pixel", "mark each of them where it is seen");
+            const MessageArgument one = Named::marker(pairs[i].label), other = Named::marker(pairs[j].label);
             const double apartM = (pairs[i].source - pairs[j].source).norm();
+            if (apartM <= nearestPlaces * extentM)
+                return refuse(ODO_TEXT("calibration.markers_at_one_place",
+                                       "markers %1 and %2 lie at one place of the floor")(one, other),
+                              correctLayout());
+            if ((pairs[i].target - pairs[j].target).norm() < nearestPixels)
+                return refuse(ODO_TEXT("calibration.markers_on_one_pixel",
+                                       "markers %1 and %2 lie on one pixel")(one, other),
+                              markWhereSeen());
             if (pairs.size() == 4 && apartM < tooClose * extentM)
-                return refuse(both + " lie only " + millimetres(apartM) + " apart, too close for two of four",
-                              "spread the markers over the floor");
+                return refuse(ODO_TEXT("calibration.markers_too_close",
+                                       "markers %1 and %2 lie only %3 apart, too close for two of four")(
+                                  one, other, millimetres(apartM)),
+                              spreadMarkers());
         }
     }
     return {};
@@ -92,9 +108,13 @@ Result<void> checkDistances(const std::vector<PointPair> &pairs, double extentM)
 Result<std::vector<PointPair>> commonMarkers(const MarkerLayout &layout,
                                              const std::vector<MarkerPixel> &pixels)
 {
-    if (auto sound = checkLabels(layout.markers, "the layout"); !sound)
+    if (auto sound = checkLabels(layout.markers, ODO_TEXT("calibration.marker_twice_in_layout",
+                                                          "marker %1 stands twice in the layout"));
+        !sound)
         return tl::unexpected(sound.error());
-    if (auto sound = checkLabels(pixels, "the picture"); !sound)
+    if (auto sound = checkLabels(
+            pixels, ODO_TEXT("calibration.marker_twice_in_picture", "marker %1 stands twice in the picture"));
+        !sound)
         return tl::unexpected(sound.error());
     if (auto sound = checkNumbers(layout, pixels); !sound)
         return tl::unexpected(sound.error());
@@ -112,12 +132,20 @@ Result<std::vector<PointPair>> commonMarkers(const MarkerLayout &layout,
         if (std::ranges::find(layout.markers, pixel.label, &Marker::label) == layout.markers.end())
             unknown.push_back(pixel.label);
     }
-    if (pairs.size() < 4)
-        return refuse("four markers are needed that the layout and the picture have in common; there are " +
-                          std::to_string(pairs.size()) + " (" + listed(names) + ")" +
-                          (unknown.empty() ? "" : ", and the layout does not know " + listed(unknown)),
-                      "mark more of the layout's markers, under the layout's names");
-    return pairs;
+    if (pairs.size() >= 4)
+        return pairs;
+    const MessageArgument known = listed(names, MessageArgument::Kind::Marker);
+    Message there = unknown.empty()
+                        ? ODO_TEXT("calibration.common_markers", "there are %1 (%2)")(pairs.size(), known)
+                        : ODO_TEXT("calibration.common_and_unknown_markers",
+                                   "there are %1 (%2), and the layout does not know %3")(
+                              pairs.size(), known, listed(unknown, MessageArgument::Kind::Marker));
+    return refuse(
+        joined({ODO_TEXT("calibration.four_common_markers",
+                         "four markers are needed that the layout and the picture have in common"),
+                std::move(there)},
+               Join::Semicolon),
+        ODO_TEXT("calibration.mark_more", "mark more of the layout's markers, under the layout's names"));
 }
 
 double extentM(const std::vector<PointPair> &pairs)
@@ -136,22 +164,27 @@ double extentPx(const std::vector<PointPair> &pairs)
     return extentOf(points);
 }
 
-/// The advice after a misfit: what exchange would mend it, where there is one.
-std::string orderAdvice(const std::vector<PointPair> &pairs, const CameraModel &camera, FocalLength focal,
-                        const std::string &otherwise)
+Message checkLabelsAdvice()
 {
-    const std::string better = betterOrder(pairs, camera, focal, otherOrderFits * extentPx(pairs));
-    return better.empty() ? otherwise : better + ": check these labels";
+    return ODO_TEXT("calibration.check_labels", "check these labels");
+}
+
+/// The advice after a misfit: what exchange would mend it, where there is one.
+Message orderAdvice(const std::vector<PointPair> &pairs, const CameraModel &camera, FocalLength focal,
+                    Message otherwise)
+{
+    Message better = betterOrder(pairs, camera, focal, otherOrderFits * extentPx(pairs));
+    return better.isEmpty() ? otherwise : joined({std::move(better), checkLabelsAdvice()}, Join::Colon);
 }
 
 /// Words about an order of the labels that fits five times better, or as well as markers that are seen and
 /// measured with care; empty where there is none.
-std::string doubtOfOrder(const std::vector<PointPair> &pairs, const PlanePose &pose,
-                         const CameraModel &camera, FocalLength focal)
+Message doubtOfOrder(const std::vector<PointPair> &pairs, const PlanePose &pose, const CameraModel &camera,
+                     FocalLength focal)
 {
     // With the focal length free, four markers fit in nearly any order: that would prove nothing.
     if (pose.rmsPx < leastDoubtPx || (focal == FocalLength::Free && pairs.size() == 4))
-        return "";
+        return {};
     return betterOrder(pairs, camera, focal, std::max(0.2 * pose.rmsPx, carefulPx));
 }
 
@@ -162,32 +195,39 @@ Result<PlanePose> soundPose(const std::vector<PointPair> &pairs, const CameraMod
         return refuse(pose.error().why, orderAdvice(pairs, camera, focal, pose.error().advice));
     if (pose->worldFromCamera.translation.z() <= 0)
         return refuse(
-            "the markers are mirrored: seen in this order the camera would be below the floor",
-            orderAdvice(pairs, camera, focal,
-                        "seen from above, Y must point to the left of X: check the signs of the layout"));
-    const std::string better = doubtOfOrder(pairs, *pose, camera, focal);
-    if (!better.empty())
-        return refuse("the markers fit only to " + formatNumber(pose->rmsPx, 1) + " px, but " + better,
-                      "check these labels");
+            joined({ODO_TEXT("calibration.markers_mirrored", "the markers are mirrored"),
+                    ODO_TEXT("calibration.camera_below_floor",
+                             "seen in this order the camera would be below the floor")},
+                   Join::Colon),
+            orderAdvice(
+                pairs, camera, focal,
+                joined({ODO_TEXT("calibration.y_left_of_x", "seen from above, Y must point to the left of X"),
+                        ODO_TEXT("calibration.check_signs", "check the signs of the layout")},
+                       Join::Colon)));
+    Message better = doubtOfOrder(pairs, *pose, camera, focal);
+    if (!better.isEmpty())
+        return refuse(ODO_TEXT("calibration.other_order_fits", "the markers fit only to %1, but %2")(
+                          quantity(pose->rmsPx, 1, "px"), std::move(better)),
+                      checkLabelsAdvice());
     return pose;
 }
 
-/// "metres, then it would stand 1.70 m above the floor", of the unit that makes the camera's height the most
-/// ordinary; empty where none does.
-std::string likelyUnit(double heightM)
+/// "its numbers look like metres, then it would stand 1.70 m above the floor", of the unit that makes the
+/// camera's height the most ordinary; where none does, the unit that they should have.
+Message likelyUnit(double heightM)
 {
     struct Unit
     {
-        const char *name;
+        const MessageText &name;
         double factor;
     };
     constexpr double ordinaryM = 1.8;
     const Unit *best = nullptr;
-    static constexpr Unit units[] = {{"metres", 1000},
-                                     {"inches", 25.4},
-                                     {"centimetres", 10},
-                                     {"thousandths of a mm", 1e-3},
-                                     {"tenths of a mm", 0.1}};
+    static const Unit units[] = {{ODO_TEXT("calibration.metres", "metres"), 1000},
+                                 {ODO_TEXT("calibration.inches", "inches"), 25.4},
+                                 {ODO_TEXT("calibration.centimetres", "centimetres"), 10},
+                                 {ODO_TEXT("calibration.thousandths_of_mm", "thousandths of a mm"), 1e-3},
+                                 {ODO_TEXT("calibration.tenths_of_mm", "tenths of a mm"), 0.1}};
     const auto strangeness = [&](const Unit &unit) {
         return std::abs(std::log(heightM * unit.factor / ordinaryM));
     };
@@ -196,26 +236,28 @@ std::string likelyUnit(double heightM)
             best = &unit;
     }
     if (strangeness(*best) > std::log(4.0))
-        return "";
-    return std::string(best->name) + ", then it would stand " + formatNumber(heightM * best->factor, 2) +
-           " m above the floor";
+        return ODO_TEXT("calibration.layout_in_mm", "it is given in mm");
+    return ODO_TEXT("calibration.likely_unit",
+                    "its numbers look like %1, then it would stand %2 above the floor")(
+        best->name, quantity(heightM * best->factor, 2, "m"));
 }
 
-std::string unitAdvice(double heightM)
+Message unitAdvice(double heightM)
 {
-    const std::string likely = likelyUnit(heightM);
-    return "check the unit of the layout: " +
-           (likely.empty() ? "it is given in mm" : "its numbers look like " + likely);
+    return joined({ODO_TEXT("calibration.check_unit", "check the unit of the layout"), likelyUnit(heightM)},
+                  Join::Colon);
 }
 
 Result<void> checkPlace(const PlanePose &pose)
 {
     const double heightM = pose.worldFromCamera.translation.z();
     if (heightM < leastHeightM)
-        return refuse("the camera would stand only " + millimetres(heightM) + " above the floor",
+        return refuse(ODO_TEXT("calibration.camera_too_low",
+                               "the camera would stand only %1 above the floor")(millimetres(heightM)),
                       unitAdvice(heightM));
     if (heightM > mostHeightM)
-        return refuse("the camera would stand " + formatNumber(heightM, 0) + " m above the floor",
+        return refuse(ODO_TEXT("calibration.camera_too_high",
+                               "the camera would stand %1 above the floor")(quantity(heightM, 0, "m")),
                       unitAdvice(heightM));
     return {};
 }
@@ -260,8 +302,9 @@ Result<void> measureMarkers(const std::vector<PointPair> &pairs, const FloorView
         const auto seen = view.locate(pair.target, Eigen::Matrix2d::Zero(), 0);
         const auto back = view.pixelFromWorld({pair.source.x(), pair.source.y(), 0});
         if (!seen || !back)
-            return refuse("marker " + pair.label + " would lie at or beyond the horizon",
-                          "check its place and its pixel");
+            return refuse(ODO_TEXT("calibration.marker_beyond_horizon",
+                                   "marker %1 would lie at or beyond the horizon")(Named::marker(pair.label)),
+                          ODO_TEXT("calibration.check_place_and_pixel", "check its place and its pixel"));
         const double errorM = (seen->pointInWorld - pair.source).norm();
         registration.markers.push_back({pair.label, errorM, (*back - pair.target).norm()});
         squares += errorM * errorM;
@@ -285,21 +328,24 @@ double carelessness(const std::vector<MarkerError> &markers, double layoutM)
     return sum;
 }
 
-std::string lensWords(const PlanePose &pose, bool intrinsicsKnown)
+Message lensWords(const PlanePose &pose, bool intrinsicsKnown)
 {
     if (intrinsicsKnown)
-        return "";
-    const std::string focal = formatNumber(pose.camera.intrinsics().fxPx, 0) + " px";
-    std::string words = " The camera was taken as free of distortion, its focal length ";
-    if (pose.focalSigmaPx)
-        words += "estimated from the markers (" + focal + " ± " + formatNumber(*pose.focalSigmaPx, 0) + ").";
-    else
-        words += "guessed (" + focal + "), since this view does not determine it.";
-    return words + " Calibrate it for positions to rely on.";
+        return {};
+    const MessageArgument focal = quantity(pose.camera.intrinsics().fxPx, 0, "px");
+    return joined({pose.focalSigmaPx
+                       ? ODO_TEXT("calibration.focal_length_estimated",
+                                  "The camera was taken as free of distortion, its focal length estimated "
+                                  "from the markers (%1 ± %2).")(focal, quantity(*pose.focalSigmaPx, 0))
+                       : ODO_TEXT("calibration.focal_length_guessed",
+                                  "The camera was taken as free of distortion, its focal length guessed "
+                                  "(%1), since this view does not determine it.")(focal),
+                   calibrateToRely()},
+                  Join::Space);
 }
 
-/// " (O, U and V the most)", of the four that lie the least on one line.
-std::string flattestOf(const std::vector<PointPair> &pairs)
+/// "O, U and V", which lie the most on one line, of the four that lie the least on one.
+MessageArgument flattestOf(const std::vector<PointPair> &pairs)
 {
     std::vector<Vector2d> points;
     for (const PointPair &pair : pairs)
@@ -308,32 +354,42 @@ std::string flattestOf(const std::vector<PointPair> &pairs)
     std::vector<std::string> names;
     for (const int i : three)
         names.push_back(pairs[static_cast<std::size_t>(i)].label);
-    return " (" + listed(names) + " the most)";
+    return listed(names, MessageArgument::Kind::Marker);
 }
 
 /// A table top is possible, a floor whose centimetres were read as mm is likelier.
-std::string unitWords(const FloorRegistration &registration, double layoutM)
+Message unitWords(const FloorRegistration &registration, double layoutM)
 {
     const double heightM = registration.worldFromCamera.translation.z();
     if (heightM >= smallHeightM || layoutM >= smallExtentM)
-        return "";
-    return " The camera would stand only " + millimetres(heightM) +
-           " above the floor: if that is wrong, the layout's numbers are no mm; convert its unit.";
+        return {};
+    return joined(
+        {ODO_TEXT("calibration.camera_stands_low",
+                  "The camera would stand only %1 above the floor")(millimetres(heightM)),
+         joined({ODO_TEXT("calibration.layout_not_in_mm", "if that is wrong, the layout's numbers are no mm"),
+                 ODO_TEXT("calibration.convert_unit", "convert its unit.")},
+                Join::Semicolon)},
+        Join::Colon);
 }
 
-std::string verdictOf(const FloorRegistration &registration, const PlanePose &pose, double layoutM,
-                      bool intrinsicsKnown)
+Message verdictOf(const FloorRegistration &registration, const PlanePose &pose, double layoutM,
+                  bool intrinsicsKnown)
 {
     const double sigmaM = registration.floorSigmaM;
-    const double worse = std::max(registration.rmsM, sigmaM);
     const auto worst = std::ranges::max_element(registration.markers, {}, &MarkerError::errorM);
-    std::string verdict = registrationGrade(worse, layoutM) + std::to_string(registration.markers.size()) +
-                          " markers fit to " + millimetres(registration.rmsM) + " RMS (worst " +
-                          worst->label + ", " + millimetres(worst->errorM) +
-                          "), and the floor among them is known to ±" + millimetres(sigmaM) + ".";
+    Message hardly;
     if (registration.markers.size() == 4)
-        verdict += " Four markers hardly check one another; a fifth would.";
-    return verdict + lensWords(pose, intrinsicsKnown);
+        hardly = hardlyChecked(
+            ODO_TEXT("calibration.four_markers_unchecked", "Four markers hardly check one another"));
+    return joined(
+        {registrationVerdict(
+             std::max(registration.rmsM, sigmaM), layoutM,
+             ODO_TEXT("calibration.markers_fit", "%1 markers fit to %2 RMS (worst %3, %4), and the floor "
+                                                 "among them is known to ±%5")(
+                 registration.markers.size(), millimetres(registration.rmsM), Named::marker(worst->label),
+                 millimetres(worst->errorM), millimetres(sigmaM))),
+         std::move(hardly), lensWords(pose, intrinsicsKnown), unitWords(registration, layoutM)},
+        Join::Space);
 }
 
 } // namespace
@@ -365,24 +421,29 @@ Result<FloorRegistration> registerFloor(const MarkerLayout &layout, const std::v
         return tl::unexpected(measured.error());
     if (registration.rmsPx > worstMisfit * extentPx(*pairs)) {
         const auto worst = std::ranges::max_element(registration.markers, {}, &MarkerError::errorPx);
-        return refuse("the markers do not fit a flat floor: " + formatNumber(registration.rmsPx, 1) +
-                          " px RMS, most at " + worst->label + " (" + formatNumber(worst->errorPx, 1) +
-                          " px)",
-                      "check the layout, the labels and the intrinsics");
+        return refuse(joined({ODO_TEXT("calibration.no_flat_floor", "the markers do not fit a flat floor"),
+                              ODO_TEXT("calibration.misfit_most_at", "%1 RMS, most at %2 (%3)")(
+                                  quantity(registration.rmsPx, 1, "px"), Named::marker(worst->label),
+                                  quantity(worst->errorPx, 1, "px"))},
+                             Join::Colon),
+                      ODO_TEXT("calibration.check_all", "check the layout, the labels and the intrinsics"));
     }
     if (registration.floorSigmaM > worstSigma * layoutM)
-        return refuse("the markers lie so nearly on one line" + flattestOf(*pairs) +
-                          " that the floor is known only to ±" + millimetres(registration.floorSigmaM),
-                      "spread the markers over the floor");
+        return refuse(ODO_TEXT("calibration.markers_nearly_on_line",
+                               "the markers lie so nearly on one line (%1 the most) that the floor is known "
+                               "only to ±%2")(flattestOf(*pairs), millimetres(registration.floorSigmaM)),
+                      spreadMarkers());
     const double most = pairs->size() == 4 ? worstSumOfFour : worstSumOfFive;
     if (pairs->size() <= 5 && carelessness(registration.markers, layoutM) > most)
         return refuse(
-            "the " + std::to_string(pairs->size()) + " markers misfit by " +
-                formatNumber(registration.rmsPx, 1) + " px (" + millimetres(registration.rmsM) +
-                ") and check one another too little to tell which of them; it may be wrong by much more",
-            "mark and measure them again, or add another");
+            joined({ODO_TEXT("calibration.misfit_unexplained",
+                             "the %1 markers misfit by %2 (%3) and check one another too little to "
+                             "tell which of them")(pairs->size(), quantity(registration.rmsPx, 1, "px"),
+                                                   millimetres(registration.rmsM)),
+                    ODO_TEXT("calibration.wrong_by_more", "it may be wrong by much more")},
+                   Join::Semicolon),
+            ODO_TEXT("calibration.measure_again", "mark and measure them again, or add another"));
     registration.verdict = verdictOf(registration, *pose, layoutM, intrinsicsKnown);
-    registration.verdict += unitWords(registration, layoutM);
     return registration;
 }
 

@@ -28,7 +28,7 @@ struct FloorRegistration
     /// The largest σ of the floor at any marker, from the pose and, where its covariance is known, the lens.
     double floorSigmaM = 0;
     std::vector<MarkerError> markers;
-    std::string verdict; ///< one sentence for a person; says when the camera was taken as free of distortion
+    Message verdict; ///< sentences; they say when the camera was taken as free of distortion
     /// The lens that worldFromCamera belongs to: the one given, or with the focal length that was estimated.
     Intrinsics intrinsics;
 };

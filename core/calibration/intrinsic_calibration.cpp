@@ -10,8 +10,8 @@
 #include "core/calibration/internal/wording.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
+#include <functional>
 
 namespace odo {
 
@@ -21,15 +21,20 @@ constexpr std::size_t leastViews = 3;
 constexpr double mostDisagreeing = 0.25; // of the corners: with more it is not known which of them are right
 
 /// Why a view cannot be used and what to do; empty where it can.
-std::string faultOf(const BoardView &view)
+Message faultOf(const BoardView &view)
 {
     const std::size_t corners = std::min(view.pixels.size(), view.pointsOnBoard.size());
     if (corners < leastCornersOfView || view.pixels.size() != view.pointsOnBoard.size())
-        return "it has " + std::to_string(corners) + " corners of the board, six are needed: show more of it";
+        return joined({ODO_TEXT("calibration.too_few_corners",
+                                "it has %1 corners of the board, six are needed")(corners),
+                       ODO_TEXT("calibration.show_more_of_it", "show more of it")},
+                      Join::Colon);
     if (!std::ranges::all_of(view.pixels, [](const auto &p) { return p.allFinite(); }) ||
         !std::ranges::all_of(view.pointsOnBoard, [](const auto &p) { return p.allFinite(); }))
-        return "a corner of it is not a number: let the board be found in it again";
-    return "";
+        return joined({ODO_TEXT("calibration.corner_no_number", "a corner of it is not a number"),
+                       ODO_TEXT("calibration.find_board_again", "let the board be found in it again")},
+                      Join::Colon);
+    return {};
 }
 
 /// The views that can be used; the others are told with a reason.
@@ -38,20 +43,27 @@ std::vector<BoardView> usableViews(const std::vector<BoardView> &views,
 {
     std::vector<BoardView> usable;
     for (const BoardView &view : views) {
-        const std::string fault = faultOf(view);
-        if (fault.empty())
+        Message fault = faultOf(view);
+        if (fault.isEmpty())
             usable.push_back(view);
         else
-            rejected.push_back({view.source, fault});
+            rejected.push_back({view.source, std::move(fault)});
     }
     return usable;
 }
 
 tl::unexpected<Error> tooFew(std::size_t usable)
 {
-    return refuseCalibration("three pictures of the board are needed, " + std::to_string(usable) +
-                                 " can be used",
-                             "take ten or more, the board tilted differently in each");
+    return refuseCalibration(
+        ODO_TEXT("calibration.too_few_pictures",
+                 "three pictures of the board are needed, %1 can be used")(usable),
+        ODO_TEXT("calibration.take_ten", "take ten or more, the board tilted differently in each"));
+}
+
+tl::unexpected<Error> noLensFits(Message advice)
+{
+    return refuseCalibration(ODO_TEXT("calibration.no_lens_fits", "no lens fits these pictures"),
+                             std::move(advice));
 }
 
 /// Starts of the models for the same views; views are dropped that have no pose under any model, and models
@@ -91,7 +103,9 @@ std::vector<LensStart> startsFor(std::vector<BoardView> &views, int widthPx, int
     for (auto index = dropped.rbegin(); index != dropped.rend(); ++index) {
         rejected.push_back(
             {views[*index].source,
-             "its corners do not lie as on a flat board: glue the board onto something stiff"});
+             joined({ODO_TEXT("calibration.corners_not_flat", "its corners do not lie as on a flat board"),
+                     ODO_TEXT("calibration.glue_board", "glue the board onto something stiff")},
+                    Join::Colon)});
         views.erase(views.begin() + static_cast<std::ptrdiff_t>(*index));
     }
     return kept;
@@ -137,8 +151,10 @@ Result<void> finish(IntrinsicCalibration &calibration, const std::vector<BoardVi
     calibration.disagreeingPart = static_cast<double>(countOf(outliers)) / static_cast<double>(corners);
     if (calibration.disagreeingPart >= mostDisagreeing)
         return refuseCalibration(
-            percentWords(calibration.disagreeingPart) + " of the corners do not agree with the others",
-            "check that all pictures are sharp, of one flat board and of one camera at one zoom and focus");
+            ODO_TEXT("calibration.corners_disagree", "%1 of the corners do not agree with the others")(
+                percentOf(calibration.disagreeingPart)),
+            ODO_TEXT("calibration.check_pictures", "check that all pictures are sharp, of one flat board and "
+                                                   "of one camera at one zoom and focus"));
     const CornerMarks leftOut = calibration.disagreeingPart <= mostOutliers
                                     ? singleCorners(views, fit, outliers)
                                     : CornerMarks(views.size());
@@ -148,10 +164,10 @@ Result<void> finish(IntrinsicCalibration &calibration, const std::vector<BoardVi
         if (again)
             fit = std::move(*again);
     }
-    control.report(0.6, "checking halves against one another");
+    control.report(0.6, ODO_TEXT("calibration.checking_halves", "checking halves against one another"));
     const auto halves = holdOut(counted, fit, control);
     if (control.isCancelled())
-        return cancelled(calibrationWhat);
+        return cancelled(cannotBeCalibrated());
     const auto sigma = checkDetermined(counted, fit, halves, control);
     if (!sigma)
         return tl::unexpected(sigma.error());
@@ -180,7 +196,7 @@ Result<void> finish(IntrinsicCalibration &calibration, const std::vector<BoardVi
         }
     }
     calibration.verdict = calibrationVerdict(calibration, *sigma);
-    control.report(1, "done");
+    control.report(1, ODO_TEXT("calibration.done", "done"));
     return {};
 }
 
@@ -204,8 +220,9 @@ Result<IntrinsicCalibration> calibrateIntrinsics(const std::vector<BoardView> &v
                                                  const JobControl &control)
 {
     if (widthPx <= 0 || heightPx <= 0)
-        return fail(ErrorCode::InvalidInput, calibrationWhat, "the picture has no size",
-                    "use pictures of the camera");
+        return fail(ErrorCode::InvalidInput, cannotBeCalibrated(),
+                    ODO_TEXT("calibration.picture_without_size", "the picture has no size"),
+                    ODO_TEXT("calibration.use_camera_pictures", "use pictures of the camera"));
     IntrinsicCalibration calibration;
     std::vector<BoardView> used = usableViews(views, calibration.rejected);
     if (used.size() < leastViews)
@@ -213,19 +230,20 @@ Result<IntrinsicCalibration> calibrateIntrinsics(const std::vector<BoardView> &v
     const auto starts = startsFor(used, widthPx, heightPx, model, calibration.rejected);
     if (used.size() < leastViews || starts.empty())
         return tooFew(used.size());
-    control.report(0.1, "fitting the lens to " + std::to_string(used.size()) + " pictures");
+    control.report(0.1, ODO_TEXT("calibration.fitting_lens", "fitting the lens to %1 pictures")(used.size()));
     auto choice = chooseLens(used, starts, control);
     if (control.isCancelled())
-        return cancelled(calibrationWhat);
+        return cancelled(cannotBeCalibrated());
     if (!choice)
-        return refuseCalibration("no lens fits these pictures",
-                                 "check that all are of one camera, at one zoom and focus");
+        return noLensFits(ODO_TEXT("calibration.check_one_camera",
+                                   "check that all are of one camera, at one zoom and focus"));
     for (const BoardView &view : used)
         calibration.pictures.push_back({view, true, 0, {}, {}, {}});
     calibration.lensTrials = std::move(choice->trials);
-    calibration.lensReason = model || used.size() >= leastViewsForHalves
-                                 ? std::move(choice->reason)
-                                 : "too few pictures to compare it with others";
+    calibration.lensReason =
+        model || used.size() >= leastViewsForHalves
+            ? std::move(choice->reason)
+            : ODO_TEXT("calibration.too_few_to_compare", "too few pictures to compare it with others");
     if (auto finished = finish(calibration, used, std::move(choice->fit), choice->outliers, control);
         !finished)
         return tl::unexpected(finished.error());
@@ -257,9 +275,9 @@ Result<IntrinsicCalibration> recalibrate(const IntrinsicCalibration &reference,
         return tooFew(used.size());
     auto fit = fitLens(used, start, {}, control);
     if (control.isCancelled())
-        return cancelled(calibrationWhat);
+        return cancelled(cannotBeCalibrated());
     if (!fit)
-        return refuseCalibration("no lens fits these pictures", "choose others");
+        return noLensFits(ODO_TEXT("calibration.choose_others", "choose others"));
     const CornerMarks outliers = outlyingCorners(used, *fit, control);
     if (auto finished = finish(calibration, used, std::move(*fit), outliers, control); !finished)
         return tl::unexpected(finished.error());
@@ -284,10 +302,10 @@ constexpr double goodFocal = 0.005, usableFocal = 0.015, goodPx = 1, usablePx = 
 constexpr double leastCoverage = 0.5; // of the picture
 constexpr double standingOut = 3;     // times the median of the pictures' RMS
 
-std::string millimetreWords(double metres)
+MessageArgument roundMillimetres(double metres)
 {
     const double mm = toMillimetres(metres);
-    return formatNumber(mm, mm < 10 ? 1 : 0) + " mm";
+    return quantity(mm, mm < 10 ? 1 : 0, "mm");
 }
 
 std::vector<const CalibrationPicture *> usedPictures(const IntrinsicCalibration &calibration)
@@ -309,92 +327,146 @@ double coveredPart(const IntrinsicCalibration &calibration)
         .coveredPart();
 }
 
-std::string grade(const IntrinsicCalibration &calibration, double focalSigma, double covered)
+Message graded(const IntrinsicCalibration &calibration, double focalSigma, double covered, Message clauses)
 {
     const double worstM = calibration.onFloor ? calibration.onFloor->worstM : 1;
     const bool trusted = calibration.disagreeingPart <= mostOutliers;
     if (worstM < goodM && focalSigma < goodFocal && calibration.rmsPx < goodPx && trusted &&
         calibration.picturesUsed() >= fewViews && covered >= leastCoverage)
-        return "Good: ";
-    return worstM < usableM && focalSigma < usableFocal && calibration.rmsPx < usablePx ? "Usable: "
-                                                                                        : "Poor: ";
+        return goodVerdict(std::move(clauses));
+    if (worstM < usableM && focalSigma < usableFocal && calibration.rmsPx < usablePx)
+        return usableVerdict(std::move(clauses));
+    return ODO_TEXT("calibration.poor", "Poor: %1.")(std::move(clauses));
 }
 
-std::string floorWords(const IntrinsicCalibration &calibration)
+Message floorClause(const IntrinsicCalibration &calibration)
 {
     if (!calibration.onFloor)
-        return "no figure in millimetres, since this lens holds only for a part of the picture; ";
+        return ODO_TEXT("calibration.no_millimetres",
+                        "no figure in millimetres, since this lens holds only for a part of the picture");
     const FloorExpectation &floor = *calibration.onFloor;
-    return "±" + millimetreWords(floor.middleM) + " in the middle and ±" + millimetreWords(floor.worstM) +
-           " at worst (" + floor.worstWhere + ") on " + typicalTestbedWords() +
-           ", as far as the lens is concerned; ";
+    return ODO_TEXT("calibration.lens_on_floor",
+                    "±%1 in the middle and ±%2 at worst (%3) on %4, as far as the lens is concerned")(
+        roundMillimetres(floor.middleM), roundMillimetres(floor.worstM), floor.worstWhere,
+        typicalTestbedWords());
 }
 
-std::string fitWords(const IntrinsicCalibration &calibration, double focalSigma)
+/// How the pictures fit, and how their halves do.
+Message fitClauses(const IntrinsicCalibration &calibration, double focalSigma)
 {
-    std::string words = std::to_string(calibration.picturesUsed()) + " pictures fit to " +
-                        formatNumber(calibration.rmsPx, 2) + " px, focal length " +
-                        formatNumber(calibration.intrinsics.fxPx, 1) + " px ± " + percentWords(focalSigma);
-    if (calibration.crossValidationPx > 0)
-        words += "; each half of them foretells the other to " +
-                 formatNumber(calibration.crossValidationPx, 2) + " px";
-    if (calibration.halvesApart)
-        words += ", " + millimetreWords(calibration.halvesApart->worstM) + " apart at worst on that floor";
-    return words + ".";
+    const std::size_t pictures = calibration.picturesUsed();
+    const MessageArgument rms = quantity(calibration.rmsPx, 2, "px"),
+                          focal = quantity(calibration.intrinsics.fxPx, 1, "px"),
+                          sigma = percentOf(focalSigma);
+    if (!(calibration.crossValidationPx > 0) && calibration.halvesApart)
+        return ODO_TEXT("calibration.pictures_fit_halves_apart",
+                        "%1 pictures fit to %2, focal length %3 ± %4, %5 apart at worst on that floor")(
+            pictures, rms, focal, sigma, roundMillimetres(calibration.halvesApart->worstM));
+    Message fit = ODO_TEXT("calibration.pictures_fit",
+                           "%1 pictures fit to %2, focal length %3 ± %4")(pictures, rms, focal, sigma);
+    if (!(calibration.crossValidationPx > 0))
+        return fit;
+    const MessageArgument foretold = quantity(calibration.crossValidationPx, 2, "px");
+    Message halves = calibration.halvesApart
+                         ? ODO_TEXT("calibration.halves_foretell_apart",
+                                    "each half of them foretells the other to %1, %2 apart at worst on that "
+                                    "floor")(foretold, roundMillimetres(calibration.halvesApart->worstM))
+                         : ODO_TEXT("calibration.halves_foretell",
+                                    "each half of them foretells the other to %1")(foretold);
+    return joined({std::move(fit), std::move(halves)}, Join::Semicolon);
 }
 
-/// "in left02.jpg (6) and left09.jpg (3)", the pictures with most of the corners first. counted: of one
-/// picture.
-template <class Counted>
-std::string whereWords(const IntrinsicCalibration &calibration, Counted counted)
+/// The pictures that have most of what is counted.
+struct Where
+{
+    MessageArgument pictures; ///< "left02.jpg (6) and left09.jpg (3)", those with most of it first
+    bool isAll;               ///< no other picture has any
+};
+
+Where whereOf(const IntrinsicCalibration &calibration,
+              const std::function<std::size_t(const CalibrationPicture &)> &counted)
 {
     constexpr std::size_t mostNamed = 3;
     std::vector<const CalibrationPicture *> with = usedPictures(calibration);
     std::erase_if(with, [&](const CalibrationPicture *picture) { return counted(*picture) == 0; });
     std::ranges::stable_sort(with, std::ranges::greater{},
                              [&](const CalibrationPicture *picture) { return counted(*picture); });
-    std::vector<std::string> names;
+    std::vector<Message> names;
     for (const CalibrationPicture *picture : with) {
         if (names.size() < mostNamed)
-            names.push_back(picture->view.source + " (" + std::to_string(counted(*picture)) + ")");
+            names.push_back(ODO_TEXT("calibration.picture_with_corners", "%1 (%2)")(picture->view.source,
+                                                                                    counted(*picture)));
     }
-    return (with.size() > mostNamed ? "most in " : "in ") + listed(names);
+    return {listed(std::move(names)), with.size() <= mostNamed};
 }
 
-std::string outlierWords(const IntrinsicCalibration &calibration)
+Message disagreeingWords(const IntrinsicCalibration &calibration)
 {
-    if (calibration.disagreeingPart <= 0)
-        return "";
-    const auto all = [](const CalibrationPicture &picture) { return picture.outliers.size(); };
-    const auto left = [](const CalibrationPicture &picture) { return picture.leftOut.size(); };
+    const Where where =
+        whereOf(calibration, [](const CalibrationPicture &picture) { return picture.outliers.size(); });
+    const MessageText &disagree =
+        where.isAll ? ODO_TEXT("calibration.disagree_in", "%1 of the corners disagree, in %2")
+                    : ODO_TEXT("calibration.disagree_most_in", "%1 of the corners disagree, most in %2");
+    return joined(
+        {disagree(quantity(100 * calibration.disagreeingPart, 0, "%"), where.pictures),
+         joined({ODO_TEXT("calibration.were_kept", "they were kept"),
+                 ODO_TEXT("calibration.look_at_pictures", "look at these pictures and leave out those "
+                                                          "that are blurred, bent or of another board.")},
+                Join::Semicolon)},
+        Join::Colon);
+}
+
+Message leftOutWords(const IntrinsicCalibration &calibration)
+{
+    const std::size_t count = calibration.cornersLeftOut();
+    if (count == 0)
+        return {};
+    const Where where =
+        whereOf(calibration, [](const CalibrationPicture &picture) { return picture.leftOut.size(); });
+    if (count == 1)
+        return ODO_TEXT("calibration.corner_left_out",
+                        "1 corner that stands out was left out, in %1.")(where.pictures);
+    const MessageText &words = where.isAll ? ODO_TEXT("calibration.corners_left_out_in",
+                                                      "%1 corners that stand out were left out, in %2.")
+                                           : ODO_TEXT("calibration.corners_left_out_most_in",
+                                                      "%1 corners that stand out were left out, most in %2.");
+    return words(count, where.pictures);
+}
+
+/// About the corners that stand out side by side.
+Message keptWords(const IntrinsicCalibration &calibration)
+{
     const auto kept = [](const CalibrationPicture &picture) {
         return picture.outliers.size() - picture.leftOut.size();
     };
-    std::string words = " ";
-    if (calibration.disagreeingPart > mostOutliers) {
-        words += formatNumber(100 * calibration.disagreeingPart, 0) + " % of the corners disagree, " +
-                 whereWords(calibration, all);
-        return words + ": they were kept; look at these pictures and leave out those that are blurred, bent "
-                       "or of another board.";
-    }
-    const std::size_t leftOut = calibration.cornersLeftOut();
-    std::size_t keptCount = 0;
+    std::size_t count = 0;
     for (const CalibrationPicture &picture : calibration.pictures)
-        keptCount += kept(picture);
-    if (leftOut > 0)
-        words += std::to_string(leftOut) +
-                 (leftOut == 1 ? " corner that stands out was" : " corners that stand out were") +
-                 " left out, " + whereWords(calibration, left) + ". ";
-    if (keptCount > 0)
-        words += std::to_string(keptCount) + " corners that stand out side by side were kept, " +
-                 whereWords(calibration, kept) +
-                 ": leave out these pictures if the board is bent, cut or covered there. ";
-    words.pop_back();
-    return words;
+        count += kept(picture);
+    if (count == 0)
+        return {};
+    const Where where = whereOf(calibration, kept);
+    const MessageText &words = where.isAll
+                                   ? ODO_TEXT("calibration.corners_kept_in",
+                                              "%1 corners that stand out side by side were kept, in %2")
+                                   : ODO_TEXT("calibration.corners_kept_most_in",
+                                              "%1 corners that stand out side by side were kept, most in %2");
+    return joined({words(count, where.pictures),
+                   ODO_TEXT("calibration.leave_out_pictures",
+                            "leave out these pictures if the board is bent, cut or covered there.")},
+                  Join::Colon);
+}
+
+Message outlierWords(const IntrinsicCalibration &calibration)
+{
+    if (calibration.disagreeingPart <= 0)
+        return {};
+    if (calibration.disagreeingPart > mostOutliers)
+        return disagreeingWords(calibration);
+    return joined({leftOutWords(calibration), keptWords(calibration)}, Join::Space);
 }
 
 /// The picture whose misfit stands out from the others, if one does.
-std::string oddPicture(const IntrinsicCalibration &calibration)
+Message oddPicture(const IntrinsicCalibration &calibration)
 {
     std::vector<double> rms;
     const CalibrationPicture *worst = nullptr;
@@ -404,31 +476,48 @@ std::string oddPicture(const IntrinsicCalibration &calibration)
             worst = picture;
     }
     if (worst == nullptr || worst->rmsPx <= standingOut * upperMedian(rms))
-        return "";
-    return " Look at " + worst->view.source + ": its " + formatNumber(worst->rmsPx, 2) + " px stand out.";
+        return {};
+    return joined(
+        {ODO_TEXT("calibration.look_at", "Look at %1")(worst->view.source),
+         ODO_TEXT("calibration.picture_stands_out", "its %1 stand out.")(quantity(worst->rmsPx, 2, "px"))},
+        Join::Colon);
 }
 
-std::string lensWords(const IntrinsicCalibration &calibration)
+Message lensWords(const IntrinsicCalibration &calibration)
 {
-    std::string name = lensModelName(calibration.intrinsics.model);
-    name[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(name[0])));
-    return " " + name + " lens: " + calibration.lensReason + ".";
+    const LensModel model = calibration.intrinsics.model;
+    const MessageText &name =
+        model == LensModel::Standard   ? ODO_TEXT("calibration.standard_lens", "Standard lens")
+        : model == LensModel::Rational ? ODO_TEXT("calibration.rational_lens", "Rational lens")
+                                       : ODO_TEXT("calibration.fisheye_lens", "Fisheye lens");
+    return sentence(joined({name, calibration.lensReason}, Join::Colon));
+}
+
+Message coverageWords(double covered)
+{
+    if (covered >= leastCoverage)
+        return {};
+    return joined({ODO_TEXT("calibration.picture_covered",
+                            "Only %1 of the picture was covered")(quantity(100 * covered, 0, "%")),
+                   ODO_TEXT("calibration.show_near_edges", "show the board near its edges too.")},
+                  Join::Colon);
 }
 
 } // namespace
 
-std::string calibrationVerdict(const IntrinsicCalibration &calibration, double focalSigma)
+Message calibrationVerdict(const IntrinsicCalibration &calibration, double focalSigma)
 {
     const double covered = coveredPart(calibration);
-    std::string verdict = grade(calibration, focalSigma, covered) + floorWords(calibration) +
-                          fitWords(calibration, focalSigma) + lensWords(calibration) +
-                          outlierWords(calibration);
+    Message more;
     if (calibration.picturesUsed() < fewViews)
-        verdict += " More pictures (" + std::to_string(fewViews) + " or more) would make it surer.";
-    if (covered < leastCoverage)
-        verdict += " Only " + formatNumber(100 * covered, 0) +
-                   " % of the picture was covered: show the board near its edges too.";
-    return verdict + oddPicture(calibration);
+        more = ODO_TEXT("calibration.more_pictures",
+                        "More pictures (%1 or more) would make it surer.")(fewViews);
+    return joined(
+        {graded(calibration, focalSigma, covered,
+                joined({floorClause(calibration), fitClauses(calibration, focalSigma)}, Join::Semicolon)),
+         lensWords(calibration), outlierWords(calibration), std::move(more), coverageWords(covered),
+         oddPicture(calibration)},
+        Join::Space);
 }
 
 } // namespace odo

@@ -15,7 +15,7 @@ namespace odo {
 struct RejectedPicture
 {
     std::string file;
-    std::string reason;
+    Message reason; ///< a clause
 };
 
 /// A picture of a calibration, with what the lens makes of it.
@@ -54,11 +54,11 @@ struct IntrinsicCalibration
     /// How far the lenses of the two halves are apart on that floor; none under 6 views.
     std::optional<FloorExpectation> halvesApart;
     std::vector<LensTrial> lensTrials; ///< the models that were compared; empty where the model was told
-    std::string lensReason;            ///< why this model, a clause: "told"; "no other foretells better"
+    Message lensReason;                ///< why this model, a clause: "told"; "no other foretells better"
     /// Share of the corners of the used pictures whose residual stands out. Beyond mostOutliers they were all
     /// kept.
     double disagreeingPart = 0;
-    std::string verdict; ///< for a person: the grade, millimetres on the floor, then pixels, then what to do
+    Message verdict; ///< the grade, millimetres on the floor, then pixels, then what to do
 
     std::size_t picturesUsed() const;
     std::size_t cornersLeftOut() const;
@@ -97,6 +97,6 @@ std::vector<std::size_t> picturesWithin(const IntrinsicCalibration &calibration,
 
 /// The sentences of IntrinsicCalibration::verdict from all else in it. focalSigma: of the focal length over
 /// itself.
-std::string calibrationVerdict(const IntrinsicCalibration &calibration, double focalSigma);
+Message calibrationVerdict(const IntrinsicCalibration &calibration, double focalSigma);
 
 } // namespace odo

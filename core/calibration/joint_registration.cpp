@@ -184,7 +184,6 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr const char *jointRegistration = "the cameras cannot be registered together";
 constexpr double leastFall = 16; // of the sum of squares: χ² of two degrees of freedom, 1 in 3000
 // a wrong place of a marker is cured in part by leaving out one pixel of it
 constexpr double pixelHandicap = 8;
@@ -192,9 +191,11 @@ constexpr std::size_t leastPixels = 3;
 // markers whose measured place counts: they hold the axes and the scale
 constexpr std::size_t leastMeasured = 3;
 
-tl::unexpected<Error> refuseJoint(std::string why, std::string advice)
+tl::unexpected<Error> refuseJoint(Message why, Message advice, ErrorCode code = ErrorCode::Undetermined)
 {
-    return fail(ErrorCode::Undetermined, jointRegistration, std::move(why), std::move(advice));
+    return fail(code,
+                ODO_TEXT("calibration.not_registered_together", "the cameras cannot be registered together"),
+                std::move(why), std::move(advice));
 }
 
 class Joining
@@ -226,20 +227,25 @@ public:
 private:
     static tl::unexpected<Error> undetermined()
     {
-        return refuseJoint("the markers do not determine where the cameras stand",
-                           "spread the markers over the floor");
+        return refuseJoint(ODO_TEXT("calibration.cameras_undetermined",
+                                    "the markers do not determine where the cameras stand"),
+                           spreadMarkers());
     }
 
     Result<void> checkCameras() const
     {
         if (m_cameras.size() < 2)
-            return refuseJoint("there is " + std::to_string(m_cameras.size()) + " camera on layout '" +
-                                   m_layout.name + "', two are needed",
-                               "register the cameras one by one by this layout first");
+            return refuseJoint(ODO_TEXT("calibration.two_cameras_needed",
+                                        "there is %1 camera on layout '%2', two are needed")(
+                                   m_cameras.size(), Named::layout(m_layout.name)),
+                               ODO_TEXT("calibration.register_one_by_one",
+                                        "register the cameras one by one by this layout first"));
         std::set<std::string> names;
         for (const JointCamera &camera : m_cameras) {
             if (!names.insert(camera.name).second)
-                return refuseJoint("camera '" + camera.name + "' is there twice", "name each camera once");
+                return refuseJoint(ODO_TEXT("calibration.camera_twice",
+                                            "camera '%1' is there twice")(Named::camera(camera.name)),
+                                   ODO_TEXT("calibration.name_each_camera", "name each camera once"));
         }
         return {};
     }
@@ -277,14 +283,16 @@ private:
                 ++counted;
             }
             if (counted < leastPixels)
-                return refuseJoint("camera '" + camera.name + "' sees only " + std::to_string(counted) +
-                                       " of the markers",
-                                   "register it by more of them first");
+                return refuseJoint(
+                    ODO_TEXT("calibration.camera_sees_too_few",
+                             "camera '%1' sees only %2 of the markers")(Named::camera(camera.name), counted),
+                    ODO_TEXT("calibration.register_by_more", "register it by more of them first"));
         }
         const auto isShared = [](const auto &each) { return each.second >= 2; };
         if (std::ranges::none_of(seenBy, isShared))
-            return refuseJoint("no two of the cameras see the same marker",
-                               "let them see some of the same floor");
+            return refuseJoint(
+                ODO_TEXT("calibration.no_common_marker", "no two of the cameras see the same marker"),
+                ODO_TEXT("calibration.see_same_floor", "let them see some of the same floor"));
         return {};
     }
 
@@ -346,19 +354,31 @@ private:
             for (const JointCamera &camera : m_cameras)
                 marker.cameras += std::ranges::count(camera.pixels, point.label, &MarkerPixel::label) > 0;
             if (marker.isSuspicious)
-                joint.doubts.push_back(
-                    point.label + " is " + formatNumber(toMillimetres(marker.offM.norm()), 0) +
-                    (marker.cameras > 1 ? " mm off by all cameras: measure it again."
-                                        : " mm off by the one camera that sees it: measure it, or mark "
-                                          "it in the picture, again."));
+                joint.doubts.push_back(doubtOf(marker));
             joint.markers.push_back(std::move(marker));
         }
         for (std::size_t i = 0; i < m_cameras.size(); ++i)
             joint.registrations.push_back(registrationOf(i, fit, joint));
         joint.verdict = verdictOf(joint);
         for (FloorRegistration &registration : joint.registrations)
-            registration.verdict += " " + joint.verdict;
+            registration.verdict = joined({std::move(registration.verdict), joint.verdict}, Join::Space);
         return joint;
+    }
+
+    static Message doubtOf(const JointMarker &marker)
+    {
+        const MessageArgument label = Named::marker(marker.label),
+                              off = quantity(toMillimetres(marker.offM.norm()), 0, "mm");
+        if (marker.cameras > 1)
+            return joined(
+                {ODO_TEXT("calibration.marker_off_by_all", "%1 is %2 off by all cameras")(label, off),
+                 ODO_TEXT("calibration.measure_it_again", "measure it again.")},
+                Join::Colon);
+        return joined(
+            {ODO_TEXT("calibration.marker_off_by_one", "%1 is %2 off by the one camera that sees it")(label,
+                                                                                                      off),
+             ODO_TEXT("calibration.measure_or_mark_again", "measure it, or mark it in the picture, again.")},
+            Join::Colon);
     }
 
     FloorRegistration registrationOf(std::size_t index, const JointFit &fit, JointRegistration &joint) const
@@ -386,8 +406,11 @@ private:
                     return each.camera == index && each.point == at;
                 });
             if (!isUsed)
-                joint.doubts.push_back(camera.name + " sees " + pixel.label + " " + formatNumber(errorPx, 1) +
-                                       " px from where the others do: mark it there again.");
+                joint.doubts.push_back(joined(
+                    {ODO_TEXT("calibration.camera_sees_elsewhere", "%1 sees %2 %3 from where the others do")(
+                         Named::camera(camera.name), Named::marker(pixel.label), quantity(errorPx, 1, "px")),
+                     ODO_TEXT("calibration.mark_there_again", "mark it there again.")},
+                    Join::Colon));
             if (at >= m_markers)
                 continue;
             // Against the measured place: that is what a person can check.
@@ -402,11 +425,12 @@ private:
         registration.rmsPx = std::sqrt(squaresPx / std::max(1.0, counted));
         registration.rmsM = std::sqrt(squaresM / std::max(1.0, counted));
         registration.floorSigmaM = floorSigmaM(registration, camera.camera, camera.pixels);
-        registration.verdict =
-            registrationGrade(std::max(registration.rmsM, registration.floorSigmaM), extentM()) + "with " +
-            others(index) + " together " + std::to_string(registration.markers.size()) + " markers fit to " +
-            millimetres(registration.rmsM) + " RMS, and the floor among them is known to ±" +
-            millimetres(registration.floorSigmaM) + ".";
+        registration.verdict = registrationVerdict(
+            std::max(registration.rmsM, registration.floorSigmaM), extentM(),
+            ODO_TEXT("calibration.markers_fit_together",
+                     "with %1 together %2 markers fit to %3 RMS, and the floor among them is known to ±%4")(
+                others(index), registration.markers.size(), millimetres(registration.rmsM),
+                millimetres(registration.floorSigmaM)));
         return registration;
     }
 
@@ -423,24 +447,21 @@ private:
         return extentOf(places);
     }
 
-    std::string others(std::size_t index) const
+    MessageArgument others(std::size_t index) const
     {
         std::vector<std::string> names;
         for (std::size_t i = 0; i < m_cameras.size(); ++i) {
             if (i != index)
                 names.push_back(m_cameras[i].name);
         }
-        return listed(names);
+        return listed(names, MessageArgument::Kind::Camera);
     }
 
-    static std::string verdictOf(const JointRegistration &joint)
+    static Message verdictOf(const JointRegistration &joint)
     {
         if (joint.doubts.empty())
-            return "The markers and the cameras agree with one another.";
-        std::string words;
-        for (const std::string &doubt : joint.doubts)
-            words += (words.empty() ? "" : " ") + doubt;
-        return words;
+            return ODO_TEXT("calibration.all_agree", "The markers and the cameras agree with one another.");
+        return joined(joint.doubts, Join::Space);
     }
 
     const MarkerLayout &m_layout;
@@ -455,8 +476,9 @@ Result<JointRegistration> registerJointly(const MarkerLayout &layout, const std:
                                           double tapeSigmaM)
 {
     if (!(tapeSigmaM > 0) || !std::isfinite(tapeSigmaM))
-        return fail(ErrorCode::InvalidInput, jointRegistration, "the σ of the tape measure is not above 0",
-                    "give some 2 mm");
+        return refuseJoint(
+            ODO_TEXT("calibration.tape_sigma_not_positive", "the σ of the tape measure is not above 0"),
+            ODO_TEXT("calibration.give_tape_sigma", "give some 2 mm"), ErrorCode::InvalidInput);
     return Joining(layout, cameras, tapeSigmaM).join();
 }
 

@@ -38,8 +38,8 @@ struct JointRegistration
     MarkerLayout otherPoints;                     ///< where the points lie that were in no layout
     double rmsPx = 0;                             ///< of all distances in the pictures
     /// sentences: "U is 23 mm off by all cameras: measure it again", "B sees U ..."
-    std::vector<std::string> doubts;
-    std::string verdict; ///< the doubts, or that there are none
+    std::vector<Message> doubts;
+    Message verdict; ///< the doubts, or that there are none
 };
 
 /// Fits the poses of all cameras and the places of all markers at once (Levenberg–Marquardt): pixels with the

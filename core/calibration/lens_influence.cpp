@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/lens_influence.h"
 
-#include "core/base/units.h"
 #include "core/calibration/floor_registration.h"
 #include "core/calibration/internal/plane_pose.h"
 
@@ -135,16 +134,19 @@ bool seesAll(const CameraModel &camera, const RigidTransform &worldFromCamera, c
     });
 }
 
-std::string whereOf(int column, int row)
+Message whereOf(int column, int row)
 {
-    const bool left = column <= 1, right = column >= across - 1, near = row <= 1, far = row >= deep - 1;
-    if ((left || right) && (near || far))
-        return std::string("in the ") + (far ? "far " : "near ") + (left ? "left" : "right") + " corner";
-    if (near || far)
-        return far ? "at the far edge" : "at the near edge";
-    if (left || right)
-        return left ? "at the left edge" : "at the right edge";
-    return "inside";
+    const MessageText *const places[3][3] = {
+        {&ODO_TEXT("calibration.near_left_corner", "in the near left corner"),
+         &ODO_TEXT("calibration.near_edge", "at the near edge"),
+         &ODO_TEXT("calibration.near_right_corner", "in the near right corner")},
+        {&ODO_TEXT("calibration.left_edge", "at the left edge"), &ODO_TEXT("calibration.inside", "inside"),
+         &ODO_TEXT("calibration.right_edge", "at the right edge")},
+        {&ODO_TEXT("calibration.far_left_corner", "in the far left corner"),
+         &ODO_TEXT("calibration.far_edge", "at the far edge"),
+         &ODO_TEXT("calibration.far_right_corner", "in the far right corner")}};
+    const auto third = [](int at, int last) { return at <= 1 ? 0 : at >= last - 1 ? 2 : 1; };
+    return *places[third(row, deep)][third(column, across)];
 }
 
 /// errorM: of a place on the floor; nullopt where it has none.
@@ -183,10 +185,10 @@ std::optional<FloorView> typicalTestbed(const CameraModel &camera)
     return std::nullopt;
 }
 
-std::string typicalTestbedWords()
+Message typicalTestbedWords()
 {
-    return "a " + formatNumber(longSideM, 0) + " m × " + formatNumber(shortSideM, 0) + " m floor seen from " +
-           formatNumber(heightM, 0) + " m above";
+    return ODO_TEXT("calibration.typical_testbed", "a %1 × %2 floor seen from %3 above")(
+        quantity(longSideM, 0, "m"), quantity(shortSideM, 0, "m"), quantity(heightM, 0, "m"));
 }
 
 std::optional<FloorExpectation> expectedOnFloor(const Intrinsics &intrinsics)

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/message.h"
 #include "core/calibration/marker_layout.h"
 #include "core/geometry/floor_view.h"
 
 #include <optional>
 #include <span>
-#include <string>
 
 namespace odo {
 
@@ -35,9 +35,9 @@ double floorSigmaM(const FloorRegistration &registration, const CameraModel &cam
 /// are σ along the direction in which a place is known the least.
 struct FloorExpectation
 {
-    double middleM = 0;     ///< in the middle of the floor
-    double worstM = 0;      ///< where it is largest
-    std::string worstWhere; ///< "in the far left corner", "at the near edge", as the camera sees it
+    double middleM = 0; ///< in the middle of the floor
+    double worstM = 0;  ///< where it is largest
+    Message worstWhere; ///< "in the far left corner", "at the near edge", as the camera sees it
 };
 
 /// The testbed that lenses are judged by, since a figure in millimetres says more to a person than one in
@@ -48,7 +48,7 @@ struct FloorExpectation
 std::optional<FloorView> typicalTestbed(const CameraModel &camera);
 
 /// The testbed in the words of a verdict: "a 3 m × 2 m floor seen from 2 m above".
-std::string typicalTestbedWords();
+Message typicalTestbedWords();
 
 /// The lens's covariance carried to the floor (poseByLens, FloorView), on a grid of 13 × 9 places.
 /// nullopt where the lens has no covariance or no testbed fits it.

@@ -85,9 +85,11 @@ std::vector<SeenTag> layoutTags(const Frame &frame, const MarkerLayout &layout, 
 Result<std::vector<MarkerPixel>> findMarkers(const Frame &frame, const MarkerLayout &layout,
                                              const MarkerSearch &search)
 {
-    const std::string what = "the floor markers cannot be found";
+    const Message what = ODO_TEXT("calibration.markers_not_found", "the floor markers cannot be found");
     if (frame.y.data == nullptr || frame.y.width < leastPictureSide || frame.y.height < leastPictureSide)
-        return fail(ErrorCode::Undetermined, what, "the picture is too small", "use a picture of the camera");
+        return fail(ErrorCode::Undetermined, what,
+                    ODO_TEXT("calibration.picture_too_small", "the picture is too small"),
+                    useCameraPicture());
     const auto tags = layoutTags(frame, layout, search);
     std::vector<MarkerPixel> markers;
     std::vector<std::string> missing;
@@ -96,9 +98,9 @@ Result<std::vector<MarkerPixel>> findMarkers(const Frame &frame, const MarkerLay
         const auto count = std::ranges::count_if(tags, isIt);
         if (count > 1)
             return fail(ErrorCode::Undetermined, what,
-                        "tag " + std::to_string(i) + " (marker " + layout.markers[i].label + ") is seen " +
-                            std::to_string(count) + " times",
-                        "leave one of them on the floor");
+                        ODO_TEXT("calibration.tag_seen_often", "tag %1 (marker %2) is seen %3 times")(
+                            i, Named::marker(layout.markers[i].label), count),
+                        ODO_TEXT("calibration.leave_one_tag", "leave one of them on the floor"));
         if (count == 0)
             missing.push_back(layout.markers[i].label);
         else
@@ -114,12 +116,15 @@ Result<std::vector<MarkerPixel>> findMarkers(const Frame &frame, const MarkerLay
     }
     if (shapes.size() + hints.size() < 4)
         return fail(ErrorCode::Undetermined, what,
-                    std::to_string(markers.size()) + " of " + std::to_string(layout.markers.size()) +
-                        " were found, four are needed" +
-                        (missing.empty() ? "" : "; missing: " + listed(missing)),
-                    "show the missing tags (AprilTag 36h11, numbered from 0 in the layout's order) or rings, "
-                    "or mark the "
-                    "markers by hand");
+                    joined({ODO_TEXT("calibration.markers_found", "%1 of %2 were found, four are needed")(
+                                markers.size(), layout.markers.size()),
+                            missing.empty() ? Message()
+                                            : ODO_TEXT("calibration.markers_missing", "missing: %1")(
+                                                  listed(missing, MessageArgument::Kind::Marker))},
+                           Join::Semicolon),
+                    ODO_TEXT("calibration.show_missing_tags",
+                             "show the missing tags (AprilTag 36h11, numbered from 0 in the layout's order) "
+                             "or rings, or mark the markers by hand"));
     const CameraModel camera = search.camera.value_or(CameraModel::assumed(frame.y.width, frame.y.height));
     const bool known = search.camera && search.intrinsicsKnown;
     auto assigned = assignMarkers(shapes, layout, camera, known, hints);

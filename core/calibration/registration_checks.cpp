@@ -40,33 +40,46 @@ double median(const std::vector<MarkerShift> &markers, double MarkerShift::*valu
     return values.empty() ? 0 : upperMedian(values);
 }
 
-std::string amount(const MovedCheck &check)
+Message wordsOf(const MovedCheck &check, const std::string &name, const std::vector<std::string> &moved)
 {
-    return formatNumber(check.shiftPx, check.shiftPx < 10 ? 1 : 0) +
-           " px = " + formatNumber(toMillimetres(check.shiftM), check.shiftM < 0.01 ? 1 : 0) + " mm";
-}
-
-std::string wordsOf(const MovedCheck &check, const std::string &camera, const std::vector<std::string> &moved)
-{
-    std::string words;
+    const MessageArgument camera = Named::camera(name),
+                          inPicture = quantity(check.shiftPx, check.shiftPx < 10 ? 1 : 0, "px"),
+                          onFloor = quantity(toMillimetres(check.shiftM), check.shiftM < 0.01 ? 1 : 0, "mm");
+    Message words;
     switch (check.verdict) {
     case MovedCheck::Verdict::Still:
-        words = camera + " stands where it was registered: " + std::to_string(check.markers.size()) +
-                " markers lie within " + amount(check) + " of their places.";
+        words = joined(
+            {ODO_TEXT("calibration.camera_still", "%1 stands where it was registered")(camera),
+             ODO_TEXT("calibration.markers_in_place", "%1 markers lie within %2 = %3 of their places.")(
+                 check.markers.size(), inPicture, onFloor)},
+            Join::Colon);
         break;
     case MovedCheck::Verdict::CameraMoved:
-        words = camera + " has moved " + amount(check) + ": register it again before you record.";
+        words = joined(
+            {ODO_TEXT("calibration.camera_moved", "%1 has moved %2 = %3")(camera, inPicture, onFloor),
+             ODO_TEXT("calibration.register_before_recording", "register it again before you record.")},
+            Join::Colon);
         break;
     case MovedCheck::Verdict::MarkersMoved:
-        words = std::string(moved.size() == 1 ? "Marker " : "Markers ") + listed(moved) +
-                (moved.size() == 1 ? " has" : " have") + " moved " + amount(check) + ", " + camera +
-                " has not: put " + (moved.size() == 1 ? "it" : "them") +
-                " back, or measure again and register all cameras.";
+        words =
+            moved.size() == 1
+                ? joined({ODO_TEXT("calibration.marker_moved", "Marker %1 has moved %2 = %3, %4 has not")(
+                              Named::marker(moved.front()), inPicture, onFloor, camera),
+                          ODO_TEXT("calibration.put_marker_back",
+                                   "put it back, or measure again and register all cameras.")},
+                         Join::Colon)
+                : joined({ODO_TEXT("calibration.markers_moved", "Markers %1 have moved %2 = %3, %4 has not")(
+                              listed(moved, MessageArgument::Kind::Marker), inPicture, onFloor, camera),
+                          ODO_TEXT("calibration.put_markers_back",
+                                   "put them back, or measure again and register all cameras.")},
+                         Join::Colon);
         break;
     }
-    if (!check.missing.empty())
-        words += " Not found again: " + listed(check.missing) + ".";
-    return words;
+    if (check.missing.empty())
+        return words;
+    return joined({std::move(words), ODO_TEXT("calibration.not_found_again", "Not found again: %1.")(
+                                         listed(check.missing, MessageArgument::Kind::Marker))},
+                  Join::Space);
 }
 
 } // namespace
@@ -94,6 +107,11 @@ std::vector<MarkerPixel> findAgain(const Frame &frame, const MarkerLayout &layou
     return found;
 }
 
+Message whetherMoved(MessageArgument camera)
+{
+    return ODO_TEXT("calibration.whether_moved", "whether %1 has moved cannot be told")(std::move(camera));
+}
+
 Result<MovedCheck> checkMoved(const std::string &camera, const FloorView &view,
                               const std::vector<MarkerPixel> &stored, const std::vector<MarkerPixel> &found,
                               double fitPx)
@@ -112,11 +130,14 @@ Result<MovedCheck> checkMoved(const std::string &camera, const FloorView &view,
             moved.push_back(marker.label);
     }
     if (check.markers.size() < 2)
-        return fail(ErrorCode::Undetermined, "whether " + camera + " has moved cannot be told",
-                    std::to_string(check.markers.size()) + " of its " + std::to_string(stored.size()) +
-                        " markers were found again, two are needed",
-                    "clear the view of the markers; if they are gone or the camera looks elsewhere, register "
-                    "it again");
+        return fail(ErrorCode::Undetermined, whetherMoved(Named::camera(camera)),
+                    ODO_TEXT("calibration.too_few_found_again",
+                             "%1 of its %2 markers were found again, two are needed")(check.markers.size(),
+                                                                                      stored.size()),
+                    joined({ODO_TEXT("calibration.clear_view", "clear the view of the markers"),
+                            ODO_TEXT("calibration.register_if_gone",
+                                     "if they are gone or the camera looks elsewhere, register it again")},
+                           Join::Semicolon));
     if (!moved.empty())
         check.verdict = check.markers.size() - moved.size() >= provesCamera
                             ? MovedCheck::Verdict::MarkersMoved
@@ -131,7 +152,6 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr const char *lengthMeasurement = "the length cannot be measured";
 constexpr double agreesWithin = 2.5; // σ
 constexpr double shortestPx = 2;
 
@@ -139,6 +159,13 @@ struct Measured
 {
     double lengthM = 0, varianceM2 = 0;
 };
+
+tl::unexpected<Error> refuseLength(Message why, Message advice)
+{
+    return fail(ErrorCode::InvalidInput,
+                ODO_TEXT("calibration.length_unmeasured", "the length cannot be measured"), std::move(why),
+                std::move(advice));
+}
 
 Eigen::Matrix2d noiseOf(double sigmaPx)
 {
@@ -148,16 +175,19 @@ Eigen::Matrix2d noiseOf(double sigmaPx)
 Result<Measured> measure(const SeenLength &seen, double heightM)
 {
     if ((seen.fromPixel - seen.toPixel).norm() < shortestPx)
-        return fail(ErrorCode::InvalidInput, lengthMeasurement,
-                    "both ends lie on one pixel of camera '" + seen.camera + "'",
-                    "mark the two ends where they are seen");
+        return refuseLength(ODO_TEXT("calibration.ends_on_one_pixel",
+                                     "both ends lie on one pixel of camera '%1'")(Named::camera(seen.camera)),
+                            ODO_TEXT("calibration.mark_two_ends", "mark the two ends where they are seen"));
     const auto from = seen.view->locate(seen.fromPixel, noiseOf(seen.fromSigmaPx), heightM);
     const auto to = seen.view->locate(seen.toPixel, noiseOf(seen.toSigmaPx), heightM);
     if (!from || !to)
-        return fail(ErrorCode::InvalidInput, lengthMeasurement,
-                    std::string("the ") + (from ? "second" : "first") +
-                        " end lies at or beyond the horizon of camera '" + seen.camera + "'",
-                    "lay the stick on the floor, nearer to the camera");
+        return refuseLength(
+            (from ? ODO_TEXT("calibration.second_end_beyond",
+                             "the second end lies at or beyond the horizon of camera '%1'")
+                  : ODO_TEXT("calibration.first_end_beyond",
+                             "the first end lies at or beyond the horizon of camera '%1'"))(
+                Named::camera(seen.camera)),
+            ODO_TEXT("calibration.lay_stick_nearer", "lay the stick on the floor, nearer to the camera"));
     const Vector2d along = to->pointInWorld - from->pointInWorld;
     const double length = along.norm();
     const Vector2d unit = along / length;
@@ -169,17 +199,24 @@ Result<Measured> measure(const SeenLength &seen, double heightM)
     return Measured{length, unit.dot(covariance * unit)};
 }
 
-std::string judgement(const LengthCheck &check, double toldM)
+Message judgement(const LengthCheck &check, double toldM)
 {
-    const double difference = *check.differenceM;
-    const std::string off = " It is " + millimetres(std::abs(difference)) +
-                            (difference < 0 ? " shorter" : " longer") + " than the " + millimetres(toldM) +
-                            " told: ";
-    const double allowed = agreesWithin * check.sigmaM;
+    const double difference = *check.differenceM, allowed = agreesWithin * check.sigmaM;
+    Message off =
+        (difference < 0 ? ODO_TEXT("calibration.length_shorter", "It is %1 shorter than the %2 told")
+                        : ODO_TEXT("calibration.length_longer", "It is %1 longer than the %2 told"))(
+            millimetres(std::abs(difference)), millimetres(toldM));
     if (std::abs(difference) <= allowed)
-        return off + "inside the expected error of " + millimetres(allowed) + ".";
-    return off + "outside the expected error of " + millimetres(allowed) +
-           ". Check the length itself, whether it lies on the floor, and the places of the markers.";
+        return joined({std::move(off), ODO_TEXT("calibration.inside_expected_error",
+                                                "inside the expected error of %1.")(millimetres(allowed))},
+                      Join::Colon);
+    return joined(
+        {joined({std::move(off), ODO_TEXT("calibration.outside_expected_error",
+                                          "outside the expected error of %1.")(millimetres(allowed))},
+                Join::Colon),
+         ODO_TEXT("calibration.check_length", "Check the length itself, whether it lies on the "
+                                              "floor, and the places of the markers.")},
+        Join::Space);
 }
 
 } // namespace
@@ -187,11 +224,13 @@ std::string judgement(const LengthCheck &check, double toldM)
 Result<LengthCheck> checkLength(std::span<const SeenLength> seen, std::optional<double> toldM, double heightM)
 {
     if (seen.empty())
-        return fail(ErrorCode::InvalidInput, lengthMeasurement, "no camera was given that sees it",
-                    "mark its ends in one picture at least");
+        return refuseLength(
+            ODO_TEXT("calibration.length_unseen", "no camera was given that sees it"),
+            ODO_TEXT("calibration.mark_ends_in_one", "mark its ends in one picture at least"));
     if (toldM && !(*toldM > 0 && std::isfinite(*toldM)))
-        return fail(ErrorCode::InvalidInput, lengthMeasurement, "the told length is not above 0",
-                    "give the length as it was measured with a tape");
+        return refuseLength(
+            ODO_TEXT("calibration.told_length_not_positive", "the told length is not above 0"),
+            ODO_TEXT("calibration.give_taped_length", "give the length as it was measured with a tape"));
     double information = 0, weighted = 0;
     std::vector<Measured> each;
     for (const SeenLength &one : seen) {
@@ -205,21 +244,26 @@ Result<LengthCheck> checkLength(std::span<const SeenLength> seen, std::optional<
     LengthCheck check;
     check.lengthM = weighted / information;
     check.sigmaM = std::sqrt(1 / information);
-    check.words = "The length is " + millimetres(check.lengthM) + " ± " + millimetres(check.sigmaM) + ".";
+    std::vector<Message> sentences{ODO_TEXT("calibration.length_is", "The length is %1 ± %2.")(
+        millimetres(check.lengthM), millimetres(check.sigmaM))};
     for (std::size_t i = 0; i < each.size(); ++i) {
         const double off = each[i].lengthM - check.lengthM;
         if (each.size() > 1 && std::abs(off) > agreesWithin * std::sqrt(each[i].varianceM2)) {
             check.agrees = false;
-            check.words +=
-                " Camera '" + seen[i].camera + "' alone says " + millimetres(each[i].lengthM) +
-                ": look whether the same ends are marked in each picture, and register it again if they are.";
+            sentences.push_back(
+                joined({ODO_TEXT("calibration.camera_alone_says", "Camera '%1' alone says %2")(
+                            Named::camera(seen[i].camera), millimetres(each[i].lengthM)),
+                        ODO_TEXT("calibration.look_at_ends", "look whether the same ends are marked in each "
+                                                             "picture, and register it again if they are.")},
+                       Join::Colon));
         }
     }
     if (toldM) {
         check.differenceM = check.lengthM - *toldM;
         check.agrees = check.agrees && std::abs(*check.differenceM) <= agreesWithin * check.sigmaM;
-        check.words += judgement(check, *toldM);
+        sentences.push_back(judgement(check, *toldM));
     }
+    check.words = joined(std::move(sentences), Join::Space);
     return check;
 }
 

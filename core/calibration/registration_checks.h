@@ -32,7 +32,7 @@ struct MovedCheck
     std::vector<MarkerShift> markers;
     std::vector<std::string> missing; ///< markers of the registration that were not found again
     double shiftPx = 0, shiftM = 0;   ///< median of the moved markers; of all where none is
-    std::string words;                ///< one sentence, and what to do
+    Message words;                    ///< one sentence, and what to do
 };
 
 /// Looks for a registration's markers in a newer picture: tags anywhere by their number, everything else by
@@ -40,6 +40,9 @@ struct MovedCheck
 /// anywhere, told apart by geometry. camera: of the registration. Those not found are left out. Thread-safe.
 std::vector<MarkerPixel> findAgain(const Frame &frame, const MarkerLayout &layout,
                                    const std::vector<MarkerPixel> &stored, const CameraModel &camera);
+
+/// What an error is about where that cannot be told. camera: its name, or a message that names it.
+Message whetherMoved(MessageArgument camera);
 
 /// Compares markers of the registration with the same ones found in a newer picture. A shift is one beyond 4
 /// σ of the difference of two pixels, with σ the larger of 0.3 px and what the registration's markers fit to
@@ -65,7 +68,7 @@ struct LengthCheck
     double sigmaM = 0; ///< from the pixels and the calibration, whose errors both ends have in common
     std::optional<double> differenceM; ///< measured minus told
     bool agrees = true; ///< with what was told, within 2.5 σ, and the cameras with one another
-    std::string words;  ///< one or two sentences for a person, with what to do where it does not agree
+    Message words;      ///< one or two sentences, with what to do where it does not agree
 };
 
 /// Measures the length in each camera and joins the cameras by their information. heightM: of the plane in

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/world_axes.h"
 
-#include "core/base/units.h"
-#include "core/calibration/internal/wording.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -14,10 +11,17 @@ namespace {
 
 using Eigen::Vector2d;
 
-tl::unexpected<Error> refuse(const MarkerLayout &layout, std::string why, std::string advice)
+tl::unexpected<Error> refuse(const MarkerLayout &layout, Message why, Message advice)
 {
-    return fail(ErrorCode::InvalidInput, "the axes of layout '" + layout.name + "' cannot be changed",
+    return fail(ErrorCode::InvalidInput,
+                ODO_TEXT("calibration.axes_not_changed",
+                         "the axes of layout '%1' cannot be changed")(Named::layout(layout.name)),
                 std::move(why), std::move(advice));
+}
+
+Message giveOneOfThem()
+{
+    return ODO_TEXT("calibration.give_one_of_them", "give one of them");
 }
 
 Result<Vector2d> placeOf(const MarkerLayout &layout, const std::string &label)
@@ -28,7 +32,9 @@ Result<Vector2d> placeOf(const MarkerLayout &layout, const std::string &label)
     std::vector<std::string> labels;
     for (const Marker &each : layout.markers)
         labels.push_back(each.label);
-    return refuse(layout, "it has no marker " + label, "name one of " + listed(labels));
+    return refuse(layout, ODO_TEXT("calibration.no_such_marker", "it has no marker %1")(Named::marker(label)),
+                  ODO_TEXT("calibration.name_one_marker",
+                           "name one of %1")(listed(labels, MessageArgument::Kind::Marker)));
 }
 
 Result<double> turnOf(const MarkerLayout &layout, const AxesChange &change)
@@ -36,7 +42,10 @@ Result<double> turnOf(const MarkerLayout &layout, const AxesChange &change)
     if (!change.xAlong)
         return -change.turnDegrees * EIGEN_PI / 180;
     if (change.turnDegrees != 0)
-        return refuse(layout, "both an angle and a pair of markers were given for X", "give one of them");
+        return refuse(
+            layout,
+            ODO_TEXT("calibration.two_directions", "both an angle and a pair of markers were given for X"),
+            giveOneOfThem());
     const auto from = placeOf(layout, change.xAlong->first), to = placeOf(layout, change.xAlong->second);
     if (!from)
         return tl::unexpected(from.error());
@@ -44,8 +53,10 @@ Result<double> turnOf(const MarkerLayout &layout, const AxesChange &change)
         return tl::unexpected(to.error());
     const Vector2d along = *to - *from;
     if (!(along.norm() > 0))
-        return refuse(layout, "the markers that X is to run along lie at one place",
-                      "name two that lie apart");
+        return refuse(
+            layout,
+            ODO_TEXT("calibration.x_without_length", "the markers that X is to run along lie at one place"),
+            ODO_TEXT("calibration.name_two_apart", "name two that lie apart"));
     return -std::atan2(along.y(), along.x());
 }
 
@@ -54,7 +65,10 @@ Result<Vector2d> originOf(const MarkerLayout &layout, const AxesChange &change)
     if (change.originMarker.empty())
         return change.originM.value_or(Vector2d::Zero());
     if (change.originM)
-        return refuse(layout, "both a marker and a point were given for the origin", "give one of them");
+        return refuse(
+            layout,
+            ODO_TEXT("calibration.two_origins", "both a marker and a point were given for the origin"),
+            giveOneOfThem());
     const auto place = placeOf(layout, change.originMarker);
     return place ? Result<Vector2d>(change.lengthFactor * *place) : place;
 }
@@ -76,22 +90,30 @@ Result<double> lengthFactorFrom(const std::string &unit)
         return 1000;
     if (unit == "inch")
         return 25.4;
-    return fail(ErrorCode::InvalidInput, "unit '" + unit + "'", "it is not known", "use mm, cm, m or inch");
+    return fail(ErrorCode::InvalidInput, ODO_TEXT("calibration.unit", "unit '%1'")(unit),
+                ODO_TEXT("calibration.unit_unknown", "it is not known"),
+                ODO_TEXT("calibration.use_known_unit", "use mm, cm, m or inch"));
 }
 
 Result<AxesTransform> axesTransformOf(const MarkerLayout &layout, const AxesChange &change)
 {
     if (!(change.lengthFactor > 0) || !std::isfinite(change.lengthFactor))
         return refuse(layout,
-                      "a length factor of " + formatNumber(change.lengthFactor, 3) + " makes no floor",
-                      "give a number above 0");
+                      ODO_TEXT("calibration.length_factor",
+                               "a length factor of %1 makes no floor")(quantity(change.lengthFactor, 3)),
+                      ODO_TEXT("calibration.give_positive_number", "give a number above 0"));
     if (change.reverseX != change.reverseY)
         return refuse(
             layout,
-            std::string("reversing ") + (change.reverseX ? "X" : "Y") +
-                " alone would mirror the floor, and no camera above it sees it so",
-            "reverse both (a half turn), or turn the axes; if the layout was written down mirrored, "
-            "correct its signs and add it anew");
+            change.reverseX
+                ? ODO_TEXT("calibration.reversed_x_alone",
+                           "reversing X alone would mirror the floor, and no camera above it sees it so")
+                : ODO_TEXT("calibration.reversed_y_alone",
+                           "reversing Y alone would mirror the floor, and no camera above it sees it so"),
+            joined({ODO_TEXT("calibration.reverse_both", "reverse both (a half turn), or turn the axes"),
+                    ODO_TEXT("calibration.layout_written_mirrored",
+                             "if the layout was written down mirrored, correct its signs and add it anew")},
+                   Join::Semicolon));
     const auto origin = originOf(layout, change);
     if (!origin)
         return tl::unexpected(origin.error());
@@ -99,7 +121,9 @@ Result<AxesTransform> axesTransformOf(const MarkerLayout &layout, const AxesChan
     if (!turn)
         return tl::unexpected(turn.error());
     if (!origin->allFinite() || !std::isfinite(*turn))
-        return refuse(layout, "the origin or the angle is not a finite number", "give plain numbers");
+        return refuse(
+            layout, ODO_TEXT("calibration.axes_no_number", "the origin or the angle is not a finite number"),
+            ODO_TEXT("calibration.give_plain_numbers", "give plain numbers"));
     AxesTransform transform{change.lengthFactor, *turn + (change.reverseX ? std::numbers::pi : 0.0),
                             Vector2d::Zero()};
     transform.shiftM = -(Eigen::Rotation2Dd(transform.turnRad) * *origin);
@@ -131,10 +155,14 @@ FloorRegistration transformed(const FloorRegistration &registration, const AxesT
     result.floorSigmaM *= newFromOld.scale;
     for (MarkerError &marker : result.markers)
         marker.errorM *= newFromOld.scale;
-    result.verdict += " The world axes were changed afterwards";
-    if (newFromOld.scale != 1)
-        result.verdict += ", and all lengths multiplied by " + formatNumber(newFromOld.scale, 4);
-    result.verdict += ".";
+    result.verdict =
+        joined({std::move(result.verdict),
+                newFromOld.scale == 1
+                    ? ODO_TEXT("calibration.axes_changed", "The world axes were changed afterwards.")
+                    : ODO_TEXT("calibration.axes_changed_and_scaled",
+                               "The world axes were changed afterwards, and all lengths multiplied by %1.")(
+                          quantity(newFromOld.scale, 4))},
+               Join::Space);
     return result;
 }
 

@@ -2,8 +2,10 @@
 #include "core/capture/camera_source.h"
 
 #include "core/base/shortage.h"
+#include "core/base/subjects.h"
 #include "core/capture/aravis/aravis_address.h"
 #include "core/capture/aravis/aravis_source.h"
+#include "core/capture/camera_errors.h"
 #include "core/capture/internal/stand_in_source.h"
 #include "core/capture/v4l2/v4l2_address.h"
 #include "core/capture/v4l2/v4l2_source.h"
@@ -13,9 +15,7 @@
 #include <chrono>
 #include <cmath>
 #include <condition_variable>
-#include <locale>
 #include <mutex>
-#include <sstream>
 #include <thread>
 
 namespace odo {
@@ -47,7 +47,7 @@ CameraDescription describe(const SimulatedCamera &camera)
     const Intrinsics &lens = camera.view.camera().intrinsics();
     return {.uri = simulated + camera.name,
             .kind = "simulated",
-            .name = "Simulated camera " + camera.name,
+            .name = ODO_TEXT("capture.simulated_camera", "Simulated camera %1")(Named::camera(camera.name)),
             .widthPx = lens.widthPx,
             .heightPx = lens.heightPx,
             .framesPerSecond = camera.framesPerSecond,
@@ -74,26 +74,25 @@ Result<std::unique_ptr<CameraSource>> openSimulated(const std::string &uri)
         return simulatedBoardSource(std::move(description), lens, {},
                                     heldBoardPoses(lens, {}, boardPoses, seed), Pace::Kind::RealTime);
     }
-    return fail(ErrorCode::NotFound, "'" + uri + "'", "there is no simulated camera " + name,
-                "take sim:A or sim:B");
+    return fail(ErrorCode::NotFound, quotedName(uri),
+                ODO_TEXT("capture.no_simulated_camera", "there is no simulated camera %1")(name),
+                ODO_TEXT("capture.take_simulated_camera", "take sim:A or sim:B"));
 }
 
 } // namespace
 
-std::string formatWords(const std::string &coding, int widthPx, int heightPx, double framesPerSecond)
+Message formatWords(const std::string &coding, int widthPx, int heightPx, double framesPerSecond)
 {
-    std::ostringstream words;
-    words.imbue(std::locale::classic());
-    if (!coding.empty())
-        words << coding << ' ';
-    words << widthPx << "×" << heightPx << " at " << std::round(100 * framesPerSecond) / 100 << " frames/s";
-    return words.str();
+    const std::string size = std::to_string(widthPx) + "×" + std::to_string(heightPx);
+    const long long hundredths = std::llround(100 * framesPerSecond);
+    const int decimals = hundredths % 100 == 0 ? 0 : hundredths % 10 == 0 ? 1 : 2;
+    return ODO_TEXT("capture.format", "%1 at %2")(coding.empty() ? size : coding + ' ' + size,
+                                                  quantity(framesPerSecond, decimals, "frames/s"));
 }
 
 Result<void> CameraSource::set(const std::string &id, double)
 {
-    return fail(ErrorCode::NotFound, "camera " + description().uri,
-                "it has nothing named '" + id + "' that could be set", "leave it out");
+    return noSuchControl(description().uri, id);
 }
 
 namespace {
@@ -108,15 +107,17 @@ Result<std::unique_ptr<CameraSource>> openByKind(const std::string &uri)
         return openV4l2Source(uri);
     if (isAravisAddress(uri))
         return openAravisSource(uri);
-    return fail(ErrorCode::NotFound, "'" + uri + "'", "no camera has such an address",
-                "give one as v4l2:/dev/video0, aravis:192.168.1.20, sim:A or file:PATH");
+    return fail(ErrorCode::NotFound, quotedName(uri),
+                ODO_TEXT("capture.no_such_address", "no camera has such an address"),
+                ODO_TEXT("capture.give_address",
+                         "give one as v4l2:/dev/video0, aravis:192.168.1.20, sim:A or file:PATH"));
 }
 
 } // namespace
 
 Result<std::unique_ptr<CameraSource>> openCamera(const std::string &uri)
 {
-    return orShortage("camera " + uri, [&uri] { return openByKind(uri); });
+    return orShortage(cameraAtAddress(uri), [&uri] { return openByKind(uri); });
 }
 
 std::vector<CameraDescription> listCameras()
@@ -184,7 +185,7 @@ constexpr auto cameraWithin = 500ms;
 
 CameraDescription knownOf(const std::string &uri)
 {
-    return {.uri = uri, .kind = uri.substr(0, uri.find(':')), .name = uri};
+    return {.uri = uri, .kind = uri.substr(0, uri.find(':')), .name = nameAlone(uri)};
 }
 
 class AwaitedSource : public CameraSource
@@ -196,7 +197,7 @@ public:
         : m_known(knownOf(uri)), m_open(std::move(open)), m_betweenAttempts(betweenAttempts),
           m_why(std::move(why))
     {
-        if (auto opener = startThread("camera " + uri, [this] { await(); })) {
+        if (auto opener = startThread(cameraAtAddress(uri), [this] { await(); })) {
             m_opener = std::move(*opener);
         } else {
             m_why = opener.error();
@@ -222,7 +223,7 @@ public:
             std::unique_lock lock(m_mutex);
             m_wake.wait_for(lock, cameraWithin, [this] { return m_stopped || m_camera || isHopeless(); });
             if (m_stopped)
-                return cancelled(m_known.uri);
+                return cancelled(nameAlone(m_known.uri));
             if (!m_camera && isHopeless())
                 return tl::unexpected(m_why);
             if (!m_camera)
@@ -257,7 +258,7 @@ public:
             return source->set(id, value);
         return notThere();
     }
-    std::vector<std::string> holdAutomatics() override
+    std::vector<Message> holdAutomatics() override
     {
         {
             const std::lock_guard lock(m_mutex);
@@ -314,7 +315,7 @@ private:
         while (!m_camera && !isHopeless() &&
                !m_wake.wait_for(lock, m_betweenAttempts, [this] { return m_stopped; })) {
             lock.unlock();
-            auto opened = orShortage("camera " + m_known.uri, m_open);
+            auto opened = orShortage(cameraAtAddress(m_known.uri), m_open);
             lock.lock();
             if (!opened)
                 m_why = opened.error();
@@ -363,7 +364,7 @@ Result<Frame> settledPicture(CameraSource &camera, const JobControl &control)
     for (;;) {
         auto captured = camera.next();
         if (control.isCancelled())
-            return cancelled("the picture");
+            return cancelled(ODO_TEXT("capture.the_picture", "the picture"));
         if (!captured && (captured.error().code != ErrorCode::Unavailable || ++refusals == mostRefusals))
             return tl::unexpected(captured.error());
         if (!captured)

@@ -37,12 +37,12 @@ struct CameraDescription
 {
     std::string uri;  ///< what openCamera takes
     std::string kind; ///< "simulated", "file", "v4l2", "aravis"
-    std::string name;
+    Message name;
     int widthPx = 0, heightPx = 0;
     double framesPerSecond = 0;
-    std::string serial = {};               ///< empty where it has none
-    std::vector<std::string> formats = {}; ///< what it offers, for people: "MJPG 1280×720 at 30 frames/s"
-    bool busy = false;                     ///< another program holds it
+    std::string serial = {};           ///< empty where it has none
+    std::vector<Message> formats = {}; ///< what it offers, for people: "MJPG 1280×720 at 30 frames/s"
+    bool busy = false;                 ///< another program holds it
 };
 
 /// What a source has counted since it was opened. Gaps in CapturedFrame::sequence are counted by who takes
@@ -89,7 +89,7 @@ public:
     /// Turns off whatever changes picture or rate by itself (exposure, gain, white balance, focus), each held
     /// where it is now, so that colour and timing hold while recording. Gives the names of what could not be
     /// turned off.
-    virtual std::vector<std::string> holdAutomatics() { return {}; }
+    virtual std::vector<Message> holdAutomatics() { return {}; }
     /// Gives them back: what holdAutomatics has turned off is on again, at once or when the camera is back.
     /// Does nothing where nothing is held.
     virtual void releaseAutomatics() {}
@@ -99,7 +99,7 @@ public:
 };
 
 /// "MJPG 1280×720 at 30 frames/s"; the coding may be left out.
-std::string formatWords(const std::string &coding, int widthPx, int heightPx, double framesPerSecond);
+Message formatWords(const std::string &coding, int widthPx, int heightPx, double framesPerSecond);
 
 /// By address: "sim:A" and "sim:B" are the cameras of the demo's testbed, where robots drive circles
 /// (showRobots), "sim:A?board" the same while somebody holds a calibration board before it; "file:PATH" plays

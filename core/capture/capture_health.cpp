@@ -2,10 +2,10 @@
 #include "core/capture/capture_health.h"
 
 #include "core/base/file_system.h"
+#include "core/capture/camera_errors.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace odo {
 
@@ -13,53 +13,50 @@ namespace {
 
 constexpr double speedMS = 2; // a fast robot in a classroom
 
-template <class... Values>
-std::string text(const char *format, Values... values)
-{
-    char words[128];
-    std::snprintf(words, sizeof words, format, values...);
-    return words;
-}
-
 } // namespace
 
 Error machineSleptError(Nanoseconds howLong)
 {
     const double seconds = toSeconds(howLong);
-    const std::string length = seconds < 120    ? text("%.0f s", seconds)
-                               : seconds < 7200 ? text("%.0f min", seconds / 60)
-                                                : text("%.0f h", seconds / 3600);
-    return {ErrorCode::Unavailable, "this computer",
-            "it slept for " + length + ", and nothing was recorded meanwhile",
-            "what came before is kept; keep it awake while it records"};
+    const MessageArgument length = seconds < 120    ? quantity(seconds, 0, "s")
+                                   : seconds < 7200 ? quantity(seconds / 60, 0, "min")
+                                                    : quantity(seconds / 3600, 0, "h");
+    return {ErrorCode::Unavailable, ODO_TEXT("capture.this_computer", "this computer"),
+            ODO_TEXT("capture.machine_slept", "it slept for %1, and nothing was recorded meanwhile")(length),
+            joined({ODO_TEXT("capture.kept_before_sleep", "what came before is kept"),
+                    ODO_TEXT("capture.keep_awake", "keep it awake while it records")},
+                   Join::Semicolon)};
 }
 
 Error slowCameraError(const std::string &uri, double framesPerSecond, double asked)
 {
-    return {ErrorCode::Unavailable, "camera " + uri,
-            text("it takes only %.0f pictures a second of the %.0f it was asked for", framesPerSecond, asked),
-            "give it more light or a shorter exposure, or ask for a lower rate"};
+    return {ErrorCode::Unavailable, cameraAtAddress(uri),
+            ODO_TEXT("capture.slow_camera", "it takes only %1 pictures a second of the %2 it was asked for")(
+                quantity(framesPerSecond, 0), quantity(asked, 0)),
+            ODO_TEXT("capture.slow_camera_advice",
+                     "give it more light or a shorter exposure, or ask for a lower rate")};
 }
 
-std::string healthWords(const ViewHealth &view)
+Message healthWords(const ViewHealth &view)
 {
     if (view.trouble)
-        return view.trouble->error.message();
+        return wholeMessage(view.trouble->error);
     if (view.state == ViewHealth::State::Starting)
-        return "waiting for the first picture";
-    std::string words = text("%.1f frames/s", view.framesPerSecond);
+        return ODO_TEXT("capture.waiting_for_first_picture", "waiting for the first picture");
+    MessageArgument rate = quantity(view.framesPerSecond, 1, "frames/s");
     if (view.slow)
-        words += " (too slow)";
+        rate = ODO_TEXT("capture.rate_too_slow", "%1 (too slow)")(rate);
     const std::uint64_t lost = view.lostOnWire + view.lostByUs;
-    words += lost == 0 ? std::string(", none lost") : ", " + std::to_string(lost) + " lost";
-    if (lost > 0 && !view.hasWire)
-        words += " because this machine is too slow";
-    else if (view.lostOnWire > 0 && view.lostByUs > 0)
-        words += " (" + std::to_string(view.lostOnWire) + " on the wire, " + std::to_string(view.lostByUs) +
-                 " here)";
-    else if (lost > 0)
-        words += view.lostOnWire > 0 ? " on the wire" : " here";
-    return words;
+    if (lost == 0)
+        return ODO_TEXT("capture.none_lost", "%1, none lost")(rate);
+    if (!view.hasWire)
+        return ODO_TEXT("capture.lost_by_slow_machine", "%1, %2 lost because this machine is too slow")(rate,
+                                                                                                        lost);
+    if (view.lostOnWire > 0 && view.lostByUs > 0)
+        return ODO_TEXT("capture.lost_on_wire_and_here",
+                        "%1, %2 lost (%3 on the wire, %4 here)")(rate, lost, view.lostOnWire, view.lostByUs);
+    return view.lostOnWire > 0 ? ODO_TEXT("capture.lost_on_wire", "%1, %2 lost on the wire")(rate, lost)
+                               : ODO_TEXT("capture.lost_here", "%1, %2 lost here")(rate, lost);
 }
 
 bool comesByWire(const std::string &kind)
@@ -67,21 +64,23 @@ bool comesByWire(const std::string &kind)
     return kind != "simulated" && kind != "file";
 }
 
-std::string inStepWords(double p95S)
+Message inStepWords(double p95S)
 {
-    return text("in step to %.1f ms; at %.0f m/s that is %.1f mm", 1000 * p95S, speedMS,
-                1000 * speedMS * p95S);
+    return joined({ODO_TEXT("capture.in_step", "in step to %1")(quantity(1000 * p95S, 1, "ms")),
+                   ODO_TEXT("capture.in_step_as_way", "at %1 that is %2")(
+                       quantity(speedMS, 0, "m/s"), quantity(1000 * speedMS * p95S, 1, "mm"))},
+                  Join::Semicolon);
 }
 
-std::string roomWords(const DiskHealth &disk)
+Message roomWords(const DiskHealth &disk)
 {
     if (!disk.secondsLeft)
         return {};
-    if (*disk.secondsLeft < 120)
-        return text("room for %.0f s", std::floor(*disk.secondsLeft));
-    if (*disk.secondsLeft < 3 * 3600)
-        return text("room for %.0f min", std::floor(*disk.secondsLeft / 60));
-    return text("room for %.0f h", std::floor(*disk.secondsLeft / 3600));
+    const double seconds = *disk.secondsLeft;
+    return ODO_TEXT("capture.room_for", "room for %1")(seconds < 120 ? quantity(std::floor(seconds), 0, "s")
+                                                       : seconds < 3 * 3600
+                                                           ? quantity(std::floor(seconds / 60), 0, "min")
+                                                           : quantity(std::floor(seconds / 3600), 0, "h"));
 }
 
 std::optional<DiskRoom> diskRoomOf(const std::filesystem::path &folder)

@@ -40,8 +40,8 @@ struct ViewHealth
     double latencyS = 0; ///< 95 % of the last two seconds' pictures were here so soon after they were taken
     /// Whether exposure, gain, white balance and focus hold still; nullopt: not asked for yet.
     std::optional<bool> automaticsHeld;
-    std::vector<std::string> notHeld; ///< names of what goes on changing by itself
-    std::optional<ClockFit> clock;    ///< with its source and σ; nullopt before the first picture
+    std::vector<Message> notHeld;  ///< names of what goes on changing by itself
+    std::optional<ClockFit> clock; ///< with its source and σ; nullopt before the first picture
     std::optional<Trouble> trouble;
     std::optional<Trouble> slow; ///< it delivers, but takes fewer pictures a second than it was asked for
 };
@@ -84,13 +84,13 @@ Error machineSleptError(Nanoseconds howLong);
 Error slowCameraError(const std::string &uri, double framesPerSecond, double asked);
 
 /// "30.0 frames/s, none lost", or what is the matter.
-std::string healthWords(const ViewHealth &view);
+Message healthWords(const ViewHealth &view);
 /// "in step to 1.2 ms; at 2 m/s that is 2.4 mm"; 95 % of the pairs are within it.
-std::string inStepWords(double p95S);
+Message inStepWords(double p95S);
 /// Whether the pictures of a kind of camera come by a cable or a network.
 bool comesByWire(const std::string &kind);
 /// "room for 42 min"; empty where it is not known.
-std::string roomWords(const DiskHealth &disk);
+Message roomWords(const DiskHealth &disk);
 
 struct DiskRoom
 {

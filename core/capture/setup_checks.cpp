@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <fstream>
 #include <map>
 #include <unistd.h>
@@ -24,21 +23,6 @@ constexpr double rateApart =
     0.05; // of the rate; measured over two seconds it is known to half a picture a second
 constexpr double badStepS = 0.017;   // half an interval of 30 frames/s
 constexpr double flickerPart = 0.05; // of a lamp's period that an exposure may be off
-
-std::string number(double value, const char *format = "%g")
-{
-    char text[32];
-    std::snprintf(text, sizeof text, format, value);
-    return text;
-}
-
-std::string joined(const std::vector<std::string> &names)
-{
-    std::string all;
-    for (std::size_t i = 0; i < names.size(); ++i)
-        all += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
-    return all;
-}
 
 bool isOnNetwork(const CheckedCamera &camera)
 {
@@ -87,11 +71,26 @@ bool fitsLamps(double exposure, double mainsHz)
     return periods > 0.5 && std::abs(periods - std::round(periods)) < flickerPart;
 }
 
+MessageArgument camerasNamed(const std::vector<std::string> &names)
+{
+    return listed(names, MessageArgument::Kind::Camera);
+}
+
+Message mayPulse()
+{
+    return ODO_TEXT("capture.pictures_may_pulse", "pictures may pulse under lamps");
+}
+
+std::string sizeText(int widthPx, int heightPx)
+{
+    return std::to_string(widthPx) + "×" + std::to_string(heightPx);
+}
+
 } // namespace
 
 SetupFinding checkUsbBuses(const std::vector<CheckedCamera> &cameras)
 {
-    SetupFinding finding{Verdict::Good, "USB buses", "each USB camera has a bus of its own", ""};
+    const Message what = ODO_TEXT("capture.usb_buses", "USB buses");
     std::map<std::string, std::vector<std::string>> onBus;
     double slowest = 0;
     for (const CheckedCamera &camera : cameras) {
@@ -101,153 +100,222 @@ SetupFinding checkUsbBuses(const std::vector<CheckedCamera> &cameras)
         slowest = slowest == 0 ? camera.usbMbps : std::min(slowest, camera.usbMbps);
     }
     if (onBus.empty())
-        return {Verdict::Good, finding.what, "no USB camera is used", ""};
+        return {Verdict::Good, what, ODO_TEXT("capture.no_usb_camera", "no USB camera is used"), {}};
+    SetupFinding finding{
+        Verdict::Good, what, ODO_TEXT("capture.own_usb_buses", "each USB camera has a bus of its own"), {}};
     for (const auto &[bus, names] : onBus) {
         if (names.size() < 2)
             continue;
-        finding.words = "cameras " + joined(names) + " share the bus " + bus;
-        if (slowest > 0)
-            finding.words += ", of " + number(slowest) + " Mbit/s";
+        finding.words =
+            slowest > 0
+                ? ODO_TEXT("capture.bus_of_speed_shared", "cameras %1 share the bus %2, of %3")(
+                      camerasNamed(names), bus, quantity(slowest, 0, "Mbit/s"))
+                : ODO_TEXT("capture.bus_shared", "cameras %1 share the bus %2")(camerasNamed(names), bus);
         finding.verdict = slowest > usb2Mbps ? Verdict::Good : Verdict::Warning;
         if (finding.verdict == Verdict::Warning)
-            finding.advice = "plug one into a port on the other side of the computer, or a card of its own; "
-                             "or let both send MJPEG, or smaller pictures";
+            finding.advice = joined(
+                {ODO_TEXT("capture.use_other_port",
+                          "plug one into a port on the other side of the computer, or a card of its own"),
+                 ODO_TEXT("capture.send_less", "or let both send MJPEG, or smaller pictures")},
+                Join::Semicolon);
     }
     return finding;
 }
 
 SetupFinding checkPermissions(const std::vector<VideoNode> &nodes)
 {
-    const std::string what = "Access to cameras";
+    const Message what = ODO_TEXT("capture.access_to_cameras", "Access to cameras");
     std::vector<std::string> closed;
     for (const VideoNode &node : nodes) {
         if (!node.usable)
             closed.push_back(node.path);
     }
     if (!closed.empty())
-        return {Verdict::Bad, what, "you may not use " + joined(closed),
-                "add yourself to the group video (sudo usermod -aG video $USER), then log out and in again"};
+        return {Verdict::Bad, what,
+                ODO_TEXT("capture.nodes_forbidden",
+                         "you may not use %1")(listed(closed, MessageArgument::Kind::File)),
+                ODO_TEXT("capture.join_video_group", "add yourself to the group video (sudo usermod -aG "
+                                                     "video $USER), then log out and in again")};
     if (nodes.empty())
-        return {Verdict::NotKnown, what, "this machine shows no USB or built-in camera (/dev/video*)",
-                "if one is connected, try another cable and port, without a hub"};
-    return {Verdict::Good, what, "you may use all " + std::to_string(nodes.size()) + " video devices", ""};
+        return {Verdict::NotKnown, what,
+                ODO_TEXT("capture.no_node", "this machine shows no USB or built-in camera (/dev/video*)"),
+                ODO_TEXT("capture.no_node_advice",
+                         "if one is connected, try another cable and port, without a hub")};
+    return {Verdict::Good,
+            what,
+            ODO_TEXT("capture.nodes_usable", "you may use all %1 video devices")(nodes.size()),
+            {}};
 }
 
 SetupFinding checkReceiveBuffer(const std::vector<CheckedCamera> &cameras, std::optional<std::int64_t> bytes)
 {
-    const std::string what = "Receive buffer";
+    const Message what = ODO_TEXT("capture.receive_buffer", "Receive buffer");
     if (!bytes)
-        return {Verdict::NotKnown, what, "the system does not say how large it may be (net.core.rmem_max)",
-                ""};
-    const std::string size = number(static_cast<double>(*bytes) / (1 << 20), "%.1f") + " MiB";
+        return {Verdict::NotKnown,
+                what,
+                ODO_TEXT("capture.buffer_not_known",
+                         "the system does not say how large it may be (net.core.rmem_max)"),
+                {}};
+    const MessageArgument size = quantity(static_cast<double>(*bytes) / (1 << 20), 1, "MiB");
     if (*bytes >= enoughReceiveBuffer)
-        return {Verdict::Good, what, "up to " + size + ", enough for network cameras", ""};
+        return {Verdict::Good,
+                what,
+                ODO_TEXT("capture.buffer_enough", "up to %1, enough for network cameras")(size),
+                {}};
     const std::vector<std::string> names = networkCameras(cameras);
     if (names.empty())
-        return {Verdict::Good, what, size + ", which only network cameras would find too small", ""};
-    return {Verdict::Bad, what, "only " + size + ": " + joined(names) + " will lose pictures",
-            "sudo sysctl -w net.core.rmem_max=" + std::to_string(enoughReceiveBuffer) +
-                ", and put the same into /etc/sysctl.d/ to keep it"};
+        return {Verdict::Good,
+                what,
+                ODO_TEXT("capture.buffer_without_use",
+                         "%1, which only network cameras would find too small")(size),
+                {}};
+    return {Verdict::Bad, what,
+            joined({ODO_TEXT("capture.buffer_small", "only %1")(size),
+                    ODO_TEXT("capture.cameras_will_lose", "%1 will lose pictures")(camerasNamed(names))},
+                   Join::Colon),
+            ODO_TEXT("capture.enlarge_buffer",
+                     "sudo sysctl -w net.core.rmem_max=%1, and put the same into "
+                     "/etc/sysctl.d/ to keep it")(std::to_string(enoughReceiveBuffer))};
 }
 
 SetupFinding checkPacketSize(const std::vector<CheckedCamera> &cameras, const std::vector<NetworkPort> &ports)
 {
-    const std::string what = "Packet size";
+    const Message what = ODO_TEXT("capture.packet_size", "Packet size");
     if (networkCameras(cameras).empty())
-        return {Verdict::Good, what, "no network camera is used", ""};
+        return {Verdict::Good, what, ODO_TEXT("capture.no_network_camera", "no network camera is used"), {}};
     std::vector<std::string> small;
     for (const NetworkPort &port : ports) {
         if (port.mtu < largePackets)
             small.push_back(port.name + " (" + std::to_string(port.mtu) + ")");
     }
     if (small.empty())
-        return {Verdict::Good, what, "large packets are allowed", ""};
-    return {Verdict::Warning, what, "small packets on " + joined(small),
-            "give the port that the camera is on an MTU of 9000 (sudo ip link set dev NAME mtu 9000), if "
-            "camera and switch can take it"};
+        return {Verdict::Good, what, ODO_TEXT("capture.large_packets", "large packets are allowed"), {}};
+    return {
+        Verdict::Warning, what,
+        ODO_TEXT("capture.small_packets", "small packets on %1")(listed(small, MessageArgument::Kind::Label)),
+        ODO_TEXT("capture.small_packets_advice",
+                 "give the port that the camera is on an MTU of 9000 (sudo ip link set dev NAME mtu "
+                 "9000), if camera and switch can take it")};
 }
 
 SetupFinding checkFlicker(const CheckedCamera &camera)
 {
-    const std::string what = "Lamps' flicker, camera " + camera.name;
+    const Message what =
+        ODO_TEXT("capture.flicker_of_camera", "Lamps' flicker, camera %1")(Named::camera(camera.name));
     const CameraControl *filter = controlNamed(camera, {"power", "line"});
     if (filter && filter->kind == CameraControl::Kind::Choice) {
         const auto chosen = static_cast<std::size_t>(std::max(0.0, filter->value));
         const std::string word = chosen < filter->choices.size() ? filter->choices[chosen] : "";
         if (lowered(word).find("disabled") == std::string::npos)
-            return {Verdict::Good, what, "filtered by the camera (" + word + ")", ""};
-        return {Verdict::Warning, what, "its filter is off: pictures may pulse under lamps",
-                "set '" + filter->name + "' to your mains: 50 Hz in most countries, 60 Hz in the Americas"};
+            return {Verdict::Good,
+                    what,
+                    ODO_TEXT("capture.flicker_filtered", "filtered by the camera (%1)")(word),
+                    {}};
+        return {
+            Verdict::Warning, what,
+            joined({ODO_TEXT("capture.flicker_filter_off", "its filter is off"), mayPulse()}, Join::Colon),
+            joined({ODO_TEXT("capture.set_to_mains", "set '%1' to your mains")(filter->name),
+                    ODO_TEXT("capture.usual_mains", "50 Hz in most countries, 60 Hz in the Americas")},
+                   Join::Colon)};
     }
     const CameraControl *exposure = controlNamed(camera, {"exposure", "time"});
     const auto seconds = exposure ? exposureS(*exposure) : std::nullopt;
     if (!seconds)
-        return {Verdict::NotKnown, what, "it does not tell its exposure", ""};
-    const std::string words = "exposed for " + number(1e3 * *seconds, "%.1f") + " ms";
+        return {Verdict::NotKnown,
+                what,
+                ODO_TEXT("capture.exposure_not_told", "it does not tell its exposure"),
+                {}};
+    const MessageArgument exposed = quantity(1e3 * *seconds, 1, "ms");
     if (fitsLamps(*seconds, 50) || fitsLamps(*seconds, 60))
-        return {Verdict::Good, what, words + ", which suits lamps", ""};
-    return {Verdict::Warning, what, words + ": pictures may pulse under lamps",
-            "expose for 10 or 20 ms with mains of 50 Hz, 8.3 or 16.7 ms with 60 Hz; or use daylight"};
+        return {Verdict::Good,
+                what,
+                ODO_TEXT("capture.exposure_suits_lamps", "exposed for %1, which suits lamps")(exposed),
+                {}};
+    return {Verdict::Warning, what,
+            joined({ODO_TEXT("capture.exposed_for", "exposed for %1")(exposed), mayPulse()}, Join::Colon),
+            joined({ODO_TEXT("capture.expose_for_mains",
+                             "expose for 10 or 20 ms with mains of 50 Hz, 8.3 or 16.7 ms with 60 Hz"),
+                    ODO_TEXT("capture.use_daylight", "or use daylight")},
+                   Join::Semicolon)};
 }
 
 SetupFinding checkAutomatics(const CheckedCamera &camera)
 {
-    const std::string what = "Automatics, camera " + camera.name;
-    if (!camera.health.notHeld.empty())
-        return {Verdict::Warning, what,
-                joined(camera.health.notHeld) + (camera.health.notHeld.size() > 1
-                                                     ? " go on changing by themselves"
-                                                     : " goes on changing by itself"),
-                "turn it off in the camera's own program, or keep the light steady while robots run"};
+    const Message what =
+        ODO_TEXT("capture.automatics_of_camera", "Automatics, camera %1")(Named::camera(camera.name));
+    const std::vector<Message> &notHeld = camera.health.notHeld;
+    if (!notHeld.empty())
+        return {
+            Verdict::Warning, what,
+            notHeld.size() > 1
+                ? ODO_TEXT("capture.several_not_held", "%1 go on changing by themselves")(listed(notHeld))
+                : ODO_TEXT("capture.one_not_held", "%1 goes on changing by itself")(notHeld.front()),
+            ODO_TEXT("capture.turn_off_at_camera",
+                     "turn it off in the camera's own program, or keep the light steady while robots run")};
     if (camera.health.automaticsHeld.value_or(false))
-        return {Verdict::Good, what, "exposure, gain, white balance and focus are held", ""};
+        return {Verdict::Good,
+                what,
+                ODO_TEXT("capture.automatics_held", "exposure, gain, white balance and focus are held"),
+                {}};
     if (camera.controls.empty())
-        return {Verdict::Good, what, "it has none", ""};
-    return {Verdict::Good, what, "they are held while recording", ""};
+        return {Verdict::Good, what, ODO_TEXT("capture.no_automatics", "it has none"), {}};
+    return {
+        Verdict::Good, what, ODO_TEXT("capture.held_while_recording", "they are held while recording"), {}};
 }
 
 SetupFinding checkStep(const std::vector<CheckedCamera> &cameras, const PairHealth &pairs)
 {
-    const std::string what = "Step";
+    const Message what = ODO_TEXT("capture.step", "Step");
     if (cameras.size() < 2)
-        return {Verdict::Good, what, "one camera is always in step", ""};
+        return {
+            Verdict::Good, what, ODO_TEXT("capture.one_camera_in_step", "one camera is always in step"), {}};
     double least = HUGE_VAL, most = 0;
     for (const CheckedCamera &camera : cameras) {
         least = std::min(least, camera.health.framesPerSecond);
         most = std::max(most, camera.health.framesPerSecond);
     }
     if (least <= 0)
-        return {Verdict::NotKnown, what, "a camera does not deliver", "see its own line"};
+        return {Verdict::NotKnown, what,
+                ODO_TEXT("capture.camera_does_not_deliver", "a camera does not deliver"),
+                ODO_TEXT("capture.see_own_line", "see its own line")};
     if (most - least > rateApart * most)
         return {Verdict::Warning, what,
-                "the cameras run at " + number(least, "%.1f") + " and " + number(most, "%.1f") + " frames/s",
-                "set both to one rate; in dim light a camera halves its rate by itself, unless its automatic "
-                "exposure is off"};
+                ODO_TEXT("capture.rates_differ",
+                         "the cameras run at %1 and %2")(quantity(least, 1), quantity(most, 1, "frames/s")),
+                joined({ODO_TEXT("capture.set_to_one_rate", "set both to one rate"),
+                        ODO_TEXT("capture.dim_light_halves_rate",
+                                 "in dim light a camera halves its rate by itself, unless its automatic "
+                                 "exposure is off")},
+                       Join::Semicolon)};
     if (pairs.pairs == 0)
-        return {Verdict::NotKnown, what, "no two pictures have been taken together yet",
-                "wait a few seconds, and look again"};
+        return {Verdict::NotKnown, what,
+                ODO_TEXT("capture.no_pair_yet", "no two pictures have been taken together yet"),
+                ODO_TEXT("capture.look_again", "wait a few seconds, and look again")};
     if (pairs.p95S > badStepS)
         return {Verdict::Warning, what, inStepWords(pairs.p95S),
-                "set both to one rate, or trigger them together"};
-    return {Verdict::Good, what, inStepWords(pairs.p95S), ""};
+                ODO_TEXT("capture.set_rate_or_trigger", "set both to one rate, or trigger them together")};
+    return {Verdict::Good, what, inStepWords(pairs.p95S), {}};
 }
 
 SetupFinding checkPictureSize(const CheckedCamera &camera)
 {
-    const std::string what = "Picture size, camera " + camera.name;
-    const auto size = [](int width, int height) {
-        return std::to_string(width) + "×" + std::to_string(height);
-    };
-    const std::string is = size(camera.description.widthPx, camera.description.heightPx);
+    const Message what =
+        ODO_TEXT("capture.picture_size_of_camera", "Picture size, camera %1")(Named::camera(camera.name));
+    const std::string is = sizeText(camera.description.widthPx, camera.description.heightPx);
     if (camera.registeredWidthPx == 0)
-        return {Verdict::Warning, what, "it is not registered to the floor",
-                "register it in Testbed, or its pictures cannot tell where a robot is"};
+        return {Verdict::Warning, what,
+                ODO_TEXT("capture.not_registered", "it is not registered to the floor"),
+                ODO_TEXT("capture.register_in_testbed",
+                         "register it in Testbed, or its pictures cannot tell where a robot is")};
     if (camera.registeredWidthPx == camera.description.widthPx &&
         camera.registeredHeightPx == camera.description.heightPx)
-        return {Verdict::Good, what, is + ", as it was registered", ""};
+        return {
+            Verdict::Good, what, ODO_TEXT("capture.size_as_registered", "%1, as it was registered")(is), {}};
     return {Verdict::Bad, what,
-            is + ", but registered at " + size(camera.registeredWidthPx, camera.registeredHeightPx),
-            "let it send the size it was registered at, or calibrate and register it anew"};
+            ODO_TEXT("capture.size_not_as_registered", "%1, but registered at %2")(
+                is, sizeText(camera.registeredWidthPx, camera.registeredHeightPx)),
+            ODO_TEXT("capture.send_registered_size",
+                     "let it send the size it was registered at, or calibrate and register it anew")};
 }
 
 std::vector<SetupFinding> checkSetup(std::vector<CheckedCamera> cameras, const PairHealth &pairs,

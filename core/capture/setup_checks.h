@@ -54,9 +54,9 @@ struct SetupFinding
 {
     enum class Verdict { Good, Warning, Bad, NotKnown };
     Verdict verdict = Verdict::NotKnown;
-    std::string what;   ///< that was looked at: "USB buses"
-    std::string words;  ///< what is
-    std::string advice; ///< what to do; empty where nothing need be
+    Message what;   ///< that was looked at: "USB buses"
+    Message words;  ///< what is
+    Message advice; ///< what to do; empty where nothing need be
 };
 
 /// Two cameras on one USB bus share its bandwidth.

@@ -2,6 +2,7 @@
 #include "core/exchange/intrinsics_yaml.h"
 
 #include "core/base/units.h"
+#include "core/exchange/internal/input_words.h"
 #include "core/exchange/internal/yaml_document.h"
 #include "core/exchange/text_file.h"
 #include "core/files/output_file.h"
@@ -13,7 +14,11 @@ namespace odo {
 namespace {
 
 constexpr int maxPicturePx = 100'000;
-constexpr auto whatToUse = "use a calibration file as ROS or OpenCV writes it";
+
+Message useCalibrationFile()
+{
+    return ODO_TEXT("exchange.use_calibration_file", "use a calibration file as ROS or OpenCV writes it");
+}
 
 /// Takes a calibration out of a parsed file; errors name the line of the entry.
 class CalibrationReader
@@ -43,16 +48,16 @@ public:
     }
 
 private:
-    tl::unexpected<Error> failure(int line, const std::string &why) const
+    tl::unexpected<Error> failure(int line, Message why) const
     {
-        return fail(ErrorCode::InvalidInput, atLine(m_file, line), why, whatToUse);
+        return fail(ErrorCode::InvalidInput, atLine(m_file, line), std::move(why), useCalibrationFile());
     }
 
     Result<const YamlNode *> entry(const YamlNode &parent, const std::string &key) const
     {
         if (const YamlNode *found = parent.find(key))
             return found;
-        return failure(parent.line, "the entry '" + key + "' is missing");
+        return failure(parent.line, entryIsMissing(key));
     }
 
     Result<double> number(const YamlNode &node, const std::string &name) const
@@ -60,7 +65,7 @@ private:
         std::string text = node.text;
         const auto value = parseNumber(text.ends_with('.') ? text + "0" : text); // OpenCV writes "0."
         if (node.kind != YamlNode::Kind::Scalar || !value)
-            return failure(node.line, "'" + name + "' is not a finite number");
+            return failure(node.line, notAFiniteNumber(name));
         return *value;
     }
 
@@ -73,8 +78,9 @@ private:
         if (!value)
             return tl::unexpected(value.error());
         if (*value < from || *value > to || *value != static_cast<int>(*value))
-            return failure((*node)->line, "'" + key + "' is not a whole number from " + std::to_string(from) +
-                                              " to " + std::to_string(to));
+            return failure((*node)->line,
+                           ODO_TEXT("exchange.not_a_whole_number",
+                                    "'%1' is not a whole number from %2 to %3")(key, from, to));
         return static_cast<int>(*value);
     }
 
@@ -93,9 +99,9 @@ private:
             return tl::unexpected(data.error());
         const auto count = static_cast<std::size_t>(rows) * static_cast<std::size_t>(cols);
         if ((*data)->items.size() != count)
-            return failure((*data)->line, "'" + name + "' has " + std::to_string((*data)->items.size()) +
-                                              " numbers instead of " + std::to_string(rows) + " × " +
-                                              std::to_string(cols));
+            return failure((*data)->line, ODO_TEXT("exchange.wrong_number_of_numbers",
+                                                   "'%1' has %2 numbers instead of %3 × %4")(
+                                              name, (*data)->items.size(), rows, cols));
         std::vector<double> values;
         for (const YamlNode &item : (*data)->items) {
             const auto value = number(item, name);
@@ -127,11 +133,14 @@ private:
         if (!k)
             return tl::unexpected(k.error());
         if (rows != 3 || cols != 3)
-            return failure((*node)->line, "'camera_matrix' is not a 3 × 3 matrix");
+            return failure((*node)->line,
+                           ODO_TEXT("exchange.matrix_not_3_by_3", "'camera_matrix' is not a 3 × 3 matrix"));
         const std::array<std::size_t, 4> zeros = {1, 3, 6, 7};
         if (std::any_of(zeros.begin(), zeros.end(), [&k](std::size_t i) { return (*k)[i] != 0; }) ||
             (*k)[8] != 1)
-            return failure((*node)->line, "'camera_matrix' is not of the form fx 0 cx, 0 fy cy, 0 0 1");
+            return failure((*node)->line,
+                           ODO_TEXT("exchange.matrix_of_other_form",
+                                    "'camera_matrix' is not of the form fx 0 cx, 0 fy cy, 0 0 1"));
         into.fxPx = (*k)[0];
         into.cxPx = (*k)[2];
         into.fyPx = (*k)[4];
@@ -149,7 +158,9 @@ private:
         if (!coefficients)
             return tl::unexpected(coefficients.error());
         if (rows > 1 && cols > 1)
-            return failure((*node)->line, "'distortion_coefficients' is neither a row nor a column");
+            return failure((*node)->line,
+                           ODO_TEXT("exchange.coefficients_no_row",
+                                    "'distortion_coefficients' is neither a row nor a column"));
         const auto model = lensModel((*node)->line, coefficients->size());
         if (!model)
             return tl::unexpected(model.error());
@@ -178,8 +189,9 @@ private:
         if (told->text == "equidistant" || told->text == "fisheye")
             return LensModel::Fisheye;
         return failure(told->line == 0 ? line : told->line,
-                       "the lens model '" + told->text.substr(0, 40) +
-                           "' is not known (plumb_bob, rational_polynomial, equidistant are)");
+                       ODO_TEXT("exchange.lens_model_not_known",
+                                "the lens model '%1' is not known (plumb_bob, rational_polynomial, "
+                                "equidistant are)")(told->text.substr(0, 40)));
     }
 
     const std::filesystem::path &m_file;
@@ -190,7 +202,7 @@ private:
 
 Result<ImportedIntrinsics> parseCalibration(const std::filesystem::path &file, const std::string &text)
 {
-    const auto root = parseYaml(file, text, whatToUse);
+    const auto root = parseYaml(file, text, useCalibrationFile());
     if (!root)
         return tl::unexpected(root.error());
     return CalibrationReader(file, *root).read();

@@ -17,6 +17,21 @@
 
 namespace odo {
 
+namespace {
+
+Message labelIsEmpty()
+{
+    return ODO_TEXT("exchange.label_is_empty", "the label is empty");
+}
+
+Message labelIsThere(const std::string &label, int line)
+{
+    return ODO_TEXT("exchange.label_is_there", "the label '%1' is in line %2 already")(Named::marker(label),
+                                                                                       line);
+}
+
+} // namespace
+
 struct LabelledPoint
 {
     std::string label;
@@ -36,14 +51,12 @@ Result<std::vector<LabelledPoint>> readLabelledPoints(const std::filesystem::pat
     for (const CsvRow &row : *rows) {
         const std::string label = csvTextOf(row.cells[0]);
         if (label.empty())
-            return fail(ErrorCode::InvalidInput, atLine(file, row.line), "the label is empty",
-                        "give each marker a label");
+            return fail(ErrorCode::InvalidInput, atLine(file, row.line), labelIsEmpty(),
+                        ODO_TEXT("exchange.give_marker_label", "give each marker a label"));
         const auto [earlier, isNew] = lineOfLabel.emplace(label, row.line);
         if (!isNew)
-            return fail(ErrorCode::InvalidInput, atLine(file, row.line),
-                        "the label '" + label + "' is in line " + std::to_string(earlier->second) +
-                            " already",
-                        "give each marker a label of its own");
+            return fail(ErrorCode::InvalidInput, atLine(file, row.line), labelIsThere(label, earlier->second),
+                        ODO_TEXT("exchange.give_marker_own_label", "give each marker a label of its own"));
         const auto x = csvNumber(file, row, 1, columns[1]);
         if (!x)
             return tl::unexpected(x.error());
@@ -53,8 +66,9 @@ Result<std::vector<LabelledPoint>> readLabelledPoints(const std::filesystem::pat
         points.push_back({label, *x, *y});
     }
     if (points.empty())
-        return fail(ErrorCode::InvalidInput, atLine(file, 1), "there are no markers below the header",
-                    "write one line for each marker");
+        return fail(ErrorCode::InvalidInput, atLine(file, 1),
+                    ODO_TEXT("exchange.no_markers", "there are no markers below the header"),
+                    ODO_TEXT("exchange.write_line_for_marker", "write one line for each marker"));
     return points;
 }
 
@@ -121,14 +135,12 @@ Result<std::vector<SharedPoint>> readSharedPointsCsv(const std::filesystem::path
     for (const CsvRow &row : *rows) {
         const std::string &label = row.cells[0];
         if (label.empty())
-            return fail(ErrorCode::InvalidInput, atLine(file, row.line), "the label is empty",
-                        "give each point a label");
+            return fail(ErrorCode::InvalidInput, atLine(file, row.line), labelIsEmpty(),
+                        ODO_TEXT("exchange.give_point_label", "give each point a label"));
         const auto [earlier, isNew] = lineOfLabel.emplace(label, row.line);
         if (!isNew)
-            return fail(ErrorCode::InvalidInput, atLine(file, row.line),
-                        "the label '" + label + "' is in line " + std::to_string(earlier->second) +
-                            " already",
-                        "give each point a label of its own");
+            return fail(ErrorCode::InvalidInput, atLine(file, row.line), labelIsThere(label, earlier->second),
+                        ODO_TEXT("exchange.give_point_own_label", "give each point a label of its own"));
         std::array<double, 4> numbers{};
         for (std::size_t i = 0; i < numbers.size(); ++i) {
             const auto number = csvNumber(file, row, i + 1, columns[i + 1]);

@@ -2,6 +2,7 @@
 #include "core/exchange/project_archive.h"
 
 #include "core/base/file_system.h"
+#include "core/files/file_words.h"
 #include "core/files/output_file.h"
 #include "core/files/protected_files.h"
 
@@ -27,7 +28,6 @@ constexpr std::size_t mostEntries = 1'000'000;
 /// What may be unpacked for each byte of the archive, and in any case: videos do not shrink, projects to a
 /// twentieth.
 constexpr std::uintmax_t mostGrowth = 100, alwaysAllowedBytes = 16 << 20;
-constexpr const char *roomAdvice = "check the free space and the rights of its folder";
 
 struct Free
 {
@@ -35,10 +35,31 @@ struct Free
 };
 using Entry = std::unique_ptr<archive_entry, Free>;
 
-std::string problemOf(archive *handle)
+Message problemOf(archive *handle)
 {
     const char *words = archive_error_string(handle);
-    return words ? words : "the archive library refused";
+    return words ? foreignWords(words)
+                 : ODO_TEXT("exchange.archive_library_refused", "the archive library refused");
+}
+
+Message packSubject(const std::filesystem::path &file)
+{
+    return ODO_TEXT("exchange.pack", "pack '%1'")(Named::file(file));
+}
+
+Message unpackSubject(const std::filesystem::path &archive)
+{
+    return ODO_TEXT("exchange.unpack", "unpack '%1'")(Named::file(archive));
+}
+
+Message unpackIntoSubject(const std::filesystem::path &folder)
+{
+    return ODO_TEXT("exchange.unpack_into", "unpack into '%1'")(Named::file(folder));
+}
+
+Message checkRoomAndRights()
+{
+    return ODO_TEXT("exchange.check_room_and_rights", "check the free space and the rights of its folder");
 }
 
 /// An archive in the making.
@@ -66,15 +87,16 @@ public:
     template <class Written>
     Result<void> add(const ArchiveEntry &file, const Written &written)
     {
-        if (auto may = checkMayBeRead(file.file, "pack '" + file.file.string() + "'"); !may)
+        if (auto may = checkMayBeRead(file.file, packSubject(file.file)); !may)
             return may;
         std::error_code problem;
         const auto bytes = files::sizeOf(file.file, problem);
         std::ifstream in(file.file, std::ios::binary);
         if (problem || !in)
-            return fail(ErrorCode::Io, "pack '" + file.file.string() + "'",
-                        problem ? problem.message() : "it cannot be read",
-                        "check that it is there and may be read");
+            return fail(ErrorCode::Io, packSubject(file.file),
+                        problem ? foreignWords(problem.message())
+                                : ODO_TEXT("exchange.cannot_be_read", "it cannot be read"),
+                        ODO_TEXT("exchange.check_it_is_there", "check that it is there and may be read"));
         const bool isProject = file.name.find('/') == std::string::npos;
         if (isProject)
             archive_write_zip_set_compression_deflate(m_archive);
@@ -92,14 +114,15 @@ public:
             in.read(block.data(), static_cast<std::streamsize>(std::min<std::uintmax_t>(left, blockBytes)));
             const auto count = static_cast<std::size_t>(in.gcount());
             if (count == 0)
-                return fail(ErrorCode::Io, "pack '" + file.file.string() + "'",
-                            "it has become shorter meanwhile",
-                            "wait until nobody writes to it, and try again");
+                return fail(
+                    ErrorCode::Io, packSubject(file.file),
+                    ODO_TEXT("exchange.has_become_shorter", "it has become shorter meanwhile"),
+                    ODO_TEXT("exchange.wait_for_writers", "wait until nobody writes to it, and try again"));
             if (archive_write_data(m_archive, block.data(), count) != static_cast<la_ssize_t>(count))
                 return failure(problemOf(m_archive));
             left -= count;
             if (!written(count))
-                return cancelled("pack '" + m_target.file.string() + "'");
+                return cancelled(packSubject(m_target.file));
         }
         return {};
     }
@@ -112,9 +135,12 @@ public:
     }
 
 private:
-    tl::unexpected<Error> failure(const std::string &why) const
+    tl::unexpected<Error> failure(Message why) const
     {
-        return fail(ErrorCode::Io, "cannot write '" + m_target.file.string() + "'", why, roomAdvice);
+        return fail(
+            ErrorCode::Io,
+            ODO_TEXT("exchange.cannot_write_archive", "cannot write '%1'")(Named::file(m_target.file)),
+            std::move(why), checkRoomAndRights());
     }
 
     const OutputTarget m_target;
@@ -138,9 +164,9 @@ public:
     {
         std::error_code problem;
         if (files::exists(m_folder))
-            return fail(ErrorCode::AlreadyExists, "unpack into '" + m_folder.string() + "'",
-                        "it is there already", "choose a folder that is not there yet");
-        if (auto may = checkMayBeRead(m_file, "unpack '" + m_file.string() + "'"); !may)
+            return fail(ErrorCode::AlreadyExists, unpackIntoSubject(m_folder), isThereAlready(),
+                        ODO_TEXT("exchange.choose_new_folder", "choose a folder that is not there yet"));
+        if (auto may = checkMayBeRead(m_file, unpackSubject(m_file)); !may)
             return may;
         archive_read_support_format_zip(m_archive);
         if (archive_read_open_filename(m_archive, m_file.c_str(), blockBytes) != ARCHIVE_OK)
@@ -152,7 +178,7 @@ public:
         files::makeFolders(around, problem);
         if (auto place = checkOutput({m_folder, Existing::Refuse}, std::nullopt); !place)
             return tl::unexpected(place.error());
-        auto made = TemporaryFolder::make(around, "unpack into '" + m_folder.string() + "'");
+        auto made = TemporaryFolder::make(around, unpackIntoSubject(m_folder));
         if (!made)
             return tl::unexpected(made.error());
         m_part = std::move(*made);
@@ -167,20 +193,23 @@ public:
             if (code == ARCHIVE_EOF)
                 break;
             if (code != ARCHIVE_OK || count > mostEntries)
-                return refuse(code != ARCHIVE_OK ? problemOf(m_archive) : "it has too many files");
+                return refuse(code != ARCHIVE_OK
+                                  ? problemOf(m_archive)
+                                  : ODO_TEXT("exchange.too_many_files", "it has too many files"));
             if (archive_entry_filetype(entry) == AE_IFDIR)
                 continue;
             if (auto read = readEntry(entry, control); !read)
                 return read;
         }
-        return m_project.empty() ? refuse("there is no project in it") : Result<void>();
+        return m_project.empty() ? refuse(ODO_TEXT("exchange.no_project_inside", "there is no project in it"))
+                                 : Result<void>();
     }
 
     Result<std::filesystem::path> publish()
     {
         ::chmod(m_part->path().c_str(), 0755); // as any folder
         if (const int reason = giveFreeName(m_part->path(), m_folder); reason != 0)
-            return failure(std::strerror(reason));
+            return failure(foreignWords(std::strerror(reason)));
         return m_folder / m_project;
     }
 
@@ -191,7 +220,8 @@ private:
         const char *utf8 = archive_entry_pathname_utf8(entry);
         const std::filesystem::path name = utf8 ? utf8 : "";
         if (archive_entry_filetype(entry) != AE_IFREG || !mayBe(name))
-            return refuse('\'' + name.string() + "' does not belong into a packed project");
+            return refuse(ODO_TEXT("exchange.does_not_belong",
+                                   "'%1' does not belong into a packed project")(Named::file(name)));
         if (m_project.empty())
             m_project = name;
         const std::filesystem::path target = m_part->path() / name;
@@ -200,12 +230,12 @@ private:
         const int descriptor =
             ::open(target.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC | O_NOFOLLOW, 0644);
         if (descriptor < 0 && errno == EEXIST)
-            return refuse('\'' + name.string() + "' is in it twice");
+            return refuse(ODO_TEXT("exchange.is_in_it_twice", "'%1' is in it twice")(Named::file(name)));
         if (descriptor < 0)
-            return failure(std::strerror(errno));
+            return failure(foreignWords(std::strerror(errno)));
         auto copied = copyData(descriptor, control);
         if (copied && ::fsync(descriptor) != 0)
-            copied = failure(std::strerror(errno));
+            copied = failure(foreignWords(std::strerror(errno)));
         ::close(descriptor);
         return copied;
     }
@@ -226,7 +256,7 @@ private:
         std::vector<char> block(blockBytes);
         for (;;) {
             if (control.isCancelled())
-                return cancelled("unpack '" + m_file.string() + "'");
+                return cancelled(unpackSubject(m_file));
             const la_ssize_t count = archive_read_data(m_archive, block.data(), block.size());
             if (count == 0)
                 return {};
@@ -234,27 +264,30 @@ private:
                 return refuse(problemOf(m_archive));
             m_unpackedBytes += static_cast<std::uintmax_t>(count);
             if (m_unpackedBytes > alwaysAllowedBytes + mostGrowth * m_archiveBytes)
-                return refuse("it unpacks to more than a hundred times its size");
+                return refuse(ODO_TEXT("exchange.unpacks_too_large",
+                                       "it unpacks to more than a hundred times its size"));
             for (la_ssize_t at = 0; at < count;) {
                 const ssize_t written =
                     ::write(descriptor, block.data() + at, static_cast<std::size_t>(count - at));
                 if (written < 0)
-                    return failure(std::strerror(errno));
+                    return failure(foreignWords(std::strerror(errno)));
                 at += written;
             }
             const auto read = static_cast<double>(archive_filter_bytes(m_archive, -1));
-            control.report(std::min(1.0, read / static_cast<double>(m_archiveBytes)), "unpacking");
+            control.report(std::min(1.0, read / static_cast<double>(m_archiveBytes)),
+                           ODO_TEXT("exchange.unpacking", "unpacking"));
         }
     }
 
-    tl::unexpected<Error> failure(const std::string &why) const
+    tl::unexpected<Error> failure(Message why) const
     {
-        return fail(ErrorCode::Io, "unpack into '" + m_folder.string() + "'", why, roomAdvice);
+        return fail(ErrorCode::Io, unpackIntoSubject(m_folder), std::move(why), checkRoomAndRights());
     }
-    tl::unexpected<Error> refuse(const std::string &why) const
+    tl::unexpected<Error> refuse(Message why) const
     {
-        return fail(ErrorCode::InvalidInput, "unpack '" + m_file.string() + "'", why,
-                    "choose a file that Odograph has packed, and copy it anew if it is damaged");
+        return fail(ErrorCode::InvalidInput, unpackSubject(m_file), std::move(why),
+                    ODO_TEXT("exchange.choose_packed_file",
+                             "choose a file that Odograph has packed, and copy it anew if it is damaged"));
     }
 
     const std::filesystem::path m_file, m_folder;
@@ -281,7 +314,8 @@ Result<void> writeArchive(const OutputTarget &archive, const std::vector<Archive
     for (const ArchiveEntry &entry : entries) {
         const auto written = [&](std::size_t count) {
             done += count;
-            control.report(static_cast<double>(done) / static_cast<double>(all), "packing " + entry.name);
+            control.report(static_cast<double>(done) / static_cast<double>(all),
+                           ODO_TEXT("exchange.packing", "packing %1")(Named::file(entry.name)));
             return !control.isCancelled();
         };
         if (auto added = writer.add(entry, written); !added)

@@ -2,6 +2,7 @@
 #include "core/exchange/roster_csv.h"
 
 #include "core/exchange/internal/delimited_text.h"
+#include "core/exchange/internal/input_words.h"
 #include "core/exchange/text_file.h"
 
 #include <algorithm>
@@ -46,17 +47,25 @@ std::vector<std::string> partsOf(const std::string &cell)
     return parts;
 }
 
+Message rosterSubject(const std::filesystem::path &file)
+{
+    return ODO_TEXT("exchange.roster", "roster '%1'")(Named::file(file.filename()));
+}
+
 } // namespace
 
-std::string joinedLines(const std::vector<std::string> &sentences)
+tl::unexpected<Error> wrongLines(const std::filesystem::path &roster, std::vector<Message> sentences)
 {
     constexpr std::size_t most = 10;
-    std::string joined;
-    for (std::size_t i = 0; i < std::min(most, sentences.size()); ++i)
-        joined += (joined.empty() ? "" : "; ") + sentences[i];
-    if (sentences.size() > most)
-        joined += "; and " + std::to_string(sentences.size() - most) + " lines more";
-    return joined;
+    if (sentences.size() > most) {
+        const std::size_t more = sentences.size() - most;
+        sentences.resize(most);
+        sentences.push_back(ODO_TEXT("exchange.and_lines_more", "and %1 lines more")(more));
+    }
+    return fail(ErrorCode::InvalidInput, rosterSubject(roster), joined(std::move(sentences), Join::Semicolon),
+                joined({ODO_TEXT("exchange.mend_lines", "mend these lines"),
+                        ODO_TEXT("exchange.nothing_imported", "nothing was imported")},
+                       Join::Semicolon));
 }
 
 Result<std::vector<RosterEntry>> readRosterCsv(const std::filesystem::path &file)
@@ -64,44 +73,47 @@ Result<std::vector<RosterEntry>> readRosterCsv(const std::filesystem::path &file
     const auto rows = readCsvRows(file);
     if (!rows)
         return tl::unexpected(rows.error());
-    const std::string advice = "begin the file with the line class,team or class,team,pseudonym";
+    const Message advice =
+        ODO_TEXT("exchange.begin_roster", "begin the file with the line class,team or class,team,pseudonym");
     if (rows->empty())
-        return fail(ErrorCode::InvalidInput, atLine(file, 1), "the file is empty", advice);
+        return fail(ErrorCode::InvalidInput, atLine(file, 1), fileIsEmpty(), advice);
     const CsvRow &header = rows->front();
     const auto className = columnOf(header, "class"), team = columnOf(header, "team"),
                pseudonym = columnOf(header, "pseudonym"), members = columnOf(header, "members");
     if (!className || !team) {
         const bool semicolons =
             header.cells.size() == 1 && header.cells.front().find(';') != std::string::npos;
-        return fail(ErrorCode::InvalidInput, atLine(file, header.line),
-                    semicolons ? "its columns are separated by semicolons"
-                               : "it lacks the column " + std::string(className ? "team" : "class"),
-                    semicolons ? std::string("save it with commas") : advice);
+        return semicolons ? fail(ErrorCode::InvalidInput, atLine(file, header.line), separatedBySemicolons(),
+                                 ODO_TEXT("exchange.save_with_commas", "save it with commas"))
+                          : fail(ErrorCode::InvalidInput, atLine(file, header.line),
+                                 ODO_TEXT("exchange.lacks_column", "it lacks the column %1")(
+                                     std::string(className ? "team" : "class")),
+                                 advice);
     }
-    const std::string what = "roster '" + file.filename().string() + "'";
     std::vector<RosterEntry> entries;
-    std::vector<std::string> bad;
+    std::vector<Message> bad;
     std::map<std::string, int> lineOf;
     for (std::size_t i = 1; i < rows->size(); ++i) {
         const CsvRow &row = (*rows)[i];
         RosterEntry entry{row.line, cellOf(row, className), cellOf(row, team), cellOf(row, pseudonym),
                           partsOf(cellOf(row, members))};
-        const std::string line = "line " + std::to_string(row.line);
         if (entry.team.empty())
-            bad.push_back(line + " has no team");
+            bad.push_back(ODO_TEXT("exchange.line_without_team", "line %1 has no team")(row.line));
         else if (entry.className.empty())
-            bad.push_back(line + " has no class for team '" + entry.team + "'");
+            bad.push_back(ODO_TEXT("exchange.line_without_class",
+                                   "line %1 has no class for team '%2'")(row.line, Named::team(entry.team)));
         else if (const auto [first, isNew] = lineOf.try_emplace(entry.team, row.line); !isNew)
-            bad.push_back(line + " names team '" + entry.team + "' again, as line " +
-                          std::to_string(first->second));
+            bad.push_back(ODO_TEXT("exchange.team_named_again", "line %1 names team '%2' again, as line %3")(
+                row.line, Named::team(entry.team), first->second));
         entries.push_back(std::move(entry));
     }
     if (!bad.empty())
-        return fail(ErrorCode::InvalidInput, what, joinedLines(bad),
-                    "mend these lines; nothing was imported");
+        return wrongLines(file, std::move(bad));
     if (entries.empty())
-        return fail(ErrorCode::InvalidInput, what, "it has no team",
-                    "write a line with class and team below the header");
+        return fail(
+            ErrorCode::InvalidInput, rosterSubject(file),
+            ODO_TEXT("exchange.roster_is_empty", "it has no team"),
+            ODO_TEXT("exchange.write_class_and_team", "write a line with class and team below the header"));
     return entries;
 }
 

@@ -24,7 +24,8 @@ struct RosterEntry
 /// team, a team that is there twice. Any thread.
 Result<std::vector<RosterEntry>> readRosterCsv(const std::filesystem::path &file);
 
-/// Sentences of many lines in one: the first ones, and how many there are beside.
-std::string joinedLines(const std::vector<std::string> &sentences);
+/// The failure of a roster in which lines are wrong: says so of the first ones, and how many there are
+/// beside.
+tl::unexpected<Error> wrongLines(const std::filesystem::path &roster, std::vector<Message> sentences);
 
 } // namespace odo

@@ -11,7 +11,7 @@ namespace {
 
 /// Writes the fields of one message (Protocol Buffers' encoding: a tag of number and wire type, then the
 /// value).
-class Message
+class WireMessage
 {
 public:
     void whole(unsigned field, std::uint64_t value)
@@ -29,7 +29,7 @@ public:
         tag(field, 5);
         littleEndian(std::bit_cast<std::uint32_t>(static_cast<float>(value)), 4);
     }
-    void message(unsigned field, const Message &inner)
+    void message(unsigned field, const WireMessage &inner)
     {
         tag(field, 2);
         varint(inner.m_bytes.size());
@@ -54,9 +54,9 @@ private:
     std::string m_bytes;
 };
 
-Message robotMessage(const SslRobot &robot)
+WireMessage robotMessage(const SslRobot &robot)
 {
-    Message message;
+    WireMessage message;
     message.shortReal(1, robot.confidence);
     message.whole(2, robot.id);
     message.shortReal(3, toMillimetres(robot.xM));
@@ -74,7 +74,7 @@ Message robotMessage(const SslRobot &robot)
 
 std::string sslVisionPacket(const SslFrame &frame)
 {
-    Message detection;
+    WireMessage detection;
     detection.whole(1, frame.number);
     detection.real(2, frame.capturedS);
     detection.real(3, frame.sentS);
@@ -85,7 +85,7 @@ std::string sslVisionPacket(const SslFrame &frame)
                 detection.message(isYellow ? 6 : 7, robotMessage(robot));
         }
     }
-    Message packet;
+    WireMessage packet;
     packet.message(1, detection);
     return packet.bytes();
 }

@@ -2,6 +2,7 @@
 #include "core/exchange/task_file.h"
 
 #include "core/base/units.h"
+#include "core/exchange/internal/input_words.h"
 #include "core/exchange/internal/yaml_document.h"
 #include "core/exchange/text_file.h"
 
@@ -13,7 +14,10 @@ namespace odo {
 
 namespace {
 
-constexpr auto taskAdvice = "write the task as odograph task list --json shows one";
+Message taskAdvice()
+{
+    return ODO_TEXT("exchange.write_task_as_shown", "write the task as odograph task list --json shows one");
+}
 
 using Kind = YamlNode::Kind;
 
@@ -26,7 +30,7 @@ public:
     Result<Task> read(const YamlNode &root) const
     {
         if (root.kind != Kind::Mapping)
-            return failure(root.line, "the file holds no task");
+            return failure(root.line, ODO_TEXT("exchange.no_task", "the file holds no task"));
         if (auto known = onlyKeys(root, {"template", "gates", "reference_path", "limits", "zones", "name"});
             !known)
             return tl::unexpected(known.error());
@@ -54,28 +58,35 @@ public:
 private:
     static bool isNull(const YamlNode &node) { return node.kind == Kind::Null; }
 
-    tl::unexpected<Error> failure(int line, const std::string &why,
-                                  const std::string &advice = taskAdvice) const
+    tl::unexpected<Error> failure(int line, Message why, Message advice = taskAdvice()) const
     {
-        return fail(ErrorCode::InvalidInput, atLine(m_file, line), why, advice);
+        return fail(ErrorCode::InvalidInput, atLine(m_file, line), std::move(why), std::move(advice));
+    }
+    tl::unexpected<Error> notAList(const YamlNode &node, const std::string &name) const
+    {
+        return failure(node.line, ODO_TEXT("exchange.not_a_list", "'%1' is not a list in brackets")(name));
     }
 
     /// An error of the model, at the line where its cause stands.
     tl::unexpected<Error> at(int line, const Error &error) const
     {
-        return failure(line, error.what + ": " + error.why, error.advice);
+        return failure(line, joined({error.what, error.why}, Join::Colon), error.advice);
     }
 
     Result<void> onlyKeys(const YamlNode &node, std::initializer_list<std::string_view> keys) const
     {
-        std::string list;
-        for (const std::string_view key : keys)
-            list += (list.empty() ? "" : key == *(keys.end() - 1) ? " or " : ", ") + std::string(key);
+        const MessageArgument list = listed(std::vector<std::string>(keys.begin(), keys.end()),
+                                            MessageArgument::Kind::Label, MessageArgument::Joint::Or);
         if (node.kind != Kind::Mapping)
-            return failure(node.line, "an object in braces is expected here", "write one with " + list);
+            return failure(node.line,
+                           ODO_TEXT("exchange.object_expected", "an object in braces is expected here"),
+                           ODO_TEXT("exchange.write_object_with", "write one with %1")(list));
         for (const auto &[key, value] : node.entries) {
             if (std::find(keys.begin(), keys.end(), key) == keys.end())
-                return failure(value.line, "the key '" + key.substr(0, 40) + "' is not known", "use " + list);
+                return failure(
+                    value.line,
+                    ODO_TEXT("exchange.key_not_known", "the key '%1' is not known")(key.substr(0, 40)),
+                    ODO_TEXT("exchange.use_keys", "use %1")(list));
         }
         return {};
     }
@@ -84,14 +95,14 @@ private:
     {
         if (const YamlNode *found = parent.find(key))
             return found;
-        return failure(parent.line, "the entry '" + key + "' is missing");
+        return failure(parent.line, entryIsMissing(key));
     }
 
     Result<double> number(const YamlNode &node, const std::string &name) const
     {
         const auto value = parseNumber(node.text);
         if (node.kind != Kind::Scalar || !value)
-            return failure(node.line, "'" + name + "' is not a finite number");
+            return failure(node.line, notAFiniteNumber(name));
         return *value;
     }
 
@@ -105,14 +116,15 @@ private:
             return value;
         const double metres = fromMillimetres(*value); // which may be zero where the millimetres are not
         if (!(metres > 0))
-            return failure((*node)->line, "'" + key + "' is not above zero");
+            return failure((*node)->line, ODO_TEXT("exchange.not_above_zero", "'%1' is not above zero")(key));
         return metres;
     }
 
     Result<Eigen::Vector2d> point(const YamlNode &node, const std::string &name) const
     {
         if (node.kind != Kind::Sequence || node.items.size() != 2)
-            return failure(node.line, "'" + name + "' is not a point [x, y] in mm");
+            return failure(node.line,
+                           ODO_TEXT("exchange.not_a_point", "'%1' is not a point [x, y] in mm")(name));
         const auto x = number(node.items[0], name), y = number(node.items[1], name);
         if (!x || !y)
             return tl::unexpected(x ? y.error() : x.error());
@@ -153,7 +165,7 @@ private:
     Result<void> readGates(const YamlNode &node, Task &into) const
     {
         if (node.kind != Kind::Sequence)
-            return failure(node.line, "'gates' is not a list in brackets");
+            return notAList(node, "gates");
         for (const YamlNode &item : node.items) {
             auto gate = readGate(item);
             if (!gate)
@@ -185,9 +197,11 @@ private:
             into.path = *path;
         }
         if (curves != 1)
-            return failure(node.line,
-                           "the reference path is given " + std::string(curves == 0 ? "by nothing" : "twice"),
-                           "give one of points_mm, circle, figure_eight or slalom");
+            return failure(
+                node.line,
+                curves == 0 ? ODO_TEXT("exchange.path_not_given", "the reference path is given by nothing")
+                            : ODO_TEXT("exchange.path_given_twice", "the reference path is given twice"),
+                ODO_TEXT("exchange.give_one_path", "give one of points_mm, circle, figure_eight or slalom"));
         if (auto valid = checkReferencePath(into.path); !valid)
             return at(node.line, valid.error());
         return {};
@@ -197,7 +211,7 @@ private:
     {
         std::vector<Eigen::Vector2d> read;
         if (list.kind != Kind::Sequence)
-            return failure(list.line, "'" + name + "' is not a list in brackets");
+            return notAList(list, name);
         for (const YamlNode &item : list.items) {
             const auto one = point(item, name);
             if (!one)
@@ -215,7 +229,8 @@ private:
         ReferencePath path{std::move(*read), false};
         if (const YamlNode *closed = parent.find("closed")) {
             if (closed->text != "true" && closed->text != "false")
-                return failure(closed->line, "'closed' is neither true nor false");
+                return failure(closed->line,
+                               ODO_TEXT("exchange.closed_neither", "'closed' is neither true nor false"));
             path.closed = closed->text == "true";
         }
         return path;
@@ -257,9 +272,11 @@ private:
         const auto count = number(**poles, "poles");
         constexpr double mostPoles = 100;
         if (!count || *count < 1 || *count > mostPoles || *count != std::floor(*count))
-            return failure((*poles)->line, "'poles' is not a whole number from 1 to 100");
+            return failure((*poles)->line,
+                           ODO_TEXT("exchange.wrong_poles", "'poles' is not a whole number from 1 to 100"));
         if ((*to - *from).norm() <= 0)
-            return failure(node.line, "the slalom ends where it starts");
+            return failure(node.line,
+                           ODO_TEXT("exchange.slalom_without_length", "the slalom ends where it starts"));
         return slalomPath(*from, *to, static_cast<int>(*count), *swing);
     }
 
@@ -290,23 +307,28 @@ private:
             return at((*rule)->line, parsed.error());
         const YamlNode *corners = node.find("corners_mm"), *rectangle = node.find("rectangle_mm");
         if ((corners == nullptr) == (rectangle == nullptr))
-            return failure(node.line, "the zone is given " + std::string(corners ? "twice" : "by nothing"),
-                           "give corners_mm, all the way round, or two opposite corners as rectangle_mm");
+            return failure(
+                node.line,
+                corners ? ODO_TEXT("exchange.zone_given_twice", "the zone is given twice")
+                        : ODO_TEXT("exchange.zone_not_given", "the zone is given by nothing"),
+                ODO_TEXT("exchange.give_one_zone",
+                         "give corners_mm, all the way round, or two opposite corners as rectangle_mm"));
         auto read = corners ? points(*corners, "corners_mm") : points(*rectangle, "rectangle_mm");
         if (!read)
             return tl::unexpected(read.error());
         if (corners)
             return Zone{(*name)->text, *parsed, std::move(*read)};
         if (read->size() != 2)
-            return failure(rectangle->line, "'rectangle_mm' is not two corners",
-                           "give two opposite corners: [[x, y], [x, y]]");
+            return failure(
+                rectangle->line, ODO_TEXT("exchange.not_two_corners", "'rectangle_mm' is not two corners"),
+                ODO_TEXT("exchange.give_two_corners", "give two opposite corners: [[x, y], [x, y]]"));
         return rectangularZone((*name)->text, *parsed, read->front(), read->back());
     }
 
     Result<void> readZones(const YamlNode &node, Task &into) const
     {
         if (node.kind != Kind::Sequence)
-            return failure(node.line, "'zones' is not a list in brackets");
+            return notAList(node, "zones");
         for (const YamlNode &item : node.items) {
             auto zone = readZone(item);
             if (!zone)
@@ -330,7 +352,7 @@ Result<Task> readTaskFile(const std::filesystem::path &file)
     const auto text = readTextFile(file);
     if (!text)
         return tl::unexpected(text.error());
-    const auto root = parseYaml(file, *text, taskAdvice);
+    const auto root = parseYaml(file, *text, taskAdvice());
     if (!root)
         return tl::unexpected(root.error());
     return TaskReader(file).read(*root);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exchange/text_file.h"
 
+#include "core/base/subjects.h"
+#include "core/exchange/internal/input_words.h"
+#include "core/files/file_words.h"
 #include "core/files/protected_files.h"
 
 #include <QFile>
@@ -12,7 +15,7 @@ namespace odo {
 
 struct TextFile::Impl
 {
-    std::string what; ///< for messages
+    Message what; ///< for messages
     std::size_t maxBytes = 0, count = 0;
     QFile input;
     QStringDecoder decoder{QStringDecoder::Utf8};
@@ -20,21 +23,24 @@ struct TextFile::Impl
     tl::unexpected<Error> tooLarge() const
     {
         return fail(ErrorCode::InvalidInput, what,
-                    "it is larger than " + std::to_string(maxBytes / 1024) + " KiB",
-                    "check that it is the right file");
+                    ODO_TEXT("exchange.file_too_large", "it is larger than %1")(
+                        quantity(static_cast<double>(maxBytes / 1024), 0, "KiB")),
+                    checkRightFile());
     }
 
     /// A character may begin in one block and end in the next.
     Result<void> checkEncoding(const QByteArray &block, bool isLast)
     {
         if (count == 0 && (block.startsWith("\xff\xfe") || block.startsWith("\xfe\xff")))
-            return fail(ErrorCode::InvalidInput, what, "it is written in UTF-16",
-                        "save it again as \"CSV UTF-8\" or as a UTF-8 text");
+            return fail(
+                ErrorCode::InvalidInput, what, ODO_TEXT("exchange.is_utf16", "it is written in UTF-16"),
+                ODO_TEXT("exchange.save_as_csv_utf8", "save it again as \"CSV UTF-8\" or as a UTF-8 text"));
         // what was begun must have ended before
         static_cast<void>(QString(decoder(isLast ? QByteArrayLiteral("\n") : block)));
         if (decoder.hasError() || block.contains('\0'))
-            return fail(ErrorCode::InvalidInput, what, "it is not a UTF-8 text file",
-                        "save it again as UTF-8 text");
+            return fail(ErrorCode::InvalidInput, what,
+                        ODO_TEXT("exchange.is_no_utf8", "it is not a UTF-8 text file"),
+                        ODO_TEXT("exchange.save_as_utf8", "save it again as UTF-8 text"));
         return {};
     }
 };
@@ -43,23 +49,22 @@ TextFile::TextFile(std::unique_ptr<Impl> impl) : m_impl(std::move(impl)) {}
 TextFile::~TextFile() = default;
 TextFile::TextFile(TextFile &&) noexcept = default;
 
-std::string atLine(const std::filesystem::path &file, int line)
+Message atLine(const std::filesystem::path &file, int line)
 {
-    return file.string() + ":" + std::to_string(line);
+    return ODO_TEXT("exchange.at_line", "%1:%2")(Named::file(file), line);
 }
 
 Result<TextFile> TextFile::open(const std::filesystem::path &file, std::size_t maxBytes)
 {
     auto impl = std::make_unique<Impl>();
-    impl->what = "file '" + file.string() + "'";
+    impl->what = quotedFileSubject(file);
     impl->maxBytes = maxBytes;
     if (auto may = checkMayBeRead(file, impl->what); !may)
         return tl::unexpected(may.error());
     impl->input.setFileName(QString::fromStdString(file.string()));
     if (!impl->input.open(QIODevice::ReadOnly))
-        return fail(ErrorCode::Io, impl->what,
-                    "it cannot be read (" + impl->input.errorString().toStdString() + ")",
-                    "check that you may read the file");
+        return fail(ErrorCode::Io, impl->what, cannotBeRead(impl->input.errorString().toStdString()),
+                    checkFileMayBeRead());
     if (static_cast<std::size_t>(impl->input.size()) > maxBytes)
         return impl->tooLarge();
     return TextFile(std::move(impl));
@@ -80,7 +85,7 @@ Result<std::string> TextFile::read()
     return block.toStdString();
 }
 
-std::string TextFile::lineName(int line) const
+Message TextFile::lineName(int line) const
 {
     return atLine(m_impl->input.fileName().toStdString(), line);
 }

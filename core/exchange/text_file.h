@@ -60,7 +60,7 @@ std::string wholeText(const Write &write)
 }
 
 /// "dir/a.csv:12": how messages point at a line of an input.
-std::string atLine(const std::filesystem::path &file, int line);
+Message atLine(const std::filesystem::path &file, int line);
 
 /// A UTF-8 text file that is read block by block, whatever its size; a byte order mark is dropped. One thread
 /// at a time.
@@ -74,8 +74,8 @@ public:
     /// The next block, empty at the end. Refuses what is larger than the limit after all, UTF-16 (with the
     /// advice how to save it) and bytes that are no text.
     Result<std::string> read();
-    std::string lineName(int line) const; ///< atLine
-    std::size_t size() const;             ///< bytes, as far as known
+    Message lineName(int line) const; ///< atLine
+    std::size_t size() const;         ///< bytes, as far as known
 
 private:
     struct Impl;

@@ -101,8 +101,10 @@ Result<CsvStyle> parseCsvStyle(std::string_view name)
         if (itsName == name)
             return style;
     }
-    return fail(ErrorCode::NotFound, "style '" + std::string(name.substr(0, 40)) + "' of CSV",
-                "there is no such style", "choose analysis, international or continental");
+    return fail(ErrorCode::NotFound,
+                ODO_TEXT("exchange.csv_style", "style '%1' of CSV")(std::string(name.substr(0, 40))),
+                ODO_TEXT("exchange.no_such_style", "there is no such style"),
+                ODO_TEXT("exchange.choose_style", "choose analysis, international or continental"));
 }
 
 Result<void> writeTrackCsv(const AnalysisRecord &analysis, CsvStyle style, const TextSink &sink)

@@ -2,7 +2,9 @@
 #include "core/exchange/track_file.h"
 
 #include "core/base/error.h"
+#include "core/base/subjects.h"
 #include "core/exchange/internal/delimited_text.h"
+#include "core/exchange/internal/input_words.h"
 #include "core/exchange/text_file.h"
 
 #include <algorithm>
@@ -102,8 +104,9 @@ std::optional<Result<double>> unitOf(std::string_view cell,
     if (!name.isBracketed)
         return std::nullopt;
     return fail(ErrorCode::InvalidInput, {},
-                "its column '" + std::string(cell.substr(0, 40)) + "' is in a unit that is not known",
-                "give times in s or ms and places in m, cm or mm");
+                ODO_TEXT("exchange.unit_not_known",
+                         "its column '%1' is in a unit that is not known")(std::string(cell.substr(0, 40))),
+                ODO_TEXT("exchange.give_known_units", "give times in s or ms and places in m, cm or mm"));
 }
 
 /// Finds columns in a row of cells; the first unknown unit stays as the error.
@@ -214,6 +217,26 @@ constexpr int linesBetweenQuestions = 4096; // about cancellation
 
 constexpr std::string_view tumMark = "timestamp tx ty tz qx qy qz qw", csvMark = "t_s,x_mm,y_mm";
 
+Message positionsOf(const std::string &track, std::size_t count)
+{
+    if (track.empty())
+        return count == 1 ? ODO_TEXT("exchange.track_has_position", "the track has %1 position")(count)
+                          : ODO_TEXT("exchange.track_has_positions", "the track has %1 positions")(count);
+    return count == 1
+               ? ODO_TEXT("exchange.named_track_has_position", "track '%1' has %2 position")(track, count)
+               : ODO_TEXT("exchange.named_track_has_positions", "track '%1' has %2 positions")(track, count);
+}
+
+Message chooseLongerTrack()
+{
+    return ODO_TEXT("exchange.choose_longer_track", "choose a file with three positions or more");
+}
+
+Message writeDigits()
+{
+    return ODO_TEXT("exchange.write_digits", "write it with digits, like 12.5");
+}
+
 /// What all ways of reading share: the file for messages, and what is asked of each position.
 class TrackReader
 {
@@ -231,18 +254,16 @@ private:
     Result<std::optional<TrackHeader>> headerOf(std::string_view line);
     Result<void> addRow(const TrackHeader &header, std::vector<FileTrack> &tracks);
     Result<std::optional<ImportedPosition::Pair>> pairOf(const UnitColumn &x, const UnitColumn &y,
-                                                         const char *what);
+                                                         const MessageText &oneIsBlank);
     Result<void> add(FileTrack &track, const ImportedPosition &position);
     Result<TrackFile> checked(TrackFile file) const;
     Result<double> numberOf(std::size_t cell) const;
-    tl::unexpected<Error> wrong(const std::string &why, const std::string &advice) const
+    tl::unexpected<Error> wrong(Message why, Message advice) const
     {
-        return fail(ErrorCode::InvalidInput, atLine(m_file, std::max(1, m_lines.number())), why, advice);
+        return fail(ErrorCode::InvalidInput, atLine(m_file, std::max(1, m_lines.number())), std::move(why),
+                    std::move(advice));
     }
-    std::string shown(std::size_t cell) const
-    {
-        return '\'' + std::string(m_cells[cell].substr(0, 40)) + '\'';
-    }
+    std::string shown(std::size_t cell) const { return std::string(m_cells[cell].substr(0, 40)); }
     Result<bool> nextLine();
 
     const std::filesystem::path &m_file;
@@ -261,8 +282,9 @@ Result<bool> TrackReader::nextLine()
 {
     if (m_lines.number() % linesBetweenQuestions == 0) {
         if (m_control.isCancelled())
-            return cancelled("file '" + m_file.string() + "'");
-        m_control.report(0.5 * m_lines.doneShare(), "reading line " + std::to_string(m_lines.number()));
+            return cancelled(quotedFileSubject(m_file));
+        m_control.report(0.5 * m_lines.doneShare(),
+                         ODO_TEXT("exchange.reading_line", "reading line %1")(m_lines.number()));
     }
     const auto line = m_lines.next();
     if (!line)
@@ -275,8 +297,9 @@ Result<double> TrackReader::numberOf(std::size_t cell) const
 {
     const auto number = cellNumber(m_cells[cell], m_delimiter);
     if (!number)
-        return wrong(shown(cell) + " is not a finite number",
-                     "write it with digits, like 12.5, or leave the place blank");
+        return wrong(notAFiniteNumber(shown(cell)),
+                     ODO_TEXT("exchange.write_digits_or_blank",
+                              "write it with digits, like 12.5, or leave the place blank"));
     return *number;
 }
 
@@ -286,17 +309,23 @@ Result<void> TrackReader::add(FileTrack &track, const ImportedPosition &position
     if (!track.positions.empty()) {
         const Nanoseconds before = track.positions.back().time;
         if (position.time <= before)
-            return wrong(position.time == before ? "its time is that of the line before"
-                                                 : "its time is before that of the line before",
-                         "put the lines in the order of time, each time once");
+            return wrong(
+                position.time == before
+                    ? ODO_TEXT("exchange.time_repeated", "its time is that of the line before")
+                    : ODO_TEXT("exchange.time_goes_back", "its time is before that of the line before"),
+                ODO_TEXT("exchange.order_lines", "put the lines in the order of time, each time once"));
         if (position.time - track.positions.front().time > longest)
-            return wrong("it is more than a week after the first line",
-                         "check the unit of the times, and that all lines are of one run");
+            return wrong(
+                ODO_TEXT("exchange.longer_than_a_week", "it is more than a week after the first line"),
+                ODO_TEXT("exchange.check_unit_of_times",
+                         "check the unit of the times, and that all lines are of one run"));
     }
     if (position.position && position.position->cwiseAbs().maxCoeff() > mostM)
-        return wrong("its place is more than 100 km away", "check the unit of the places: m, cm or mm");
+        return wrong(ODO_TEXT("exchange.place_too_far", "its place is more than 100 km away"),
+                     ODO_TEXT("exchange.check_unit_of_places", "check the unit of the places: m, cm or mm"));
     if (++m_places > mostPlaces)
-        return wrong("the file has more than 1.5 million places", "check that all lines are of one run");
+        return wrong(ODO_TEXT("exchange.too_many_places", "the file has more than 1.5 million places"),
+                     ODO_TEXT("exchange.check_one_run", "check that all lines are of one run"));
     track.positions.push_back(position);
     return {};
 }
@@ -307,16 +336,15 @@ Result<TrackFile> TrackReader::checked(TrackFile file) const
         const auto count = static_cast<std::size_t>(std::ranges::count_if(
             track.positions, [](const ImportedPosition &one) { return one.position.has_value(); }));
         if (count < leastPositions && (file.tracks.size() == 1 || count > 0))
-            return wrong((track.name.empty() ? "the track" : "track '" + track.name + "'") + " has " +
-                             std::to_string(count) + (count == 1 ? " position" : " positions"),
-                         "choose a file with three positions or more");
+            return wrong(positionsOf(track.name, count), chooseLongerTrack());
     }
     std::erase_if(file.tracks, [](const FileTrack &track) {
         return std::ranges::none_of(track.positions,
                                     [](const ImportedPosition &one) { return one.position.has_value(); });
     });
     if (file.tracks.empty())
-        return wrong("none of its tracks has a position", "choose a file with three positions or more");
+        return wrong(ODO_TEXT("exchange.no_track_has_position", "none of its tracks has a position"),
+                     chooseLongerTrack());
     return file;
 }
 
@@ -332,17 +360,22 @@ Result<TrackFile> TrackReader::readTum()
             continue;
         splitCells(content, ' ', m_cells);
         if (m_cells.size() != tumEntries)
-            return wrong("it has " + std::to_string(m_cells.size()) +
-                             (m_cells.size() == 1 ? " entry" : " entries") + " instead of the 8 of TUM",
-                         "write " + std::string(tumMark) + ", or begin the file with the line " +
-                             std::string(csvMark));
+            return wrong(
+                m_cells.size() == 1 ? ODO_TEXT("exchange.tum_entry",
+                                               "it has %1 entry instead of the 8 of TUM")(m_cells.size())
+                                    : ODO_TEXT("exchange.tum_entries",
+                                               "it has %1 entries instead of the 8 of TUM")(m_cells.size()),
+                ODO_TEXT("exchange.write_tum_or_header", "write %1, or begin the file with the line %2")(
+                    std::string(tumMark), std::string(csvMark)));
         for (std::size_t cell = 1; cell < tumEntries; ++cell) {
             if (auto number = numberOf(cell); !number)
                 return tl::unexpected(number.error());
         }
         const auto time = cellTime(m_cells[0], m_delimiter, 1);
         if (!time)
-            return wrong(shown(0) + " is not a time in seconds", "write it with digits, like 12.5");
+            return wrong(
+                ODO_TEXT("exchange.not_a_time_in_seconds", "'%1' is not a time in seconds")(shown(0)),
+                writeDigits());
         if (auto added = add(file.tracks[0], {*time, Eigen::Vector2d(*numberOf(1), *numberOf(2)), {}});
             !added)
             return tl::unexpected(added.error());
@@ -367,12 +400,12 @@ Result<std::optional<TrackHeader>> TrackReader::headerOf(std::string_view line)
 
 /// A pair of cells in metres; nullopt where both are blank.
 Result<std::optional<ImportedPosition::Pair>> TrackReader::pairOf(const UnitColumn &x, const UnitColumn &y,
-                                                                  const char *what)
+                                                                  const MessageText &oneIsBlank)
 {
     if (m_cells[x.index].empty() && m_cells[y.index].empty())
         return std::nullopt;
     if (m_cells[x.index].empty() || m_cells[y.index].empty())
-        return wrong(std::string("one of its two ") + what + " is blank", "fill in both or none");
+        return wrong(oneIsBlank, ODO_TEXT("exchange.fill_in_both", "fill in both or none"));
     const auto first = numberOf(x.index), second = numberOf(y.index);
     if (!first || !second)
         return tl::unexpected(first ? second.error() : first.error());
@@ -384,20 +417,26 @@ Result<void> TrackReader::addRow(const TrackHeader &header, std::vector<FileTrac
 {
     const bool hasMore = m_cells.size() == header.columns + 1 && m_cells.back().empty();
     if (m_cells.size() != header.columns && !hasMore)
-        return wrong("it has " + std::to_string(m_cells.size()) + (m_cells.size() == 1 ? " cell" : " cells") +
-                         " where the header has " + std::to_string(header.columns),
-                     "give each line as many cells as the header");
+        return wrong(m_cells.size() == 1
+                         ? ODO_TEXT("exchange.cell_of_columns",
+                                    "it has %1 cell where the header has %2")(m_cells.size(), header.columns)
+                         : ODO_TEXT("exchange.cells_of_columns", "it has %1 cells where the header has %2")(
+                               m_cells.size(), header.columns),
+                     ODO_TEXT("exchange.fill_in_all_cells", "give each line as many cells as the header"));
     const auto time = cellTime(m_cells[header.time.index], m_delimiter, header.time.unit);
     if (!time)
-        return wrong(shown(header.time.index) + " is not a time", "write it with digits, like 12.5");
+        return wrong(ODO_TEXT("exchange.not_a_time", "'%1' is not a time")(shown(header.time.index)),
+                     writeDigits());
     for (std::size_t i = 0; i < tracks.size(); ++i) {
         const TrackColumns &columns = header.tracks[i];
-        const auto position = pairOf(columns.x, columns.y, "places");
+        const auto position = pairOf(columns.x, columns.y,
+                                     ODO_TEXT("exchange.one_place_blank", "one of its two places is blank"));
         if (!position)
             return tl::unexpected(position.error());
         ImportedPosition row{*time, *position, {}};
         if (row.position && columns.sigmaX && columns.sigmaY) {
-            auto sigma = pairOf(*columns.sigmaX, *columns.sigmaY, "errors");
+            auto sigma = pairOf(*columns.sigmaX, *columns.sigmaY,
+                                ODO_TEXT("exchange.one_error_blank", "one of its two errors is blank"));
             if (!sigma)
                 return tl::unexpected(sigma.error());
             row.sigmaM = *sigma;
@@ -469,10 +508,12 @@ Result<TrackFile> TrackReader::read()
             break;
     }
     const bool isEmpty = m_lines.number() == 0;
-    return wrong(isEmpty ? "the file is empty"
-                         : "it has no header with a time, x and y, and is no TUM either",
-                 "begin the file with the line " + std::string(csvMark) + ", or write lines of " +
-                     std::string(tumMark));
+    return wrong(isEmpty ? fileIsEmpty()
+                         : ODO_TEXT("exchange.neither_header_nor_tum",
+                                    "it has no header with a time, x and y, and is no TUM either"),
+                 ODO_TEXT("exchange.begin_with_header_or_tum",
+                          "begin the file with the line %1, or write lines of %2")(std::string(csvMark),
+                                                                                   std::string(tumMark)));
 }
 
 } // namespace

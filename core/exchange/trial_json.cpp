@@ -83,7 +83,7 @@ QJsonValue importedOf(const AnalysisRecord &analysis, const std::vector<Imported
                            {QStringLiteral("bytes"), static_cast<qint64>(source.bytes)},
                            {QStringLiteral("format"), qtText(source.format)},
                            {QStringLiteral("noise_m"), source.noiseM},
-                           {QStringLiteral("reading"), qtText(source.reading)}};
+                           {QStringLiteral("reading"), qtText(source.reading.english())}};
     }
     return {};
 }
@@ -144,7 +144,7 @@ QJsonArray spikesOf(const Profile &profile)
         spikes.append(QJsonObject{{QStringLiteral("t_s"), static_cast<double>(spike.time.count()) / 1e9},
                                   {QStringLiteral("sample"), static_cast<qint64>(spike.sampleIndex)},
                                   {QStringLiteral("flags"), flagsOf(spike.flags)},
-                                  {QStringLiteral("reason"), qtText(spike.reason)}});
+                                  {QStringLiteral("reason"), qtText(spike.reason.english())}});
     return spikes;
 }
 

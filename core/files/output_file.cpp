@@ -2,6 +2,8 @@
 #include "core/files/output_file.h"
 
 #include "core/base/file_system.h"
+#include "core/base/subjects.h"
+#include "core/files/file_words.h"
 #include "core/files/protected_files.h"
 #include "core/files/temporary.h"
 
@@ -18,7 +20,6 @@ namespace odo {
 namespace {
 
 constexpr std::string_view projectEnding = ".odo", mediaEnding = ".media";
-constexpr const char *namesAProject = "a name ending in .odo is for a project";
 constexpr int deepestFolder = 8; // of a media folder
 
 /// As file systems that take no notice of capitals compare it.
@@ -141,14 +142,30 @@ bool isSideFile(const std::filesystem::path &project, const FileIdentity &file)
     });
 }
 
-std::string nameOf(const OutputTarget &target)
+Message namesAProject()
 {
-    return "file '" + target.file.string() + "'";
+    return ODO_TEXT("files.names_a_project", "a name ending in .odo is for a project");
 }
 
-tl::unexpected<Error> refusedAs(const OutputTarget &target, const std::string &why)
+Message isTheProject()
 {
-    return fail(ErrorCode::WrongCall, nameOf(target), why, "choose another name");
+    return ODO_TEXT("files.is_the_project", "it is the project itself");
+}
+
+Message isBesideProject()
+{
+    return ODO_TEXT("files.is_beside_project", "it is the log, the lock or a backup of a project");
+}
+
+Message isInMediaFolderOf(const std::filesystem::path &project)
+{
+    return ODO_TEXT("files.is_in_media_folder",
+                    "it is in the media folder of project '%1'")(Named::file(project.filename()));
+}
+
+tl::unexpected<Error> refusedAs(const OutputTarget &target, Message why)
+{
+    return fail(ErrorCode::WrongCall, quotedFileSubject(target.file), std::move(why), chooseAnotherName());
 }
 
 /// The look at one target.
@@ -164,59 +181,69 @@ public:
     Result<OutputPlace> run(std::optional<FileKind> kind)
     {
         if (!m_exists && m_problem != ENOENT)
-            return m_problem == ENAMETOOLONG ? fail(ErrorCode::InvalidInput, what(), "its name is too long",
-                                                    "choose a shorter name")
-                                             : cannotBeWritten(m_problem);
-        if (const char *reason = reasonOfName())
-            return refused(reason);
+            return m_problem == ENAMETOOLONG
+                       ? fail(ErrorCode::InvalidInput, what(),
+                              ODO_TEXT("files.name_too_long", "its name is too long"),
+                              ODO_TEXT("files.choose_shorter_name", "choose a shorter name"))
+                       : notWritable(m_problem);
+        if (Message reason = reasonOfName(); !reason.isEmpty())
+            return refused(std::move(reason));
         if (const auto project = m_target.isOwnMedia ? std::filesystem::path() : projectOfMedia();
             !project.empty())
-            return refused("it is in the media folder of project '" + project.filename().string() + "'");
+            return refused(isInMediaFolderOf(project));
         if (m_exists && !m_target.isOwnMedia && isInSomeMedia())
-            return refused("it is in a media folder beside a project");
+            return refused(
+                ODO_TEXT("files.is_in_some_media_folder", "it is in a media folder beside a project"));
         OutputPlace place{m_path.real, m_exists, FileKind::Empty, m_status.st_mode & 0777U};
         if (!m_exists)
-            return isNamedAsProject(kind) ? refused(namesAProject) : Result<OutputPlace>(place);
+            return isNamedAsProject(kind) ? refused(namesAProject()) : Result<OutputPlace>(place);
         if (m_target.existing == Existing::Refuse || m_target.isOwnMedia)
-            return fail(ErrorCode::AlreadyExists, what(), "it is there already",
-                        "choose another name or folder");
+            return fail(ErrorCode::AlreadyExists, what(), isThereAlready(), chooseAnotherNameOrFolder());
         if (::access(m_path.real.c_str(), W_OK) != 0) // its owner has protected it, or the disk is read-only
-            return cannotBeWritten(errno);
+            return notWritable(errno);
         const auto found = existingKind();
         if (!found)
             return tl::unexpected(found.error());
         if (isNamedAsProject(kind))
-            return refused(namesAProject);
+            return refused(namesAProject());
         place.kind = *found;
         if (kind && m_target.existing == Existing::ReplaceSameKind && place.kind != FileKind::Empty &&
             !isSameKind(place.kind, *kind))
-            return fail(ErrorCode::WrongCall, what(), "a file of another kind has that name",
-                        "choose another name, or replace it with --force");
+            return fail(
+                ErrorCode::WrongCall, what(),
+                ODO_TEXT("files.is_of_another_kind", "a file of another kind has that name"),
+                ODO_TEXT("files.replace_by_force", "choose another name, or replace it with --force"));
         return place;
     }
 
     Result<void> runForProject() const
     {
-        if (const char *reason = reasonBesideProjects())
-            return refused(reason);
+        if (Message reason = reasonBesideProjects(); !reason.isEmpty())
+            return refused(std::move(reason));
         if (const auto project = projectOfMedia(); !project.empty())
-            return refused("it is in the media folder of project '" + project.filename().string() + "'");
+            return refused(isInMediaFolderOf(project));
         const std::string left = m_exists ? std::string() : leftBeside();
         if (!left.empty())
-            return fail(ErrorCode::AlreadyExists, what(),
-                        "its folder has '" + left + "', the log or journal of another file of this name",
-                        "choose another name, or move '" + left + "' to another folder first");
+            return fail(
+                ErrorCode::AlreadyExists, what(),
+                ODO_TEXT("files.log_left_beside",
+                         "its folder has '%1', the log or journal of another file of this name")(
+                    Named::file(left)),
+                ODO_TEXT("files.move_log_away",
+                         "choose another name, or move '%1' to another folder first")(Named::file(left)));
         return {};
     }
 
 private:
-    std::string what() const { return nameOf(m_target); }
-    tl::unexpected<Error> refused(const std::string &why) const { return refusedAs(m_target, why); }
-    tl::unexpected<Error> cannotBeWritten(int reason) const
+    Message what() const { return quotedFileSubject(m_target.file); }
+    tl::unexpected<Error> refused(Message why) const { return refusedAs(m_target, std::move(why)); }
+    tl::unexpected<Error> notWritable(int reason) const
     {
-        return fail(ErrorCode::ReadOnly, what(),
-                    std::string("it cannot be written (") + std::strerror(reason) + ")",
-                    "choose another name");
+        return fail(ErrorCode::ReadOnly, what(), cannotBeWritten(std::strerror(reason)), chooseAnotherName());
+    }
+    tl::unexpected<Error> notReadable(int reason) const
+    {
+        return fail(ErrorCode::Io, what(), cannotBeRead(std::strerror(reason)), chooseAnotherName());
     }
     /// Whether the file, or a link that leads to it, would pass for a project by its name and be none.
     bool isNamedAsProject(std::optional<FileKind> kind) const
@@ -245,44 +272,44 @@ private:
     /// Whether the file may be known by other names too.
     bool hasMoreNames() const { return m_exists && m_status.st_nlink > 1; }
 
-    /// Why nothing may be written under that name or in place of that file; null: nothing speaks against it
+    /// Why nothing may be written under that name or in place of that file; empty: nothing speaks against it
     /// so far.
-    const char *reasonOfName() const
+    Message reasonOfName() const
     {
         if (m_exists && m_protected.isOpenProject(identity()))
-            return "it is the project itself";
+            return isTheProject();
         for (const ProtectedFile &project : m_protected.projects())
             if (!m_exists && (m_path.real == project.real || m_path.real == project.named))
-                return "it is the project itself";
-        if (const char *reason = reasonBesideProjects())
+                return isTheProject();
+        if (Message reason = reasonBesideProjects(); !reason.isEmpty())
             return reason;
         for (const ProtectedFile &input : m_protected.inputs())
             if (m_exists && (input.identity == identity() || input.real == m_path.real))
                 return input.reason;
-        return nullptr;
+        return {};
     }
 
     /// Likewise, of a name that belongs to what a project has beside it.
-    const char *reasonBesideProjects() const
+    Message reasonBesideProjects() const
     {
         if (isTemporaryName(m_path.real.filename())) // it would be swept
-            return "Odograph uses such names for temporary files";
-        constexpr const char *besideIt = "it is the log, the lock or a backup of a project";
+            return ODO_TEXT("files.is_temporary_name", "Odograph uses such names for temporary files");
         if (isSideName(m_path.real.filename(), std::string(projectEnding)))
-            return besideIt;
+            return isBesideProject();
         for (const ProtectedFile &project : m_protected.projects()) {
             if (isSideName(m_path.real.filename(), project.real.filename().string()) &&
                 identityOf(m_path.real.parent_path()) == identityOf(project.real.parent_path()))
-                return besideIt;
+                return isBesideProject();
             if (hasMoreNames() && isSideFile(project.real, identity()))
-                return besideIt;
+                return isBesideProject();
         }
         const std::string name = folded(m_path.real.filename().string());
         const auto isBesideIt = [&](const std::filesystem::path &project) {
             const std::string start = folded(project.string());
             return name.starts_with(start) && isSideSuffix(std::string_view(name).substr(start.size()));
         };
-        return projectIn(m_path.real.parent_path(), m_protected, isBesideIt).empty() ? nullptr : besideIt;
+        return projectIn(m_path.real.parent_path(), m_protected, isBesideIt).empty() ? Message()
+                                                                                     : isBesideProject();
     }
 
     /// The project to whose media the file belongs, or would; empty: none.
@@ -324,20 +351,16 @@ private:
     {
         const int descriptor = ::open(m_path.real.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
         if (descriptor < 0)
-            return fail(ErrorCode::Io, what(),
-                        std::string("it cannot be read (") + std::strerror(errno) + ")",
-                        "choose another name");
+            return notReadable(errno);
         const auto kind = kindOfFile(descriptor);
         const int problem = errno;
         ::close(descriptor);
         if (!kind)
-            return fail(ErrorCode::Io, what(),
-                        std::string("it cannot be read (") + std::strerror(problem) + ")",
-                        "choose another name");
+            return notReadable(problem);
         if (kind == FileKind::Project)
-            return refused("it is another project");
+            return refused(ODO_TEXT("files.is_another_project", "it is another project"));
         if (kind == FileKind::Database)
-            return refused("it is a database");
+            return refused(ODO_TEXT("files.is_a_database", "it is a database"));
         return *kind;
     }
 
@@ -357,15 +380,15 @@ Result<OutputPlace> checkOutput(const OutputTarget &target, std::optional<FileKi
 {
     // Before links are followed one by one: those in /proc lead to what has no name.
     std::error_code unknown;
-    if (const char *reason = files::insteadOfFile(files::kindOf(target.file, unknown)))
-        return refusedAs(target, reason);
+    if (Message reason = files::insteadOfFile(files::kindOf(target.file, unknown)); !reason.isEmpty())
+        return refusedAs(target, std::move(reason));
     auto path = resolved(target.file);
     if (!path)
         return tl::unexpected(path.error());
     return OutputCheck(target, std::move(*path)).run(kind);
 }
 
-Result<void> checkNewProject(const std::filesystem::path &file, const std::string &what)
+Result<void> checkNewProject(const std::filesystem::path &file, const Message &what)
 {
     std::filesystem::path folder = files::absolute(file).parent_path();
     while (!files::isFolder(folder) && folder.has_relative_path()) // a demo makes its folder
@@ -390,7 +413,7 @@ Result<std::unique_ptr<OutputFile>> OutputFile::open(const OutputTarget &target,
     const auto place = checkOutput(target, kind);
     if (!place)
         return tl::unexpected(place.error());
-    auto temporary = TemporaryFile::make(place->real.parent_path(), "file '" + target.file.string() + "'");
+    auto temporary = TemporaryFile::make(place->real.parent_path(), quotedFileSubject(target.file));
     if (!temporary)
         return tl::unexpected(temporary.error());
     if (place->exists) // its readers stay the same; not every file system can
@@ -398,11 +421,10 @@ Result<std::unique_ptr<OutputFile>> OutputFile::open(const OutputTarget &target,
     return std::unique_ptr<OutputFile>(new OutputFile(target, kind, std::move(*temporary)));
 }
 
-tl::unexpected<Error> OutputFile::failure(const std::string &reason) const
+tl::unexpected<Error> OutputFile::failure(std::string because) const
 {
-    return fail(ErrorCode::Io, "file '" + m_target.file.string() + "'",
-                "it cannot be written (" + reason + ")",
-                "choose a folder that you may write to and that has room");
+    return fail(ErrorCode::Io, quotedFileSubject(m_target.file), cannotBeWritten(std::move(because)),
+                chooseFolderWithRoom());
 }
 
 Result<void> OutputFile::write(std::string_view bytes)

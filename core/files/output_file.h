@@ -57,7 +57,7 @@ Result<OutputPlace> checkOutput(const OutputTarget &target, std::optional<FileKi
 /// its media folder (WrongCall), nor where a log or journal is left that SQLite would apply to it
 /// (AlreadyExists). Whether something has that name already, or its folder is missing, is not asked. what:
 /// for the message. Any thread.
-Result<void> checkNewProject(const std::filesystem::path &file, const std::string &what);
+Result<void> checkNewProject(const std::filesystem::path &file, const Message &what);
 
 /// The one way by which a file is written for a person: checked against what must never be overwritten
 /// (checkOutput), written beside its place under a name that nobody can foresee, and given its name only when
@@ -75,8 +75,8 @@ public:
     Result<void> write(std::string_view bytes);
     /// Once, when all is written. The target is checked again: meanwhile something may have got its name.
     Result<void> commit();
-    /// For those who write themselves: that it failed, with the system's reason.
-    tl::unexpected<Error> failure(const std::string &reason) const;
+    /// For those who write themselves: that it failed, with the system's own words.
+    tl::unexpected<Error> failure(std::string because) const;
 
 private:
     OutputFile(OutputTarget target, FileKind kind, std::unique_ptr<TemporaryFile> temporary);

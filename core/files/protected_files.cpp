@@ -2,6 +2,8 @@
 #include "core/files/protected_files.h"
 
 #include "core/base/file_system.h"
+#include "core/base/subjects.h"
+#include "core/files/file_words.h"
 
 #include <algorithm>
 #include <array>
@@ -28,10 +30,10 @@ ProtectedLists &protectedLists()
     return lists;
 }
 
-ProtectedFile protectedFile(const std::filesystem::path &file, const char *reason)
+ProtectedFile protectedFile(const std::filesystem::path &file, Message reason)
 {
     const std::filesystem::path named = files::absolute(file);
-    return {named, realPath(named).value_or(named), identityOf(named), reason};
+    return {named, realPath(named).value_or(named), identityOf(named), std::move(reason)};
 }
 
 } // namespace
@@ -48,7 +50,7 @@ std::optional<FileIdentity> identityOf(const std::filesystem::path &file)
 
 OpenProjectFile::OpenProjectFile(const std::filesystem::path &file)
 {
-    std::list<ProtectedFile> entry{protectedFile(file, nullptr)};
+    std::list<ProtectedFile> entry{protectedFile(file, {})};
     ProtectedLists &lists = protectedLists();
     const std::lock_guard lock(lists.mutex);
     m_entry = entry.begin();
@@ -61,26 +63,31 @@ OpenProjectFile::~OpenProjectFile()
     protectedLists().projects.erase(m_entry);
 }
 
-Result<void> checkMayBeRead(const std::filesystem::path &file, const std::string &what)
+Result<void> checkMayBeRead(const std::filesystem::path &file, const Message &what)
 {
-    constexpr const char *rights = "check that you may read the file";
     std::error_code problem;
     const files::Kind kind = files::kindOf(file, problem);
     if (problem)
-        return fail(ErrorCode::Io, what, "it cannot be looked at (" + problem.message() + ")", rights);
+        return fail(ErrorCode::Io, what,
+                    ODO_TEXT("files.cannot_be_looked_at",
+                             "it cannot be looked at (%1)")(foreignWords(problem.message())),
+                    checkFileMayBeRead());
     if (kind == files::Kind::Missing)
-        return fail(ErrorCode::NotFound, what, "there is no such file", "check the name and the folder");
-    if (const char *reason = files::insteadOfFile(kind))
-        return fail(ErrorCode::InvalidInput, what, reason, "name a file");
+        return fail(ErrorCode::NotFound, what, noSuchFile(),
+                    ODO_TEXT("files.check_name", "check the name and the folder"));
+    if (Message reason = files::insteadOfFile(kind); !reason.isEmpty())
+        return fail(ErrorCode::InvalidInput, what, std::move(reason), nameAFile());
     if (::access(file.c_str(), R_OK) != 0)
-        return fail(ErrorCode::Io, what, std::string("it cannot be read (") + std::strerror(errno) + ")",
-                    rights);
+        return fail(ErrorCode::Io, what, cannotBeRead(std::strerror(errno)), checkFileMayBeRead());
     const auto identity = identityOf(file);
     if (identity && ProtectedFiles().isPartOfOpenProject(*identity))
-        return fail(ErrorCode::InvalidInput, what, "it is a project that is open here",
-                    "choose another file");
+        return fail(ErrorCode::InvalidInput, what,
+                    ODO_TEXT("files.is_open_project", "it is a project that is open here"),
+                    ODO_TEXT("files.choose_another_file", "choose another file"));
     return {};
 }
+
+InputFiles::InputFiles() : InputFiles(ODO_TEXT("files.is_input", "it is an input of the same call")) {}
 
 InputFiles::~InputFiles()
 {
@@ -143,24 +150,24 @@ std::optional<std::filesystem::path> realPath(const std::filesystem::path &file)
 
 Result<ResolvedPath> resolved(const std::filesystem::path &file)
 {
-    const std::string what = "file '" + file.string() + "'";
+    const Message what = quotedFileSubject(file);
     if (file.empty())
-        return fail(ErrorCode::WrongCall, what, "it has no name", "name a file");
+        return fail(ErrorCode::WrongCall, what, ODO_TEXT("files.has_no_name", "it has no name"), nameAFile());
     std::filesystem::path named = files::absolute(file);
     ResolvedPath resolved;
     for (int links = 0; links < mostLinks; ++links) {
         resolved.named.push_back(named.lexically_normal());
         const std::filesystem::path name = named.filename(), folder = named.parent_path();
         if (name.empty() || name == "." || name == "..")
-            return fail(ErrorCode::WrongCall, what, "it is a folder", "name a file");
+            return fail(ErrorCode::WrongCall, what, files::isAFolder(), nameAFile());
         const auto realFolder = realPath(folder);
         if (!realFolder && errno == ENOENT)
-            return fail(ErrorCode::NotFound, what, "there is no folder '" + folder.string() + "'",
-                        "make the folder first, or choose another one");
+            return fail(ErrorCode::NotFound, what, noSuchFolder(folder), makeFolderFirst());
         if (!realFolder)
             return fail(ErrorCode::Io, what,
-                        std::string("its folder cannot be used (") + std::strerror(errno) + ")",
-                        "choose another folder");
+                        ODO_TEXT("files.folder_cannot_be_used",
+                                 "its folder cannot be used (%1)")(foreignWords(std::strerror(errno))),
+                        ODO_TEXT("files.choose_another_folder", "choose another folder"));
         resolved.real = *realFolder / name;
         std::error_code isNoLink;
         const std::filesystem::path link = files::linkTarget(resolved.real, isNoLink);
@@ -168,8 +175,7 @@ Result<ResolvedPath> resolved(const std::filesystem::path &file)
             return resolved;
         named = *realFolder / link; // an absolute one replaces the folder
     }
-    return fail(ErrorCode::Io, what, std::string("it cannot be written (") + std::strerror(ELOOP) + ")",
-                "choose another name");
+    return fail(ErrorCode::Io, what, cannotBeWritten(std::strerror(ELOOP)), chooseAnotherName());
 }
 
 } // namespace odo

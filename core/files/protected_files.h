@@ -9,6 +9,7 @@
 #include <list>
 #include <mutex>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace odo {
@@ -28,7 +29,7 @@ struct ProtectedFile
 {
     std::filesystem::path named, real;    ///< as it was called, and without links; absolute
     std::optional<FileIdentity> identity; ///< when it was opened
-    const char *reason = nullptr;         ///< of an input: why nothing may be written over it
+    Message reason;                       ///< of an input: why nothing may be written over it
 };
 
 /// As long as it lives, a file counts as a project that this process has open. Made before the file is
@@ -50,14 +51,16 @@ private:
 /// for which a reader could wait for ever, or a project that this process has open, or what SQLite keeps
 /// beside it. (To close a descriptor of a file drops all locks of the process on it, SQLite's too: POSIX,
 /// fcntl(2).) Doesn't open it. Any thread.
-Result<void> checkMayBeRead(const std::filesystem::path &file, const std::string &what);
+Result<void> checkMayBeRead(const std::filesystem::path &file, const Message &what);
 
 /// As long as it lives, files count as inputs: what is made of them must not take their place. One thread;
 /// the list is shared by all.
 class InputFiles
 {
 public:
-    explicit InputFiles(const char *reason = "it is an input of the same call") : m_reason(reason) {}
+    InputFiles(); ///< of the same call
+    /// reason: why nothing may be written over them.
+    explicit InputFiles(Message reason) : m_reason(std::move(reason)) {}
     ~InputFiles();
     InputFiles(const InputFiles &) = delete;
     InputFiles &operator=(const InputFiles &) = delete;
@@ -65,7 +68,7 @@ public:
     void add(const std::filesystem::path &file);
 
 private:
-    const char *const m_reason;
+    const Message m_reason;
     std::vector<std::list<ProtectedFile>::iterator> m_entries;
 };
 

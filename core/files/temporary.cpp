@@ -2,6 +2,7 @@
 #include "core/files/temporary.h"
 
 #include "core/base/file_system.h"
+#include "core/files/file_words.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -101,21 +102,21 @@ void sweep(const std::filesystem::path &folder)
             removeIfStray(folder / name);
 }
 
-tl::unexpected<Error> cannotMake(const std::filesystem::path &folder, const std::string &what, int reason)
+tl::unexpected<Error> cannotMake(const std::filesystem::path &folder, const Message &what, int reason)
 {
     if (!files::isFolder(folder))
-        return fail(ErrorCode::NotFound, what, "there is no folder '" + folder.string() + "'",
-                    "make the folder first, or choose another one");
+        return fail(ErrorCode::NotFound, what, noSuchFolder(folder), makeFolderFirst());
     if (reason == ENOSPC || reason == EDQUOT)
-        return fail(ErrorCode::Io, what, "the disk is full", "make room on the disk and try again");
+        return fail(ErrorCode::Io, what, ODO_TEXT("files.disk_is_full", "the disk is full"),
+                    ODO_TEXT("files.make_room", "make room on the disk and try again"));
     return fail(ErrorCode::ReadOnly, what,
-                "the folder '" + folder.string() + "' cannot be written to (" + std::strerror(reason) + ")",
-                "choose a folder that you may write to");
+                ODO_TEXT("files.folder_not_writable", "the folder '%1' cannot be written to (%2)")(
+                    Named::file(folder), foreignWords(std::strerror(reason))),
+                ODO_TEXT("files.choose_writable_folder", "choose a folder that you may write to"));
 }
 
 /// A new folder under a new name, locked and marked: its path, and what holds its lock.
-Result<std::pair<std::filesystem::path, int>> madeIn(const std::filesystem::path &folder,
-                                                     const std::string &what)
+Result<std::pair<std::filesystem::path, int>> madeIn(const std::filesystem::path &folder, const Message &what)
 {
     sweep(folder);
     constexpr int mostAttempts = 100;
@@ -208,13 +209,13 @@ int giveFreeName(const std::filesystem::path &from, const std::filesystem::path 
     return takePlace(from, to);
 }
 
-TemporaryFile::TemporaryFile(std::unique_ptr<TemporaryFolder> folder, int descriptor, std::string what)
+TemporaryFile::TemporaryFile(std::unique_ptr<TemporaryFolder> folder, int descriptor, Message what)
     : m_folder(std::move(folder)), m_descriptor(descriptor), m_what(std::move(what))
 {
 }
 
 Result<std::unique_ptr<TemporaryFile>> TemporaryFile::make(const std::filesystem::path &folder,
-                                                           const std::string &what)
+                                                           const Message &what)
 {
     auto made = TemporaryFolder::make(folder, what);
     if (!made)
@@ -239,9 +240,8 @@ std::filesystem::path TemporaryFile::path() const
 tl::unexpected<Error> TemporaryFile::failure(int reason) const
 {
     if (reason == EEXIST)
-        return fail(ErrorCode::AlreadyExists, m_what, "it is there already", "choose another name or folder");
-    return fail(ErrorCode::Io, m_what, std::string("it cannot be written (") + std::strerror(reason) + ")",
-                "choose a folder that you may write to and that has room");
+        return fail(ErrorCode::AlreadyExists, m_what, isThereAlready(), chooseAnotherNameOrFolder());
+    return fail(ErrorCode::Io, m_what, cannotBeWritten(std::strerror(reason)), chooseFolderWithRoom());
 }
 
 Result<void> TemporaryFile::sync() const
@@ -277,7 +277,7 @@ Result<void> TemporaryFile::publish(const std::filesystem::path &target)
 }
 
 Result<std::unique_ptr<TemporaryFolder>> TemporaryFolder::make(const std::filesystem::path &folder,
-                                                               const std::string &what)
+                                                               const Message &what)
 {
     auto made = madeIn(folder, what);
     if (!made)

@@ -23,7 +23,7 @@ class TemporaryFolder
 public:
     /// Only this user may look into it. Errors as of TemporaryFile.
     static Result<std::unique_ptr<TemporaryFolder>> make(const std::filesystem::path &folder,
-                                                         const std::string &what);
+                                                         const Message &what);
     ~TemporaryFolder();
     TemporaryFolder(const TemporaryFolder &) = delete;
     TemporaryFolder &operator=(const TemporaryFolder &) = delete;
@@ -49,7 +49,7 @@ public:
     /// what: for messages. Errors: NotFound (no such folder), Io (the disk is full), ReadOnly (the folder
     /// cannot be written to).
     static Result<std::unique_ptr<TemporaryFile>> make(const std::filesystem::path &folder,
-                                                       const std::string &what);
+                                                       const Message &what);
     ~TemporaryFile();
     TemporaryFile(const TemporaryFile &) = delete;
     TemporaryFile &operator=(const TemporaryFile &) = delete;
@@ -63,14 +63,14 @@ public:
     Result<void> publish(const std::filesystem::path &target);
 
 private:
-    TemporaryFile(std::unique_ptr<TemporaryFolder> folder, int descriptor, std::string what);
+    TemporaryFile(std::unique_ptr<TemporaryFolder> folder, int descriptor, Message what);
     tl::unexpected<Error> failure(int reason) const;
     Result<void> sync() const;
     void published(const std::filesystem::path &target);
 
     std::unique_ptr<TemporaryFolder> m_folder;
     const int m_descriptor;
-    const std::string m_what;
+    const Message m_what;
 };
 
 /// Whether something is called as those folders are.

@@ -119,10 +119,11 @@ using Eigen::Matrix2d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-tl::unexpected<Error> unusable(std::string why)
+tl::unexpected<Error> unusable(Message why)
 {
-    return fail(ErrorCode::InvalidInput, "these intrinsics cannot be used", std::move(why),
-                "calibrate the camera again, or import another file");
+    return fail(ErrorCode::InvalidInput,
+                ODO_TEXT("geometry.intrinsics_unusable", "these intrinsics cannot be used"), std::move(why),
+                ODO_TEXT("geometry.calibrate_again", "calibrate the camera again, or import another file"));
 }
 
 bool isCountAllowed(LensModel model, std::size_t count)
@@ -186,20 +187,21 @@ Eigen::Matrix<double, 2, 8> distortedByCoefficients(const std::array<double, 8> 
 Result<CameraModel> CameraModel::create(Intrinsics intrinsics)
 {
     if (intrinsics.widthPx <= 0 || intrinsics.heightPx <= 0)
-        return unusable("the picture size " + std::to_string(intrinsics.widthPx) + "x" +
-                        std::to_string(intrinsics.heightPx) + " is not positive");
+        return unusable(ODO_TEXT("geometry.size_not_positive", "the picture size %1 is not positive")(
+            std::to_string(intrinsics.widthPx) + "x" + std::to_string(intrinsics.heightPx)));
     if (!isFinite(intrinsics))
-        return unusable("one of the values is not a finite number");
+        return unusable(ODO_TEXT("geometry.value_not_finite", "one of the values is not a finite number"));
     if (intrinsics.fxPx <= 0 || intrinsics.fyPx <= 0)
-        return unusable("the focal length " + formatNumber(std::min(intrinsics.fxPx, intrinsics.fyPx), 3) +
-                        " px is not positive");
+        return unusable(ODO_TEXT("geometry.focal_not_positive", "the focal length %1 is not positive")(
+            quantity(std::min(intrinsics.fxPx, intrinsics.fyPx), 3, "px")));
     const std::size_t count = intrinsics.distortion.size();
     if (!isCountAllowed(intrinsics.model, count))
-        return unusable(std::to_string(count) + " distortion coefficients do not belong to this lens model");
+        return unusable(ODO_TEXT("geometry.wrong_coefficients",
+                                 "%1 distortion coefficients do not belong to this lens model")(count));
     const auto parameters = static_cast<Eigen::Index>(4 + count);
     if (intrinsics.covariance.size() != 0 &&
         (intrinsics.covariance.rows() != parameters || intrinsics.covariance.cols() != parameters))
-        return unusable("the covariance has the wrong size");
+        return unusable(ODO_TEXT("geometry.wrong_covariance_size", "the covariance has the wrong size"));
     return CameraModel(std::move(intrinsics));
 }
 

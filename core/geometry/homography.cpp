@@ -19,24 +19,26 @@ using Eigen::Matrix3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr const char *what = "no homography";
 constexpr double leastDeterminant = 1e-12; // of a matrix of unit norm; metres to far pixels come to 1e-9
 
-std::string nameOf(std::span<const PointPair> pairs, int index)
+tl::unexpected<Error> noHomography(Message why, Message advice, ErrorCode code = ErrorCode::Undetermined)
 {
-    const std::string &label = pairs[static_cast<std::size_t>(index)].label;
-    return label.empty() ? "point " + std::to_string(index + 1) : label;
+    return fail(code, ODO_TEXT("geometry.no_homography", "no homography"), std::move(why), std::move(advice));
 }
 
-std::string namesOf(std::span<const PointPair> pairs, std::span<const int> indices)
+Message nameOf(std::span<const PointPair> pairs, int index)
 {
-    std::string text;
-    for (std::size_t i = 0; i < indices.size(); ++i) {
-        if (i > 0)
-            text += i + 1 == indices.size() ? " and " : ", ";
-        text += nameOf(pairs, indices[i]);
-    }
-    return text;
+    const std::string &label = pairs[static_cast<std::size_t>(index)].label;
+    return label.empty() ? ODO_TEXT("geometry.point", "point %1")(index + 1)
+                         : nameAlone(Named::marker(label));
+}
+
+MessageArgument namesOf(std::span<const PointPair> pairs, std::span<const int> indices)
+{
+    std::vector<Message> names;
+    for (const int index : indices)
+        names.push_back(nameOf(pairs, index));
+    return listed(std::move(names));
 }
 
 /// Moves the points' centroid to the origin and their mean distance to √2 (Hartley 1997).
@@ -113,29 +115,35 @@ Result<void> checkPoints(std::span<const PointPair> pairs, const std::vector<Vec
                          const std::vector<Vector2d> &targets)
 {
     if (pairs.size() < 4)
-        return fail(ErrorCode::Undetermined, what,
-                    "four points are needed, " + std::to_string(pairs.size()) + " given", "add points");
+        return noHomography(
+            ODO_TEXT("geometry.four_points_needed", "four points are needed, %1 given")(pairs.size()),
+            ODO_TEXT("geometry.add_points", "add points"));
     for (int i = 0; i < static_cast<int>(pairs.size()); ++i) {
         if (!pairs[static_cast<std::size_t>(i)].source.allFinite() ||
             !pairs[static_cast<std::size_t>(i)].target.allFinite())
-            return fail(ErrorCode::InvalidInput, what,
-                        "a coordinate of " + nameOf(pairs, i) + " is not a finite number", "correct it");
+            return noHomography(ODO_TEXT("geometry.coordinate_not_finite",
+                                         "a coordinate of %1 is not a finite number")(nameOf(pairs, i)),
+                                ODO_TEXT("geometry.correct_it", "correct it"), ErrorCode::InvalidInput);
     }
     for (const auto *points : {&sources, &targets}) {
         if (const auto twice = coincidentPoints(*points))
-            return fail(ErrorCode::Undetermined, what,
-                        namesOf(pairs, *twice) + " lie at one place" +
-                            (points == &sources ? "" : " in the picture"),
-                        "correct one of them");
+            return noHomography(
+                points == &sources
+                    ? ODO_TEXT("geometry.at_one_place", "%1 lie at one place")(namesOf(pairs, *twice))
+                    : ODO_TEXT("geometry.at_one_place_in_picture",
+                               "%1 lie at one place in the picture")(namesOf(pairs, *twice)),
+                ODO_TEXT("geometry.correct_one", "correct one of them"));
     }
     for (const auto *points : {&sources, &targets}) {
         const double least = points == &sources ? 0.01 : 0.003;
         const Spread spread = widestQuadrilateral(*points, least);
         if (spread.flatness < least)
-            return fail(ErrorCode::Undetermined, what,
-                        namesOf(pairs, spread.flattest) + " lie on one line" +
-                            (points == &sources ? "" : " in the picture"),
-                        "use four points of which no three are in line");
+            return noHomography(
+                points == &sources
+                    ? ODO_TEXT("geometry.on_one_line", "%1 lie on one line")(namesOf(pairs, spread.flattest))
+                    : ODO_TEXT("geometry.on_one_line_in_picture",
+                               "%1 lie on one line in the picture")(namesOf(pairs, spread.flattest)),
+                ODO_TEXT("geometry.use_four_points", "use four points of which no three are in line"));
     }
     return {};
 }
@@ -168,15 +176,18 @@ Result<Homography> Homography::estimate(std::span<const PointPair> pairs)
         (matrix.row(2).dot(sources[static_cast<std::size_t>(i)].homogeneous()) > 0 ? before : beyond)
             .push_back(i);
     if (!before.empty() && !beyond.empty())
-        return fail(ErrorCode::Undetermined, what,
-                    namesOf(pairs, before.size() < beyond.size() ? before : beyond) +
-                        " would lie beyond the horizon: the order of the points crosses over like a bow tie",
-                    "check which point is which");
+        return noHomography(
+            joined({ODO_TEXT("geometry.beyond_horizon", "%1 would lie beyond the horizon")(
+                        namesOf(pairs, before.size() < beyond.size() ? before : beyond)),
+                    ODO_TEXT("geometry.bow_tie", "the order of the points crosses over like a bow tie")},
+                   Join::Colon),
+            ODO_TEXT("geometry.check_points", "check which point is which"));
     if (before.empty())
         matrix = -matrix;
     matrix = targetScale.inverse() * refine(matrix, sources, targets) * sourceScale;
     if (!matrix.allFinite() || !(std::abs((matrix / matrix.norm()).determinant()) > 0))
-        return fail(ErrorCode::Undetermined, what, "the points do not determine it", "spread the points");
+        return noHomography(ODO_TEXT("geometry.points_do_not_tell", "the points do not determine it"),
+                            ODO_TEXT("geometry.spread_points", "spread the points"));
     return Homography(matrix);
 }
 
@@ -203,15 +214,16 @@ Homography Homography::operator*(const Homography &middleFromSource) const
 Result<Homography> Homography::chain(std::span<const Homography> links)
 {
     if (links.empty())
-        return fail(ErrorCode::Undetermined, what, "the chain has no links", "give at least one");
+        return noHomography(ODO_TEXT("geometry.empty_chain", "the chain has no links"),
+                            ODO_TEXT("geometry.give_one_link", "give at least one"));
     Homography whole(Matrix3d::Identity());
     for (std::size_t i = 0; i < links.size(); ++i) {
         // Written so that a determinant that is not a number is refused too.
         if (!(std::abs(links[i].m_matrix.determinant()) > leastDeterminant))
-            return fail(ErrorCode::Undetermined, what,
-                        "link " + std::to_string(i + 1) + " of " + std::to_string(links.size()) +
-                            " of the chain is singular",
-                        "use four points in it of which no three are in line");
+            return noHomography(ODO_TEXT("geometry.singular_link",
+                                         "link %1 of %2 of the chain is singular")(i + 1, links.size()),
+                                ODO_TEXT("geometry.use_four_points_in_it",
+                                         "use four points in it of which no three are in line"));
         whole = links[i] * whole;
     }
     return whole;

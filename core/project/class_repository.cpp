@@ -2,6 +2,7 @@
 #include "core/project/class_repository.h"
 
 #include "core/base/error.h"
+#include "core/base/subjects.h"
 #include "core/project/internal/connection.h"
 #include "core/project/names.h"
 #include "core/project/records.h"
@@ -29,9 +30,9 @@ Result<ClassRecord> ClassRepository::add(const std::string &given)
 {
     const std::string name = normalName(given);
     return transact(m_connection, [&]() -> Result<ClassRecord> {
-        if (auto valid = checkName("class", name); !valid)
+        if (auto valid = checkName(RecordKind::Class, name); !valid)
             return tl::unexpected(valid.error());
-        if (auto isFree = checkNameIsFree(m_connection, "class", "class", name); !isFree)
+        if (auto isFree = checkNameIsFree(m_connection, RecordKind::Class, name); !isFree)
             return tl::unexpected(isFree.error());
         Statement insert(m_connection, QStringLiteral("INSERT INTO class (name) VALUES (?)"));
         if (auto done = insert.bind(name).run(); !done)
@@ -60,7 +61,7 @@ Result<ClassRecord> ClassRepository::get(RecordId id) const
     if (!found)
         return tl::unexpected(found.error());
     if (!*found)
-        return noSuchId(m_connection, "class", id);
+        return noSuchId(m_connection, RecordKind::Class, id);
     return classOf(select);
 }
 
@@ -71,9 +72,9 @@ Result<void> ClassRepository::rename(RecordId id, const std::string &given)
         const auto known = get(id);
         if (!known || known->name == name)
             return withoutValue(known);
-        if (auto valid = checkName("class", name); !valid)
+        if (auto valid = checkName(RecordKind::Class, name); !valid)
             return valid;
-        if (auto isFree = checkNameIsFree(m_connection, "class", "class", name); !isFree)
+        if (auto isFree = checkNameIsFree(m_connection, RecordKind::Class, name); !isFree)
             return isFree;
         Statement update(m_connection, QStringLiteral("UPDATE class SET name=? WHERE id=?"));
         return update.bind(name).bind(id).run();
@@ -98,10 +99,12 @@ Result<void> ClassRepository::remove(RecordId id)
         if (!known)
             return tl::unexpected(known.error());
         if (known->teams > 0)
-            return fail(ErrorCode::InvalidInput, "class '" + known->name + "'",
-                        known->teams == 1 ? "a team belongs to it"
-                                          : std::to_string(known->teams) + " teams belong to it",
-                        "move its teams to another class first, or archive it");
+            return fail(
+                ErrorCode::InvalidInput, classSubject(known->name),
+                known->teams == 1
+                    ? Message(ODO_TEXT("project.class_has_team", "a team belongs to it"))
+                    : ODO_TEXT("project.class_has_teams", "%1 teams belong to it")(known->teams),
+                ODO_TEXT("project.move_teams_first", "move its teams to another class first, or archive it"));
         return runFor(m_connection, "DELETE FROM class WHERE id=?", id);
     });
 }

@@ -2,10 +2,16 @@
 #include "core/project/names.h"
 
 #include "core/base/plain_text.h"
+#include "core/base/subjects.h"
+#include "core/files/file_words.h"
 #include "core/project/internal/connection.h"
+#include "core/project/internal/words.h"
 
 #include <QStringDecoder>
 #include <algorithm>
+#include <cassert>
+#include <optional>
+#include <utility>
 
 namespace odo {
 
@@ -54,32 +60,131 @@ bool hasOtherForms(const std::string &name)
                                [](char c) { return static_cast<unsigned char>(c) >= 0x80 || c == '\\'; });
 }
 
-/// what, ifEmpty: for the message.
-Result<void> checkNamed(const std::string &what, const std::string &name, const std::string &ifEmpty)
+Message isNotUtf8()
 {
-    const auto refuse = [&](const std::string &why, const std::string &advice) {
-        return fail(ErrorCode::InvalidInput, what, why, advice);
+    return ODO_TEXT("project.not_utf8", "it is not valid UTF-8 text");
+}
+
+Message hasCharacters(qsizetype count)
+{
+    return ODO_TEXT("project.has_characters", "it has %1 characters")(count);
+}
+
+Message typeNameAnew()
+{
+    return ODO_TEXT("project.type_name_anew", "type the name anew");
+}
+
+/// ifEmpty: the advice.
+Result<void> checkNamed(const Message &what, const std::string &name, const Message &ifEmpty)
+{
+    const auto refuse = [&](Message why, Message advice) {
+        return fail(ErrorCode::InvalidInput, what, std::move(why), std::move(advice));
     };
     const std::optional<QString> text = decode(name);
     if (!text)
-        return refuse("it is not valid UTF-8 text", "type the name anew");
+        return refuse(isNotUtf8(), typeNameAnew());
     const QList<uint> characters = text->toUcs4();
     if (characters.size() > maxNameLength)
-        return refuse("it has " + std::to_string(characters.size()) + " characters",
-                      "use at most " + std::to_string(maxNameLength));
+        return refuse(hasCharacters(characters.size()), useAtMost(maxNameLength));
     if (std::any_of(characters.begin(), characters.end(), breaksLine))
-        return refuse("it holds a line break or another control character", "use a name of one line");
+        return refuse(
+            ODO_TEXT("project.holds_line_break", "it holds a line break or another control character"),
+            ODO_TEXT("project.use_one_line", "use a name of one line"));
     if (const auto hidden = std::ranges::find_if(characters, isInvisible); hidden != characters.end())
         return refuse(
-            "it holds an invisible character, " +
-                QStringLiteral("U+%1").arg(*hidden, 4, 16, QLatin1Char('0')).toUpper().toStdString(),
-            "type the name anew");
+            ODO_TEXT("project.holds_invisible", "it holds an invisible character, %1")(
+                QStringLiteral("U+%1").arg(*hidden, 4, 16, QLatin1Char('0')).toUpper().toStdString()),
+            typeNameAnew());
     if (std::ranges::none_of(characters, isSeen))
-        return refuse("it is empty", ifEmpty);
+        return refuse(ODO_TEXT("project.name_empty", "it is empty"), ifEmpty);
     return {};
 }
 
+Message wordOf(RecordKind kind)
+{
+    switch (kind) {
+    case RecordKind::Camera:
+        return ODO_TEXT("project.kind_camera", "camera");
+    case RecordKind::Robot:
+        return ODO_TEXT("project.kind_robot", "robot");
+    case RecordKind::Team:
+        return ODO_TEXT("project.kind_team", "team");
+    case RecordKind::Class:
+        return ODO_TEXT("project.kind_class", "class");
+    case RecordKind::Task:
+        return ODO_TEXT("project.kind_task", "task");
+    case RecordKind::Trial:
+        return ODO_TEXT("project.kind_trial", "trial");
+    case RecordKind::Layout:
+        return ODO_TEXT("project.kind_layout", "layout");
+    case RecordKind::Marker:
+        return ODO_TEXT("project.kind_marker", "marker");
+    case RecordKind::Member:
+        return ODO_TEXT("project.kind_member", "member");
+    case RecordKind::Pseudonym:
+        return ODO_TEXT("project.kind_pseudonym", "pseudonym");
+    case RecordKind::Track:
+        return ODO_TEXT("project.kind_track", "track");
+    case RecordKind::Gate:
+        return ODO_TEXT("project.kind_gate", "gate");
+    case RecordKind::Zone:
+        return ODO_TEXT("project.kind_zone", "zone");
+    case RecordKind::Figure:
+        return ODO_TEXT("project.kind_figure", "figure");
+    case RecordKind::Tag:
+        return ODO_TEXT("project.kind_tag", "tag");
+    case RecordKind::Calibration:
+        return ODO_TEXT("project.kind_calibration", "calibration");
+    case RecordKind::Registration:
+        return ODO_TEXT("project.kind_registration", "registration");
+    case RecordKind::Lens:
+        return ODO_TEXT("project.kind_lens", "lens");
+    }
+    return {};
+}
+
+/// Of those that have a table of names: the table, how their names are shown, and a subject.
+struct NamedTable
+{
+    const char *table;
+    MessageArgument::Kind argument;
+    Message (*subject)(std::string name);
+};
+
+NamedTable tableOf(RecordKind kind)
+{
+    using Argument = MessageArgument::Kind;
+    switch (kind) {
+    case RecordKind::Camera:
+        return {"camera", Argument::Camera, cameraSubject};
+    case RecordKind::Robot:
+        return {"robot", Argument::Robot, robotSubject};
+    case RecordKind::Team:
+        return {"team", Argument::Team, teamSubject};
+    case RecordKind::Class:
+        return {"class", Argument::Class, classSubject};
+    case RecordKind::Task:
+        return {"task", Argument::Task, taskSubject};
+    case RecordKind::Trial:
+        return {"trial", Argument::Trial, trialSubject};
+    default:
+        assert(kind == RecordKind::Layout);
+        return {"layout", Argument::Layout, layoutSubject};
+    }
+}
+
+QString namesIn(RecordKind kind)
+{
+    return QStringLiteral("SELECT id, name FROM %1 ").arg(QLatin1String(tableOf(kind).table));
+}
+
 } // namespace
+
+Message projectSubject(const std::filesystem::path &file)
+{
+    return ODO_TEXT("project.project", "project '%1'")(Named::file(file));
+}
 
 std::string normalName(const std::string &name)
 {
@@ -87,14 +192,16 @@ std::string normalName(const std::string &name)
     return text ? normal(*text).toStdString() : name; // which checkName refuses
 }
 
-Result<void> checkName(const std::string &kind, const std::string &name)
+Result<void> checkName(RecordKind kind, const std::string &name)
 {
-    return checkNamed("name of a " + kind, name, "give the " + kind + " a name");
+    return checkNamed(ODO_TEXT("project.name_of", "name of a %1")(wordOf(kind)), name,
+                      ODO_TEXT("project.give_a_name", "give the %1 a name")(wordOf(kind)));
 }
 
 Result<void> checkTitle(const std::string &title)
 {
-    return checkNamed("title of the project", title, "give the project a title");
+    return checkNamed(ODO_TEXT("project.title", "title of the project"), title,
+                      ODO_TEXT("project.give_a_title", "give the project a title"));
 }
 
 std::string titleFromName(const std::filesystem::path &file)
@@ -129,23 +236,21 @@ std::string shownName(const QString &stored)
         .toStdString();
 }
 
-Result<void> checkText(const std::string &kind, const std::string &text)
+Result<void> checkText(const Message &what, const std::string &text)
 {
     const std::optional<QString> decoded = decode(text);
     if (!decoded)
-        return fail(ErrorCode::InvalidInput, kind, "it is not valid UTF-8 text", "type the text anew");
+        return fail(ErrorCode::InvalidInput, what, isNotUtf8(),
+                    ODO_TEXT("project.type_text_anew", "type the text anew"));
     const qsizetype characters = decoded->toUcs4().size();
     if (characters > maxTextLength)
-        return fail(ErrorCode::InvalidInput, kind, "it has " + std::to_string(characters) + " characters",
-                    "use at most " + std::to_string(maxTextLength));
+        return fail(ErrorCode::InvalidInput, what, hasCharacters(characters), useAtMost(maxTextLength));
     return {};
 }
 
-Result<RecordId> idNamed(const ProjectConnection &connection, const std::string &table,
-                         const std::string &name)
+Result<RecordId> idNamed(const ProjectConnection &connection, RecordKind kind, const std::string &name)
 {
-    const QString rows = QStringLiteral("SELECT id, name FROM %1").arg(QString::fromStdString(table));
-    Statement exact(connection, rows + QStringLiteral(" WHERE name=?"));
+    Statement exact(connection, namesIn(kind) + QStringLiteral("WHERE name=?"));
     const std::string wanted = normalName(name);
     const auto found = exact.bind(wanted).firstRow();
     if (!found)
@@ -155,7 +260,7 @@ Result<RecordId> idNamed(const ProjectConnection &connection, const std::string 
     if (!hasOtherForms(name))
         return 0;
     RecordId other = 0; // stored by an older version, or by another program
-    Statement all(connection, rows + QStringLiteral(" ORDER BY id DESC"));
+    Statement all(connection, namesIn(kind) + QStringLiteral("ORDER BY id DESC"));
     auto read = all.eachRow([&](const Statement &row) -> Result<void> {
         if (normalName(row.name(1)) == wanted)
             other = row.integer(0);
@@ -164,56 +269,64 @@ Result<RecordId> idNamed(const ProjectConnection &connection, const std::string 
     return read.map([other] { return other; });
 }
 
-Result<void> checkNameIsFree(const ProjectConnection &connection, const std::string &table,
-                             const std::string &kind, const std::string &name)
+Result<void> checkNameIsFree(const ProjectConnection &connection, RecordKind kind, const std::string &name)
 {
-    const auto taken = idNamed(connection, table, name);
+    const auto taken = idNamed(connection, kind, name);
     if (!taken)
         return tl::unexpected(taken.error());
     if (*taken != 0)
-        return fail(ErrorCode::AlreadyExists, kind + " '" + shortened(name) + "'",
-                    "the project has a " + kind + " of that name already", "choose another name");
+        return fail(ErrorCode::AlreadyExists, tableOf(kind).subject(shortened(name)),
+                    ODO_TEXT("project.name_taken", "the project has a %1 of that name already")(wordOf(kind)),
+                    chooseAnotherName());
     return {};
 }
 
-tl::unexpected<Error> noSuchName(const ProjectConnection &connection, const std::string &table,
-                                 const std::string &kind, const std::string &name)
+tl::unexpected<Error> noSuchName(const ProjectConnection &connection, RecordKind kind,
+                                 const std::string &name)
 {
-    Statement statement(connection,
-                        QStringLiteral("SELECT name FROM %1 ORDER BY id").arg(QString::fromStdString(table)));
-    std::string list;
+    const NamedTable named = tableOf(kind);
+    Statement statement(connection, namesIn(kind) + QStringLiteral("ORDER BY id"));
+    std::vector<Message> names;
     int count = 0;
-    const auto listed = statement.eachRow([&](const Statement &row) -> Result<void> {
+    const auto read = statement.eachRow([&](const Statement &row) -> Result<void> {
         if (++count <= namesToList)
-            list += (list.empty() ? "'" : ", '") + shortened(row.name(0)) + "'";
+            names.push_back(quotedName({named.argument, shortened(row.name(1))}));
         return {};
     });
-    if (!listed)
-        return tl::unexpected(listed.error());
-    if (count > namesToList)
-        list += " and " + std::to_string(count - namesToList) + " more";
-    return fail(ErrorCode::NotFound, kind + " '" + shortened(name) + "'",
-                "there is no such " + kind + " in the project",
-                count == 0 ? "it has no " + kind + " yet: add one first" : "it has " + list);
+    if (!read)
+        return tl::unexpected(read.error());
+    const bool isMore = count > namesToList;
+    if (isMore)
+        names.push_back(ODO_TEXT("project.more_names", "%1 more")(count - namesToList));
+    using Joint = MessageArgument::Joint;
+    return fail(ErrorCode::NotFound, named.subject(shortened(name)),
+                ODO_TEXT("project.no_such_name", "there is no such %1 in the project")(wordOf(kind)),
+                count == 0 ? joined({ODO_TEXT("project.has_none_yet", "it has no %1 yet")(wordOf(kind)),
+                                     ODO_TEXT("project.add_one_first", "add one first")},
+                                    Join::Colon)
+                           : ODO_TEXT("project.has_names", "it has %1")(
+                                 listed(std::move(names), isMore ? Joint::And : Joint::Comma)));
 }
 
-tl::unexpected<Error> noSuchId(const ProjectConnection &connection, const std::string &kind, std::int64_t id)
+tl::unexpected<Error> noSuchId(const ProjectConnection &connection, RecordKind kind, std::int64_t id)
 {
-    return fail(ErrorCode::NotFound, connection.displayName(),
-                "it has no " + kind + " with the number " + std::to_string(id), "run a check of the project");
+    return fail(ErrorCode::NotFound, connection.subject(),
+                ODO_TEXT("project.no_such_number", "it has no %1 with the number %2")(wordOf(kind), id),
+                runProjectCheck());
 }
 
-Result<RecordId> idOfName(ProjectConnection &connection, const std::string &table, const std::string &name)
+Result<RecordId> idOfName(ProjectConnection &connection, RecordKind kind, const std::string &name)
 {
     if (name.empty())
         return 0;
-    const auto known = idNamed(connection, table, name);
+    const auto known = idNamed(connection, kind, name);
     if (!known || *known != 0)
         return known;
-    if (auto valid = checkName(table, name); !valid)
+    if (auto valid = checkName(kind, name); !valid)
         return tl::unexpected(valid.error());
-    Statement insert(connection,
-                     QStringLiteral("INSERT INTO %1 (name) VALUES (?)").arg(QString::fromStdString(table)));
+    Statement insert(
+        connection,
+        QStringLiteral("INSERT INTO %1 (name) VALUES (?)").arg(QLatin1String(tableOf(kind).table)));
     if (auto done = insert.bind(normalName(name)).run(); !done)
         return tl::unexpected(done.error());
     return insert.insertedId();

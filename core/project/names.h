@@ -14,13 +14,37 @@ namespace odo {
 
 struct ProjectConnection;
 
+/// "project 'run.odo'". file: as it is to be named, with its folders or without.
+Message projectSubject(const std::filesystem::path &file);
+
+/// What is called by a name or known by a number. The first seven have tables with a column "name".
+enum class RecordKind {
+    Camera,
+    Robot,
+    Team,
+    Class,
+    Task,
+    Trial,
+    Layout,
+    Marker,
+    Member,
+    Pseudonym,
+    Track,
+    Gate,
+    Zone,
+    Figure,
+    Tag,
+    Calibration,
+    Registration,
+    Lens,
+};
+
 /// A name as it is stored and compared: composed (NFC), without blanks around it.
 std::string normalName(const std::string &name);
 
 /// A name as people may give it to a camera, robot, team, trial…: UTF-8, something to be seen, at most 200
-/// characters, no control, invisible or directional characters or line breaks. `kind` is the word for
-/// messages ("robot").
-Result<void> checkName(const std::string &kind, const std::string &name);
+/// characters, no control, invisible or directional characters or line breaks.
+Result<void> checkName(RecordKind kind, const std::string &name);
 
 /// A project's title as people may give it: as a name.
 Result<void> checkTitle(const std::string &title);
@@ -36,26 +60,24 @@ QString firstCharacters(const QString &text, int most);
 std::string shownName(const QString &stored);
 
 /// A text that may be empty and of several lines: UTF-8 and at most 20,000 characters.
-Result<void> checkText(const std::string &kind, const std::string &text);
+Result<void> checkText(const Message &what, const std::string &text);
 
 /// The row of that name, in one of the ways in which it can be written or is shown; 0 without one.
-Result<RecordId> idNamed(const ProjectConnection &connection, const std::string &table,
-                         const std::string &name);
+Result<RecordId> idNamed(const ProjectConnection &connection, RecordKind kind, const std::string &name);
 
-/// AlreadyExists when the table has a row of that name. `kind` is the word for messages.
-Result<void> checkNameIsFree(const ProjectConnection &connection, const std::string &table,
-                             const std::string &kind, const std::string &name);
+/// AlreadyExists when there is one of that name.
+Result<void> checkNameIsFree(const ProjectConnection &connection, RecordKind kind, const std::string &name);
 
 /// The NotFound of a name: "robot 'x': there is no such robot in the project; it has 'red', 'blue'".
-tl::unexpected<Error> noSuchName(const ProjectConnection &connection, const std::string &table,
-                                 const std::string &kind, const std::string &name);
+tl::unexpected<Error> noSuchName(const ProjectConnection &connection, RecordKind kind,
+                                 const std::string &name);
 
 /// The NotFound of an id that refers to nothing.
-tl::unexpected<Error> noSuchId(const ProjectConnection &connection, const std::string &kind, std::int64_t id);
+tl::unexpected<Error> noSuchId(const ProjectConnection &connection, RecordKind kind, std::int64_t id);
 
 /// The id of the row of that name in a table that has only names (class, task), made when it is new.
 /// 0 for an empty name.
-Result<RecordId> idOfName(ProjectConnection &connection, const std::string &table, const std::string &name);
+Result<RecordId> idOfName(ProjectConnection &connection, RecordKind kind, const std::string &name);
 
 /// The first column of every row that a statement gives, as texts.
 Result<std::vector<std::string>> textsOf(const ProjectConnection &connection, const QString &sql);

@@ -3,9 +3,9 @@
 
 #include "core/base/file_system.h"
 #include "core/files/temporary.h"
+#include "core/project/internal/words.h"
 
 #include <cerrno>
-#include <cstring>
 #include <fcntl.h>
 #include <system_error>
 #include <unistd.h>
@@ -21,7 +21,7 @@ std::filesystem::path placeFolder(const std::filesystem::path &file)
 
 } // namespace
 
-NewFile::NewFile(std::filesystem::path target, std::string what)
+NewFile::NewFile(std::filesystem::path target, Message what)
     : m_target(std::move(target)), m_what(std::move(what))
 {
 }
@@ -30,14 +30,14 @@ NewFile::~NewFile() = default;
 
 tl::unexpected<Error> NewFile::alreadyThere() const
 {
-    return fail(ErrorCode::AlreadyExists, m_what, "a file of that name is there already",
-                "choose another name, or remove that file first");
+    return fail(ErrorCode::AlreadyExists, m_what,
+                ODO_TEXT("project.file_there_already", "a file of that name is there already"),
+                ODO_TEXT("project.remove_file_first", "choose another name, or remove that file first"));
 }
 
 tl::unexpected<Error> NewFile::ioError(int reason) const
 {
-    return fail(ErrorCode::Io, m_what, std::string("writing it failed (") + std::strerror(reason) + ")",
-                "check the disk and try again");
+    return fail(ErrorCode::Io, m_what, writingFailed(reason), checkDiskAndRetry());
 }
 
 Result<void> NewFile::prepare()
@@ -46,11 +46,14 @@ Result<void> NewFile::prepare()
     static_cast<void>(files::kindOf(m_target, problem));
     const std::filesystem::path folder = placeFolder(m_target);
     if (m_target.filename().empty())
-        return fail(ErrorCode::InvalidInput, m_what, "it has no file name", "give the file a name");
+        return fail(ErrorCode::InvalidInput, m_what, ODO_TEXT("project.no_file_name", "it has no file name"),
+                    ODO_TEXT("project.give_file_a_name", "give the file a name"));
     if (files::kindOfItself(m_target) != files::Kind::Missing)
         return alreadyThere();
     if (problem == std::errc::filename_too_long)
-        return fail(ErrorCode::InvalidInput, m_what, "its name is too long", "choose a shorter name");
+        return fail(ErrorCode::InvalidInput, m_what,
+                    ODO_TEXT("project.name_too_long", "its name is too long"),
+                    ODO_TEXT("project.choose_shorter_name", "choose a shorter name"));
     auto made = TemporaryFolder::make(folder, m_what);
     if (!made)
         return tl::unexpected(made.error());

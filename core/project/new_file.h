@@ -5,7 +5,6 @@
 
 #include <filesystem>
 #include <memory>
-#include <string>
 
 namespace odo {
 
@@ -17,7 +16,7 @@ class NewFile
 {
 public:
     /// `what` names it in messages.
-    NewFile(std::filesystem::path target, std::string what);
+    NewFile(std::filesystem::path target, Message what);
     ~NewFile();
     NewFile(const NewFile &) = delete;
     NewFile &operator=(const NewFile &) = delete;
@@ -34,7 +33,7 @@ private:
     tl::unexpected<Error> ioError(int reason) const;
 
     std::filesystem::path m_target, m_temporary;
-    std::string m_what;
+    Message m_what;
     std::unique_ptr<TemporaryFolder> m_folder;
 };
 

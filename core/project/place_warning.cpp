@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/place_warning.h"
 
-#include "core/base/error.h"
 #include "core/base/file_system.h"
+#include "core/project/names.h"
 
 #include <algorithm>
 #include <array>
@@ -10,6 +10,7 @@
 #include <iterator>
 #include <sstream>
 #include <string_view>
+#include <utility>
 
 namespace odo {
 
@@ -86,27 +87,32 @@ std::string fileSystemOf(const std::filesystem::path &file, const std::string &m
     return kind;
 }
 
-std::optional<std::string> placeWarning(const std::filesystem::path &project)
+std::optional<Message> placeWarning(const std::filesystem::path &project)
 {
     std::ifstream stream("/proc/self/mounts");
     return placeWarning(project, {std::istreambuf_iterator<char>(stream), {}});
 }
 
-std::optional<std::string> placeWarning(const std::filesystem::path &project, const std::string &mounts)
+std::optional<Message> placeWarning(const std::filesystem::path &project, const std::string &mounts)
 {
     const std::filesystem::path file = files::realPath(project);
-    const auto warning = [&](const std::string &why) {
-        return Error{ErrorCode::Io, "project '" + project.filename().string() + "'", why,
-                     "keep it on a disk of this computer, and pack it to share it"}
-            .message();
+    const auto warning = [&](Message why) {
+        return joined({joined({projectSubject(project.filename()), std::move(why)}, Join::Colon),
+                       ODO_TEXT("project.keep_on_own_disk",
+                                "keep it on a disk of this computer, and pack it to share it")},
+                      Join::Semicolon);
     };
     const std::string kind = fileSystemOf(file, mounts);
     if (std::ranges::find(networkFileSystems, kind) != networkFileSystems.end())
-        return warning("it lies on a network disk (" + kind +
-                       "), where a recording can stall and two computers can damage it");
+        return warning(ODO_TEXT(
+            "project.on_network_disk",
+            "it lies on a network disk (%1), where a recording can stall and two computers can damage it")(
+            kind));
     if (const auto program = syncProgramOf(file.parent_path()))
-        return warning("it lies in a folder that " + std::string(*program) +
-                       " copies while it changes, so that a copy may have half a change");
+        return warning(ODO_TEXT(
+            "project.in_synced_folder",
+            "it lies in a folder that %1 copies while it changes, so that a copy may have half a change")(
+            std::string(*program)));
     return std::nullopt;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/message.h"
+
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -14,7 +16,7 @@ std::string fileSystemOf(const std::filesystem::path &file, const std::string &m
 /// A sentence of warning where a project lies on a network disk, or in a folder that a program such as
 /// Dropbox keeps the same on several computers: it is copied while it changes, by parts. Told by the kind of
 /// file system, the folders' names and the marks that such programs leave. Any thread; quick.
-std::optional<std::string> placeWarning(const std::filesystem::path &project);
-std::optional<std::string> placeWarning(const std::filesystem::path &project, const std::string &mounts);
+std::optional<Message> placeWarning(const std::filesystem::path &project);
+std::optional<Message> placeWarning(const std::filesystem::path &project, const std::string &mounts);
 
 } // namespace odo

@@ -87,7 +87,7 @@ Project::~Project()
 
 Result<std::unique_ptr<Project>> Project::create(const std::filesystem::path &file, const std::string &title)
 {
-    const std::string what = "project '" + file.string() + "'";
+    const Message what = projectSubject(file);
     if (auto valid = checkTitle(title); !valid)
         return tl::unexpected(valid.error());
     if (auto may = checkNewProject(file, what); !may)
@@ -120,9 +120,11 @@ Result<void> bringUpToDate(const std::filesystem::path &file, int version)
     if (writing.error().code != ErrorCode::ReadOnly)
         return tl::unexpected(writing.error());
     return fail(ErrorCode::ReadOnly, writing.error().what,
-                "it has the older format " + std::to_string(version) +
-                    " and must be brought up to date before it can be read, but " + writing.error().why,
-                "copy it with its videos to a folder that you may write to, and open the copy");
+                ODO_TEXT("project.older_format",
+                         "it has the older format %1 and must be brought up to date "
+                         "before it can be read, but %2")(version, writing.error().why),
+                ODO_TEXT("project.copy_with_videos",
+                         "copy it with its videos to a folder that you may write to, and open the copy"));
 }
 
 bool isReady(const ProjectConnection &connection)
@@ -273,32 +275,32 @@ Result<void> Project::inTransaction(const std::function<Result<void>()> &work)
     return transact(*m_impl->connection, work);
 }
 
-Result<void> Project::change(const std::string &words, const std::function<Result<void>()> &work)
+Result<void> Project::change(const Message &words, const std::function<Result<void>()> &work)
 {
     return m_impl->journal.make(words, work);
 }
 
-Result<void> Project::note(const std::string &words, const std::function<Result<void>()> &work)
+Result<void> Project::note(const Message &words, const std::function<Result<void>()> &work)
 {
     return m_impl->journal.note(words, work);
 }
 
-Result<std::string> Project::undo()
+Result<Message> Project::undo()
 {
     return m_impl->journal.undo();
 }
 
-Result<std::string> Project::redo()
+Result<Message> Project::redo()
 {
     return m_impl->journal.redo();
 }
 
-std::string Project::undoWords() const
+Message Project::undoWords() const
 {
     return m_impl->journal.undoWords();
 }
 
-std::string Project::redoWords() const
+Message Project::redoWords() const
 {
     return m_impl->journal.redoWords();
 }

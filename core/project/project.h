@@ -28,7 +28,7 @@ class AnalysisRepository;
 /// One thing that `check` found.
 struct ProjectProblem
 {
-    std::string what, where, advice;
+    Message what, where, advice;
 };
 
 /// How often a project was changed, for comparing with an earlier state of the same Project.
@@ -94,17 +94,17 @@ public:
     /// As inTransaction, of a change that a person made and can take back. words: what it does ("rename team
     /// Falcon"), also for the list of changes. Inside another change it is a part of that one; work that
     /// changes nothing leaves no trace.
-    Result<void> change(const std::string &words, const std::function<Result<void>()> &work);
+    Result<void> change(const Message &words, const std::function<Result<void>()> &work);
     /// As change, of what cannot be taken back because it adds much (what was recorded, imported, measured)
     /// or removes for good: it is told in the list of changes. Inside a change it is a part of that one.
-    Result<void> note(const std::string &words, const std::function<Result<void>()> &work);
+    Result<void> note(const Message &words, const std::function<Result<void>()> &work);
     /// Takes the last change of this sitting back, or makes it again; gives its words. NotFound where there
     /// is none; InvalidInput, and nothing done, where what it concerns has been changed since in another way.
-    Result<std::string> undo();
-    Result<std::string> redo();
+    Result<Message> undo();
+    Result<Message> redo();
     /// Of what undo and redo would concern; empty: nothing.
-    std::string undoWords() const;
-    std::string redoWords() const;
+    Message undoWords() const;
+    Message redoWords() const;
     /// What was ever changed and when, the newest first.
     Result<std::vector<ChangeEntry>> changes() const;
     /// Whether the file is still where it was opened. One that was deleted, renamed or replaced since can be
@@ -143,7 +143,7 @@ private:
 
 /// Project::change of work that gives a Result with a value, which is passed on.
 template <class Work>
-auto changing(Project &project, const std::string &words, const Work &work) -> decltype(work())
+auto changing(Project &project, const Message &words, const Work &work) -> decltype(work())
 {
     std::optional<decltype(work())> outcome;
     const Result<void> done = project.change(words, [&]() -> Result<void> {

@@ -3,6 +3,7 @@
 
 #include "core/base/file_system.h"
 #include "core/files/temporary.h"
+#include "core/project/names.h"
 
 #include <QString>
 #include <QSysInfo>
@@ -42,6 +43,13 @@ std::optional<std::string> wordsIn(int descriptor)
     return text.substr(0, text.find('\n'));
 }
 
+tl::unexpected<Error> cannotHold(const std::filesystem::path &file)
+{
+    return fail(ErrorCode::Io, ODO_TEXT("project.cannot_hold", "cannot hold %1")(Named::file(file)),
+                foreignWords(std::strerror(errno)),
+                ODO_TEXT("project.check_its_folder", "check the free space and the rights of its folder"));
+}
+
 } // namespace
 
 HeldFile::HeldFile(std::filesystem::path file, Afterwards afterwards, int descriptor)
@@ -57,8 +65,7 @@ Result<std::unique_ptr<HeldFile>> HeldFile::take(const std::filesystem::path &fi
         const int descriptor =
             ::open(file.c_str(), O_CREAT | O_RDWR | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0644);
         if (descriptor < 0)
-            return fail(ErrorCode::Io, "cannot hold " + file.string(), std::strerror(errno),
-                        "check the free space and the rights of its folder");
+            return cannotHold(file);
         if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
             ::close(descriptor);
             return nullptr;
@@ -76,8 +83,7 @@ Result<std::unique_ptr<HeldFile>> HeldFile::take(const std::filesystem::path &fi
             words.empty() ? words : words.substr(0, mostBytes - mark.size()) + std::string(mark);
         if (::ftruncate(descriptor, 0) != 0 ||
             ::write(descriptor, text.data(), text.size()) != static_cast<ssize_t>(text.size()))
-            return fail(ErrorCode::Io, "cannot hold " + file.string(), std::strerror(errno),
-                        "check the free space and the rights of its folder");
+            return cannotHold(file);
         return held;
     }
 }
@@ -116,18 +122,21 @@ std::filesystem::path RecordingLock::fileIn(const std::filesystem::path &mediaFo
 
 Result<std::unique_ptr<RecordingLock>> RecordingLock::take(const std::filesystem::path &mediaFolder)
 {
-    const std::string what = "cannot record into " + mediaFolder.string();
+    const Message what =
+        ODO_TEXT("project.cannot_record_into", "cannot record into %1")(Named::file(mediaFolder));
     std::error_code problem;
     files::makeFolders(mediaFolder, problem);
     if (problem)
-        return fail(ErrorCode::Io, what, problem.message(),
-                    "check the free space and the rights of the project's folder");
+        return fail(ErrorCode::Io, what, foreignWords(problem.message()),
+                    ODO_TEXT("project.check_project_folder",
+                             "check the free space and the rights of the project's folder"));
     auto file = HeldFile::take(fileIn(mediaFolder), HeldFile::Afterwards::Stays);
     if (!file)
         return fail(file.error().code, what, file.error().why, file.error().advice);
     if (!*file)
-        return fail(ErrorCode::AlreadyExists, what, "a trial is being recorded into it just now",
-                    "wait until that has ended");
+        return fail(ErrorCode::AlreadyExists, what,
+                    ODO_TEXT("project.recorded_into_now", "a trial is being recorded into it just now"),
+                    ODO_TEXT("project.wait_until_ended", "wait until that has ended"));
     return std::unique_ptr<RecordingLock>(new RecordingLock(std::move(*file)));
 }
 
@@ -159,15 +168,17 @@ std::string holder()
 
 Result<std::unique_ptr<WindowLock>> WindowLock::take(const std::filesystem::path &project)
 {
-    const std::string what = "project '" + project.filename().string() + "'";
+    const Message what = projectSubject(project.filename());
     auto file = HeldFile::take(lockFile(project), HeldFile::Afterwards::Goes, holder());
     if (!file)
         return fail(file.error().code, what, file.error().why, file.error().advice);
     if (!*file) {
         const std::string who = HeldFile::wordsOf(lockFile(project));
         return fail(ErrorCode::AlreadyExists, what,
-                    "it is open in another window" + (who.empty() ? std::string() : " (" + who + ")"),
-                    "close it there first");
+                    who.empty()
+                        ? Message(ODO_TEXT("project.open_elsewhere", "it is open in another window"))
+                        : ODO_TEXT("project.open_elsewhere_by", "it is open in another window (%1)")(who),
+                    ODO_TEXT("project.close_it_there", "close it there first"));
     }
     return std::unique_ptr<WindowLock>(new WindowLock(std::move(*file)));
 }

@@ -2,6 +2,7 @@
 #include "core/project/project_media.h"
 
 #include "core/base/file_system.h"
+#include "core/base/subjects.h"
 #include "core/files/file_kind.h"
 #include "core/project/internal/opening_check.h"
 #include "core/project/project_locks.h"
@@ -119,10 +120,12 @@ Result<ReferredFiles> filesUsedBeside(const std::filesystem::path &project)
         const auto other = Project::openAgain(beside, Project::Access::ReadOnly);
         const Result<void> added = other ? addAllOf(**other, files) : tl::unexpected(other.error());
         if (!added)
-            return fail(added.error().code, "look for stray files",
-                        "project '" + beside.filename().string() +
-                            "' beside it may use them, and cannot be read (" + added.error().why + ")",
-                        "open that project, or move it to a folder of its own with its videos");
+            return fail(added.error().code, ODO_TEXT("project.look_for_strays", "look for stray files"),
+                        ODO_TEXT("project.may_be_used_beside",
+                                 "project '%1' beside it may use them, and cannot be read (%2)")(
+                            Named::file(beside.filename()), added.error().why),
+                        ODO_TEXT("project.open_or_move_that",
+                                 "open that project, or move it to a folder of its own with its videos"));
     }
     return files;
 }
@@ -222,8 +225,10 @@ Result<std::vector<std::filesystem::path>> unusedFiles(Project &project)
     std::error_code problem;
     addAllBelow(media, files, problem);
     if (problem && problem != std::errc::no_such_file_or_directory)
-        return fail(ErrorCode::Io, "look in '" + media.string() + "'", problem.message(),
-                    "check that the folder is there and may be read");
+        return fail(
+            ErrorCode::Io, ODO_TEXT("project.look_in", "look in '%1'")(Named::file(media)),
+            foreignWords(problem.message()),
+            ODO_TEXT("project.check_folder_is_there", "check that the folder is there and may be read"));
     // Who adds a trial holds its files until it is in the project: looked at in this order, none of them is
     // taken for a stray one.
     std::erase_if(files, [&](const std::filesystem::path &file) {
@@ -272,34 +277,44 @@ void addStrayMedia(Project &project, std::vector<ProjectProblem> &problems, cons
 {
     const auto stray = strayMedia(project, control);
     if (!stray) {
-        problems.push_back({"it cannot be told which files belong to no trial: " + stray.error().why,
-                            stray.error().what, stray.error().advice});
+        problems.push_back(
+            {joined({ODO_TEXT("project.strays_unknown", "it cannot be told which files belong to no trial"),
+                     stray.error().why},
+                    Join::Colon),
+             stray.error().what, stray.error().advice});
         return;
     }
-    const auto addUnused = [&](const std::filesystem::path &file, const char *advice) {
-        problems.push_back(
-            {"no trial, lens calibration or floor registration uses this file", file.string(), advice});
+    const auto addUnused = [&](const std::filesystem::path &file, const MessageText &advice) {
+        problems.push_back({ODO_TEXT("project.file_unused",
+                                     "no trial, lens calibration or floor registration uses this file"),
+                            fileSubject(file), advice});
     };
     for (const std::filesystem::path &file : stray->files)
-        addUnused(file, "make a trial of it with odograph check P.odo --adopt, or remove it with "
-                        "--remove-strays; the window offers both under Find stray files…");
+        addUnused(file, ODO_TEXT("project.adopt_or_remove",
+                                 "make a trial of it with odograph check P.odo --adopt, or remove it with "
+                                 "--remove-strays; the window offers both under 'Find stray files…'"));
     for (const std::filesystem::path &file : stray->foreign)
-        addUnused(file, "move it to another folder");
+        addUnused(file, ODO_TEXT("project.move_file_away", "move it to another folder"));
     for (const std::filesystem::path &file : stray->lost)
         problems.push_back(
-            {"this is a missing recording", file.string(),
-             "take it from there with odograph check P.odo --find FOLDER or Find lost videos… in the window, "
-             "or put it back in its place"});
+            {ODO_TEXT("project.is_missing_recording", "this is a missing recording"), fileSubject(file),
+             ODO_TEXT(
+                 "project.find_or_put_back",
+                 "take it from there with odograph check P.odo --find FOLDER or Find lost videos… in the "
+                 "window, or put it back in its place")});
     for (const std::filesystem::path &file : stray->projects)
-        problems.push_back({"a project lies in the media folder of another one", file.string(),
-                            "move it with its videos to a folder of its own"});
+        problems.push_back(
+            {ODO_TEXT("project.lies_in_media", "a project lies in the media folder of another one"),
+             fileSubject(file),
+             ODO_TEXT("project.move_project_away", "move it with its videos to a folder of its own")});
 }
 
 Result<bool> removeStray(Project &project, const std::filesystem::path &file)
 {
-    const std::string what = "cannot remove '" + file.string() + "'";
     const auto failed = [&](int reason) {
-        return fail(ErrorCode::Io, what, std::strerror(reason), "check the rights of the project's folder");
+        return fail(ErrorCode::Io, ODO_TEXT("project.cannot_remove", "cannot remove '%1'")(Named::file(file)),
+                    foreignWords(std::strerror(reason)),
+                    ODO_TEXT("project.check_rights", "check the rights of the project's folder"));
     };
     int descriptor = -1;
     if (isOrdinary(file)) {

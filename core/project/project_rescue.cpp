@@ -8,6 +8,8 @@
 #include "core/project/internal/migrator.h"
 #include "core/project/internal/opening_check.h"
 #include "core/project/internal/schema.h"
+#include "core/project/internal/words.h"
+#include "core/project/names.h"
 #include "core/project/project.h"
 #include "core/project/write_ahead_log.h"
 
@@ -15,7 +17,6 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <string_view>
 #include <unistd.h>
 #include <utility>
@@ -71,10 +72,11 @@ Result<void> worthOpening(const std::filesystem::path &project)
     return header;
 }
 
-std::string adviceToCopy(const std::filesystem::path &backup)
+Message adviceToCopy(const std::filesystem::path &backup)
 {
-    return "copy '" + backup.filename().string() +
-           "', which is sound, to a new name and open that, and keep the damaged file";
+    return ODO_TEXT("project.copy_sound_backup",
+                    "copy '%1', which is sound, to a new name and open that, and "
+                    "keep the damaged file")(Named::file(backup.filename()));
 }
 
 Error namingABackup(Error error, const std::filesystem::path &project)
@@ -162,12 +164,12 @@ private:
 
 Result<RestoredBackup> restoreBackup(const std::filesystem::path &project)
 {
-    const std::string what = "project '" + project.filename().string() + "'";
+    const Message what = projectSubject(project.filename());
     const auto backup = soundBackupOf(project);
     if (!backup)
-        return fail(ErrorCode::NotFound, what, "no sound backup lies beside it",
-                    "restore it from a backup copy");
-    const auto refused = [&](ErrorCode code, const std::string &why) {
+        return fail(ErrorCode::NotFound, what,
+                    ODO_TEXT("project.no_sound_backup", "no sound backup lies beside it"), restoreFile());
+    const auto refused = [&](ErrorCode code, const Message &why) {
         return fail(code, what, why, adviceToCopy(*backup));
     };
     std::error_code problem;
@@ -184,9 +186,7 @@ Result<RestoredBackup> restoreBackup(const std::filesystem::path &project)
     if (auto copied = copyDatabase(**source, fresh); !copied)
         return refused(copied.error().code, copied.error().why);
     KeptAside aside(real, freeName(besideFile(real, ".damaged")));
-    const auto failed = [&refused] {
-        return refused(ErrorCode::Io, std::string("writing it failed (") + std::strerror(errno) + ")");
-    };
+    const auto failed = [&refused] { return refused(ErrorCode::Io, writingFailed(errno)); };
     if (!aside.take())
         return failed();
     syncToDisk(real.parent_path()); // some file systems cannot sync a folder: both files are safe already
@@ -221,15 +221,17 @@ Result<std::filesystem::path> rescueProject(const Project &project)
 {
     constexpr int mostNames = 1000;
     project.emptyLog(); // or whoever opens a file that took this one's place would apply the log to that
-    Result<void> done = fail(ErrorCode::NotFound, "project '" + project.file().filename().string() + "'",
-                             "its folder is gone, and there is no home folder to rescue it to",
-                             "put the file back in its place");
+    const Message what = projectSubject(project.file().filename());
+    Result<void> done = fail(ErrorCode::NotFound, what,
+                             ODO_TEXT("project.no_place_to_rescue_to",
+                                      "its folder is gone, and there is no home folder to rescue it to"),
+                             putFileBack());
     for (const std::filesystem::path &folder : foldersFor(project)) {
         for (int number = 1; number <= mostNames; ++number) {
             const std::string ending =
                 number == 1 ? " (rescued).odo" : " (rescued " + std::to_string(number) + ").odo";
             const std::filesystem::path file = folder / (project.file().stem().string() + ending);
-            done = checkNewProject(file, "project '" + project.file().filename().string() + "'");
+            done = checkNewProject(file, what);
             if (done)
                 done = project.saveCopy(file);
             if (done)

@@ -5,7 +5,6 @@
 
 #include <filesystem>
 #include <optional>
-#include <string>
 
 namespace odo {
 
@@ -18,7 +17,7 @@ std::optional<std::filesystem::path> soundBackupOf(const std::filesystem::path &
 Result<void> worthOpening(const std::filesystem::path &project);
 
 /// To copy that backup by hand, as the advice of an error.
-std::string adviceToCopy(const std::filesystem::path &backup);
+Message adviceToCopy(const std::filesystem::path &backup);
 
 /// Why a project cannot be used, with the advice to take the sound backup where there is one. Only where its
 /// content is at fault (InvalidInput). The project is left as it is.

@@ -3,10 +3,13 @@
 
 #include "core/base/file_system.h"
 #include "core/base/sha256.h"
+#include "core/base/subjects.h"
+#include "core/files/file_words.h"
 #include "core/files/protected_files.h"
 #include "core/project/internal/analysis_digest.h"
 #include "core/project/internal/connection.h"
 #include "core/project/internal/series_blobs.h"
+#include "core/project/internal/words.h"
 #include "core/project/names.h"
 #include "core/project/repositories.h"
 
@@ -59,7 +62,9 @@ Result<void> readFrameTimes(const ProjectConnection &connection, RecordingRecord
         connection,
         QStringLiteral("SELECT times FROM frame_time_chunk WHERE recording_id=? ORDER BY position"));
     return select.bind(into.id).eachRow([&into](const Statement &row) -> Result<void> {
-        return unpackTimes(row.blob(0), "frame times of '" + into.path + "'", into.frameTimes);
+        return unpackTimes(row.blob(0),
+                           ODO_TEXT("project.frame_times_of", "frame times of '%1'")(Named::file(into.path)),
+                           into.frameTimes);
     });
 }
 
@@ -113,14 +118,19 @@ Result<std::vector<RecordingRecord>> readWhole(const ProjectConnection &connecti
 
 Result<RecordId> addRecording(ProjectConnection &connection, const RecordingRecord &recording)
 {
-    if (auto valid = checkText("path of a recording", recording.path); !valid)
+    if (auto valid = checkText(ODO_TEXT("project.recording_path", "path of a recording"), recording.path);
+        !valid)
         return tl::unexpected(valid.error());
     if (recording.path.empty())
-        return fail(ErrorCode::InvalidInput, "recording", "it has no file", "name the video's file");
+        return fail(ErrorCode::InvalidInput, ODO_TEXT("project.recording", "recording"),
+                    ODO_TEXT("project.recording_without_file", "it has no file"),
+                    ODO_TEXT("project.name_video_file", "name the video's file"));
     const std::filesystem::path path(recording.path);
     if (path.is_relative() && climbsOut(path.lexically_normal()))
-        return fail(ErrorCode::InvalidInput, "recording '" + recording.path + "'",
-                    "its relative path leaves the project's folder", "copy the file beside the project");
+        return fail(ErrorCode::InvalidInput,
+                    ODO_TEXT("project.recording_at", "recording '%1'")(Named::file(recording.path)),
+                    ODO_TEXT("project.path_leaves_folder", "its relative path leaves the project's folder"),
+                    ODO_TEXT("project.copy_file_beside", "copy the file beside the project"));
     Statement insert(
         connection,
         QStringLiteral("INSERT INTO recording (trial_id, camera_id, position, path, sha256, bytes, "
@@ -235,13 +245,12 @@ std::filesystem::path absolutePath(const std::filesystem::path &projectFile, con
 
 Result<std::string> fileSha256(const std::filesystem::path &file, const JobControl &control)
 {
-    const std::string what = "file '" + file.string() + "'";
+    const Message what = quotedFileSubject(file);
     if (auto may = checkMayBeRead(file, what); !may)
         return tl::unexpected(may.error());
     QFile input(QString::fromStdString(file.string()));
     if (!input.open(QIODevice::ReadOnly))
-        return fail(ErrorCode::Io, what, "it cannot be read (" + input.errorString().toStdString() + ")",
-                    "check that the file is there and may be read");
+        return fail(ErrorCode::Io, what, cannotBeRead(input.errorString().toStdString()), checkFileIsThere());
     Sha256 hash;
     QByteArray block(1 << 20, Qt::Uninitialized);
     for (;;) {
@@ -249,8 +258,10 @@ Result<std::string> fileSha256(const std::filesystem::path &file, const JobContr
             return cancelled(what);
         const qint64 count = input.read(block.data(), block.size());
         if (count < 0)
-            return fail(ErrorCode::Io, what, "reading it failed (" + input.errorString().toStdString() + ")",
-                        "check the disk");
+            return fail(ErrorCode::Io, what,
+                        ODO_TEXT("project.reading_failed",
+                                 "reading it failed (%1)")(foreignWords(input.errorString().toStdString())),
+                        ODO_TEXT("project.check_disk", "check the disk"));
         if (count == 0)
             break;
         hash.add(block.constData(), static_cast<std::size_t>(count));
@@ -315,7 +326,7 @@ Result<void> TrialRepository::appendRawTimes(RecordId recording, const RecordedT
 Result<RecordedTimes> TrialRepository::rawTimes(RecordId recording) const
 {
     RecordedTimes times;
-    const std::string what = "raw times of recording " + std::to_string(recording);
+    const Message what = ODO_TEXT("project.raw_times_of", "raw times of recording %1")(recording);
     Statement select(
         m_connection,
         QStringLiteral(
@@ -344,8 +355,9 @@ Result<void> TrialRepository::complete(const TrialRecord &trial,
         if (!before)
             return tl::unexpected(before.error());
         if (!before->unfinished)
-            return fail(ErrorCode::InvalidInput, "trial '" + before->name + "'",
-                        "its recording has ended already", "record another trial");
+            return fail(ErrorCode::InvalidInput, trialSubject(before->name),
+                        ODO_TEXT("project.recording_ended", "its recording has ended already"),
+                        ODO_TEXT("project.record_another", "record another trial"));
         const auto begun = this->recordings(trial.id);
         if (!begun)
             return tl::unexpected(begun.error());
@@ -396,8 +408,9 @@ Result<void> TrialRepository::removeUnfinished(RecordId trial)
         if (!known)
             return tl::unexpected(known.error());
         if (!known->unfinished)
-            return fail(ErrorCode::InvalidInput, "trial '" + known->name + "'",
-                        "its recording has ended, and is kept", "leave it");
+            return fail(ErrorCode::InvalidInput, trialSubject(known->name),
+                        ODO_TEXT("project.recording_kept", "its recording has ended, and is kept"),
+                        ODO_TEXT("project.leave_it", "leave it"));
         const auto recordings = this->recordings(trial);
         if (!recordings)
             return tl::unexpected(recordings.error());

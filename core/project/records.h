@@ -45,7 +45,7 @@ struct IntrinsicsRecord
     RecordId id = 0;
     RecordId camera = 0;
     Instant made;
-    std::string origin; ///< "calibrated", "imported from A.yaml"
+    Message origin; ///< "calibrated from 14 pictures", "imported from A.yaml"
     /// For an import: rmsPx 0 and no pictures. What follows from the rest is not stored: onFloor
     /// (expectedOnFloor gives it), halvesApart, lensTrials. With its pictures' corners it can be solved again
     /// (recalibrate); those of projects before format 5 have none.
@@ -62,7 +62,7 @@ struct RegistrationCheck
     /// NotTold: too few markers were found again.
     enum class Outcome { Still, CameraMoved, MarkersMoved, NotTold } outcome = Outcome::Still;
     double shiftPx = 0, shiftM = 0; ///< as MovedCheck
-    std::string words;
+    Message words;
 };
 
 /// A revision of a camera's registration to the floor; in force as intrinsics are.
@@ -207,8 +207,8 @@ struct ImportedTrack
     std::string file; ///< its name, without folders
     std::string sha256;
     std::int64_t bytes = 0;
-    std::string format;  ///< what it was read as, one word: "tum", "csv", "tracker"
-    std::string reading; ///< for people: units, axes and errors it was read with
+    std::string format; ///< what it was read as, one word: "tum", "csv", "tracker"
+    Message reading;    ///< for people: units, axes and errors it was read with
     /// In order of time, with their covariances; flagged Lost where it has no position. Views and
     /// disagreement are not known.
     std::vector<Sample> samples;
@@ -268,7 +268,7 @@ struct ChangeEntry
     enum class Kind { Made, Undone, Redone };
     Instant made;
     Kind kind = Kind::Made;
-    std::string words; ///< what was changed
+    Message words; ///< what was changed
 };
 
 /// A figure from elsewhere that belongs to a trial: the demo's truth.

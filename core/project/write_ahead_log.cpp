@@ -2,6 +2,8 @@
 #include "core/project/write_ahead_log.h"
 
 #include "core/base/file_system.h"
+#include "core/project/internal/words.h"
+#include "core/project/names.h"
 
 #include <algorithm>
 #include <array>
@@ -253,22 +255,27 @@ Result<void> checkLog(const std::filesystem::path &file)
         if (belongs == Belongs::Yes)
             return {};
         if (belongs == Belongs::No)
-            return fail(ErrorCode::Unavailable, "project '" + file.filename().string() + "'",
-                        "the log beside it ('" + log.filename().string() +
-                            "') belongs to another file or to another state of this one",
-                        "move the log to another folder to open the file without it, or put the file back "
-                        "that the log belongs to");
+            return fail(ErrorCode::Unavailable, projectSubject(file.filename()),
+                        ODO_TEXT("project.foreign_log",
+                                 "the log beside it ('%1') belongs to another file or to another "
+                                 "state of this one")(Named::file(log.filename())),
+                        ODO_TEXT("project.move_log_away",
+                                 "move the log to another folder to open the file without it, "
+                                 "or put the file back that the log belongs to"));
     }
     return {}; // whoever writes to it all the time has looked before
 }
 
 namespace {
 
-tl::unexpected<Error> notCopied(const std::filesystem::path &file, const char *why)
+tl::unexpected<Error> notCopied(const std::filesystem::path &file, int reason)
 {
-    return fail(ErrorCode::Io, "project '" + file.filename().string() + "'",
-                std::string("it could not be copied to be read (") + why + ")",
-                "copy it with the files beside it to a folder that you may write to, and open the copy");
+    return fail(ErrorCode::Io, projectSubject(file.filename()),
+                ODO_TEXT("project.not_copied",
+                         "it could not be copied to be read (%1)")(foreignWords(std::strerror(reason))),
+                ODO_TEXT("project.copy_with_side_files",
+                         "copy it with the files beside it to a folder that you "
+                         "may write to, and open the copy"));
 }
 
 /// What changes when a file is written to.
@@ -310,8 +317,9 @@ bool hasLog(const std::filesystem::path &file)
 Result<std::unique_ptr<LogCopy>> LogCopy::make(const std::filesystem::path &file)
 {
     const char *told = std::getenv("TMPDIR");
-    auto folder = TemporaryFolder::make(told != nullptr ? told : "/tmp",
-                                        "copy of project '" + file.filename().string() + "'");
+    auto folder = TemporaryFolder::make(
+        told != nullptr ? told : "/tmp",
+        ODO_TEXT("project.copy_of_project", "copy of project '%1'")(Named::file(file.filename())));
     if (!folder)
         return tl::unexpected(folder.error());
     std::unique_ptr<LogCopy> copy(new LogCopy(std::move(*folder)));
@@ -330,12 +338,12 @@ Result<void> LogCopy::fill(const std::filesystem::path &file) const
             logCopy(besideFile(this->file(), logSuffix), std::ios::binary);
         std::ifstream logged(log, std::ios::binary);
         if (!copyDatabaseBytes(file, database) || !(logCopy << logged.rdbuf()).flush())
-            return notCopied(file, std::strerror(errno));
+            return notCopied(file, errno);
         if (before == std::array{stampOf(file), stampOf(log)})
             return {};
     }
-    return fail(ErrorCode::Unavailable, "project '" + file.filename().string() + "'",
-                "another program is writing to it", "close the other program and try again");
+    return fail(ErrorCode::Unavailable, projectSubject(file.filename()), anotherProgramWrites(),
+                closeOtherProgram());
 }
 
 bool FileStamp::isOverwrittenSince(const FileStamp &before) const

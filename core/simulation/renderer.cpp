@@ -139,6 +139,15 @@ Frame SceneRenderer::render(std::int64_t frame)
     return FrameBuffer::toFrame(d.sensor.read(gain, picture), frame, frameStamp(d.scene, d.camera, frame));
 }
 
+namespace {
+
+Message renderingOf(const std::filesystem::path &file)
+{
+    return ODO_TEXT("simulation.rendering", "rendering %1")(Named::file(file));
+}
+
+} // namespace
+
 Result<void> renderVideo(const SimulatedScene &scene, int camera, const OutputTarget &target,
                          const VideoWriterOptions &options, const JobControl &control)
 {
@@ -146,14 +155,16 @@ Result<void> renderVideo(const SimulatedScene &scene, int camera, const OutputTa
     SceneRenderer renderer(scene, camera);
     const std::int64_t count = renderer.frameCount();
     if (count == 0)
-        return fail(ErrorCode::InvalidInput, "cannot render " + file.string(),
-                    "camera " + scene.cameras[static_cast<std::size_t>(camera)].name +
-                        " takes no frame while the scene lasts",
-                    "give the scene a longer duration or start the camera earlier");
+        return fail(ErrorCode::InvalidInput,
+                    ODO_TEXT("simulation.cannot_render", "cannot render %1")(Named::file(file)),
+                    ODO_TEXT("simulation.no_frame", "camera %1 takes no frame while the scene lasts")(
+                        Named::camera(scene.cameras[static_cast<std::size_t>(camera)].name)),
+                    ODO_TEXT("simulation.lengthen_scene",
+                             "give the scene a longer duration or start the camera earlier"));
     std::unique_ptr<VideoWriter> writer;
     for (std::int64_t i = 0; i < count; ++i) {
         if (control.isCancelled())
-            return cancelled("rendering " + file.string());
+            return cancelled(renderingOf(file));
         const Frame frame = renderer.render(i);
         if (!writer) {
             auto created = VideoWriter::create(target, frame.format, options);
@@ -163,8 +174,7 @@ Result<void> renderVideo(const SimulatedScene &scene, int camera, const OutputTa
         }
         if (auto written = writer->write(frame); !written)
             return written;
-        control.report(static_cast<double>(i + 1) / static_cast<double>(count),
-                       "rendering " + file.filename().string());
+        control.report(static_cast<double>(i + 1) / static_cast<double>(count), renderingOf(file.filename()));
     }
     return writer->finish();
 }

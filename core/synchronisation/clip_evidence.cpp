@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/synchronisation/clip_evidence.h"
 
+#include "core/base/subjects.h"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -78,9 +80,18 @@ std::vector<TimedPosition> middleTrack(const std::vector<GroupSight> &sights, st
     return track;
 }
 
-std::string plusMinus(const ClipOffset &offset)
+Message plusMinus(const ClipOffset &offset)
 {
-    return formatNumber(offset.offsetS, 3) + " s ±" + formatNumber(offset.sigmaS, 3) + " s";
+    return ODO_TEXT("synchronisation.offset", "%1 ±%2")(quantity(offset.offsetS, 3, "s"),
+                                                        quantity(offset.sigmaS, 3, "s"));
+}
+
+MessageArgument namesOf(const MotionTrack &track)
+{
+    std::vector<Message> names;
+    for (const std::string &robot : track.robots)
+        names.push_back(quotedName(Named::robot(robot)));
+    return listed(std::move(names));
 }
 
 bool disagree(const ClipOffset &a, const ClipOffset &b)
@@ -91,7 +102,7 @@ bool disagree(const ClipOffset &a, const ClipOffset &b)
 
 /// The offset that the track tells best which tells best; the reason of the first where none tells.
 Result<ClipOffset> fromMotion(const ClipEvidence &first, const ClipEvidence &second, const OffsetRange &range,
-                              std::vector<std::string> &remarks)
+                              std::vector<Message> &remarks)
 {
     std::optional<ClipOffset> best;
     std::size_t bestTrack = 0;
@@ -111,9 +122,10 @@ Result<ClipOffset> fromMotion(const ClipEvidence &first, const ClipEvidence &sec
         return tl::unexpected(*whyNot);
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (all[i] && disagree(*all[i], *best))
-            remarks.push_back("robot " + first.tracks[i].robots + " tells an offset of " +
-                              plusMinus(*all[i]) + ", robot " + first.tracks[bestTrack].robots + " " +
-                              plusMinus(*best) + ", which was taken");
+            remarks.push_back(ODO_TEXT("synchronisation.robots_disagree",
+                                       "robot %1 tells an offset of %2, robot %3 %4, which was taken")(
+                namesOf(first.tracks[i]), plusMinus(*all[i]), namesOf(first.tracks[bestTrack]),
+                plusMinus(*best)));
     }
     return *best;
 }
@@ -123,7 +135,7 @@ Result<void> hasTracks(const ClipEvidence &first, const ClipEvidence &second)
 {
     for (const ClipEvidence *view : {&first, &second}) {
         if (view->tracks.empty())
-            return fail(ErrorCode::Undetermined, "synchronisation of the clips", view->whyNoTracks, {});
+            return fail(ErrorCode::Undetermined, clipsSubject(), view->whyNoTracks, {});
     }
     return {};
 }
@@ -136,9 +148,9 @@ std::vector<std::vector<MotionTrack>> motionTracks(const std::vector<NamedView> 
 {
     std::vector<std::vector<MotionTrack>> tracks(views.size());
     for (const std::vector<std::size_t> &group : robotsOfLikeColours(robots)) {
-        std::string together;
+        std::vector<std::string> together;
         for (const std::size_t robot : group)
-            together += (together.empty() ? "'" : " and '") + names[robot] + "'";
+            together.push_back(names[robot]);
         std::vector<std::vector<GroupSight>> sights;
         for (const NamedView &view : views)
             sights.push_back(sightsOf(view, robots, group));
@@ -170,19 +182,24 @@ Result<FoundOffset> findClipOffset(const ClipEvidence &first, const ClipEvidence
             motion = near;
     }
     if (!motion && !flash)
-        return fail(ErrorCode::Undetermined, "synchronisation of the clips",
-                    motion.error().why + ", and " + flash.error().why, flash.error().advice);
+        return fail(
+            ErrorCode::Undetermined, clipsSubject(),
+            ODO_TEXT("synchronisation.neither_tells", "%1, and %2")(motion.error().why, flash.error().why),
+            flash.error().advice);
     if (motion) {
         found.clock = *motion;
         if (flash && disagree(*motion, *flash))
-            found.remarks.push_back("the motion tells an offset of " + plusMinus(*motion) +
-                                    ", which was taken, and the flash of light " + plusMinus(*flash));
+            found.remarks.push_back(
+                ODO_TEXT("synchronisation.flash_disagrees",
+                         "the motion tells an offset of %1, which was taken, and the flash of light %2")(
+                    plusMinus(*motion), plusMinus(*flash)));
         return found;
     }
     found.clock = *flash;
     found.fromFlash = true;
-    found.remarks.push_back("from a flash of light, to " + formatNumber(1e3 * flash->sigmaS, 1) +
-                            " ms only, for " + motion.error().why);
+    found.remarks.push_back(
+        ODO_TEXT("synchronisation.from_flash", "from a flash of light, to %1 only, for %2")(
+            quantity(1e3 * flash->sigmaS, 1, "ms"), motion.error().why));
     return found;
 }
 

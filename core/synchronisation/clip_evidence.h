@@ -13,7 +13,7 @@ namespace odo {
 /// tell apart.
 struct MotionTrack
 {
-    std::string robots; ///< their names
+    std::vector<std::string> robots; ///< their names
     std::vector<TimedPosition> positions;
 };
 
@@ -21,8 +21,8 @@ struct MotionTrack
 struct ClipEvidence
 {
     std::vector<MotionTrack> tracks; ///< as many and of the same robots as the other views'
-    /// and what to do, where there are none: "the project has no robot to look for"
-    std::string whyNoTracks;
+    /// where there are none: "the project has no robot to look for"
+    Message whyNoTracks;
     LightCourse light;
 };
 
@@ -39,7 +39,7 @@ struct FoundOffset
 {
     ClipOffset clock;
     bool fromFlash = false;
-    std::vector<std::string> remarks; ///< whole clauses on what does not fit
+    std::vector<Message> remarks; ///< on what does not fit
 };
 
 /// From the motion of the robots where it tells (of several that which tells best), for that is the finest;

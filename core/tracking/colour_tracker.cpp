@@ -239,14 +239,19 @@ bool ColourTracker::Impl::holdsNeeded(const Frame &frame) const
 Result<std::unique_ptr<ColourTracker>> ColourTracker::create(std::vector<TrackTarget> targets)
 {
     if (targets.empty())
-        return fail(ErrorCode::InvalidInput, "Cannot track", "no robot is given",
-                    "add a robot with its colour first");
+        return fail(ErrorCode::InvalidInput, ODO_TEXT("tracking.cannot_track", "Cannot track"),
+                    ODO_TEXT("tracking.no_robot_given", "no robot is given"),
+                    ODO_TEXT("tracking.add_robot", "add a robot with its colour first"));
     for (const TrackTarget &target : targets) {
         if (!isFoundByColour(target))
-            return fail(ErrorCode::InvalidInput, "Cannot track robot " + target.name,
-                        "its colour " + (target.colour ? target.colour->toString() : std::string()) +
-                            " is grey, and only hue tells a robot from the floor",
-                        "tell no colour, so that it is found by how it differs from the floor");
+            return fail(
+                ErrorCode::InvalidInput,
+                ODO_TEXT("tracking.cannot_track_robot", "Cannot track robot %1")(Named::robot(target.name)),
+                ODO_TEXT("tracking.colour_is_grey",
+                         "its colour %1 is grey, and only hue tells a robot from the floor")(
+                    target.colour ? target.colour->toString() : std::string()),
+                ODO_TEXT("tracking.tell_no_colour",
+                         "tell no colour, so that it is found by how it differs from the floor"));
     }
     auto impl = std::make_unique<Impl>();
     for (const TrackTarget &target : targets)

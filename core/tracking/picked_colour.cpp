@@ -18,7 +18,10 @@ constexpr double likeTheSame = 0.3;          // likeness to the commonest hue
 constexpr double clearlyCommoner = 3;        // inside than around
 constexpr int smoothings = 2;                // of the densities: noise spreads a colour over several bins
 
-constexpr auto what = "colour in the box";
+Message colourInBox()
+{
+    return ODO_TEXT("tracking.colour_in_box", "colour in the box");
+}
 
 ChromaRect chromaRectOf(const ChromaGrid &grid, const PixelRect &box)
 {
@@ -112,21 +115,30 @@ Result<PickedColour> pickColour(const Frame &frame, const PixelRect &box)
     const ChromaGrid grid(frame);
     const ChromaRect area = chromaRectOf(grid, box);
     if (area.width() < leastSamples || area.height() < leastSamples)
-        return fail(ErrorCode::InvalidInput, what, "the box is too small, or outside the picture",
-                    "draw it round the robot, at least 8 pixels wide and high");
+        return fail(
+            ErrorCode::InvalidInput, colourInBox(),
+            ODO_TEXT("tracking.box_too_small", "the box is too small, or outside the picture"),
+            ODO_TEXT("tracking.draw_box_larger", "draw it round the robot, at least 8 pixels wide and high"));
     const ChromaDensity around = densityAround(grid, area);
     if (!(around.sum() > 0.5))
-        return fail(ErrorCode::InvalidInput, what, "the box leaves nothing of the floor to compare with",
-                    "draw it closely round the robot");
+        return fail(
+            ErrorCode::InvalidInput, colourInBox(),
+            ODO_TEXT("tracking.box_leaves_nothing", "the box leaves nothing of the floor to compare with"),
+            ODO_TEXT("tracking.draw_box_closely", "draw it closely round the robot"));
     const Standing standing = findStanding(densityOf(grid, area), around);
     if (standing.coloured >= leastShareOfBox)
         return PickedColour{meanColour(frame, grid, area, standing.own), std::min(1.0, standing.coloured)};
     if (standing.grey >= leastShareOfBox)
-        return fail(ErrorCode::Undetermined, what,
-                    "what differs from the floor around it is grey, black or white",
-                    "add the robot without a colour, so that it is found by how it differs from the floor");
-    return fail(ErrorCode::Undetermined, what, "it holds no colour that differs from the floor around it",
-                "draw it closely round the robot, or put a plate of another colour on it");
+        return fail(
+            ErrorCode::Undetermined, colourInBox(),
+            ODO_TEXT("tracking.box_is_grey", "what differs from the floor around it is grey, black or white"),
+            ODO_TEXT("tracking.add_without_colour",
+                     "add the robot without a colour, so that it is found by how it differs from the floor"));
+    return fail(
+        ErrorCode::Undetermined, colourInBox(),
+        ODO_TEXT("tracking.box_without_colour", "it holds no colour that differs from the floor around it"),
+        ODO_TEXT("tracking.put_plate_on_it",
+                 "draw it closely round the robot, or put a plate of another colour on it"));
 }
 
 } // namespace odo

@@ -32,41 +32,35 @@ constexpr std::array<std::pair<Smoother, std::string_view>, 4> smootherNames{{{S
                                                                               {Smoother::Tracker, "tracker"},
                                                                               {Smoother::None, "none"}}};
 
-std::string joinNames(const std::vector<std::string> &names)
-{
-    std::string joined;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        if (i > 0)
-            joined += i + 1 == names.size() ? " and " : ", ";
-        joined += names[i];
-    }
-    return joined;
-}
-
-std::vector<std::string> namesOf(const std::vector<ViewTrack> &views)
+MessageArgument camerasOf(const std::vector<ViewTrack> &views)
 {
     std::vector<std::string> names;
     for (const ViewTrack &view : views)
         names.push_back(view.view);
-    return names;
+    return listed(names, MessageArgument::Kind::Camera);
 }
 
 Result<void> checkViews(const std::vector<ViewTrack> &views)
 {
     if (views.empty())
-        return fail(ErrorCode::Undetermined, cannotMeasurePath, "the trial has no view",
-                    "import at least one video for it");
+        return fail(ErrorCode::Undetermined, cannotMeasurePath(),
+                    ODO_TEXT("trajectory.no_view", "the trial has no view"),
+                    ODO_TEXT("trajectory.import_video", "import at least one video for it"));
     const bool registered = std::any_of(views.begin(), views.end(),
                                         [](const ViewTrack &view) { return view.floorView.has_value(); });
     if (!registered)
-        return fail(ErrorCode::Undetermined, cannotMeasurePath,
-                    (views.size() == 1 ? "camera " + views.front().view + " is"
-                                       : "cameras " + joinNames(namesOf(views)) + " are") +
-                        " not registered to the floor",
-                    "run odograph register for at least one of them");
+        return fail(ErrorCode::Undetermined, cannotMeasurePath(),
+                    views.size() == 1
+                        ? ODO_TEXT("trajectory.camera_not_registered",
+                                   "camera %1 is not registered to the floor")(camerasOf(views))
+                        : ODO_TEXT("trajectory.cameras_not_registered",
+                                   "cameras %1 are not registered to the floor")(camerasOf(views)),
+                    ODO_TEXT("trajectory.register_one", "run odograph register for at least one of them"));
     if (views.front().observations.empty())
-        return fail(ErrorCode::Undetermined, cannotMeasurePath,
-                    "view " + views.front().view + " has no frame", "track the trial's videos first");
+        return fail(ErrorCode::Undetermined, cannotMeasurePath(),
+                    ODO_TEXT("trajectory.view_without_frame",
+                             "view %1 has no frame")(Named::camera(views.front().view)),
+                    ODO_TEXT("trajectory.track_first", "track the trial's videos first"));
     std::size_t found = 0, foundRegistered = 0;
     for (const ViewTrack &view : views) {
         const auto count = static_cast<std::size_t>(
@@ -76,15 +70,18 @@ Result<void> checkViews(const std::vector<ViewTrack> &views)
         foundRegistered += view.floorView ? count : 0;
     }
     if (found == 0)
-        return fail(ErrorCode::Undetermined, cannotMeasurePath,
-                    "the robot was not found in any picture of " + joinNames(namesOf(views)),
-                    "check that the robot moves in the pictures, that a colour that was told is the one it "
-                    "has there, and "
-                    "that the light is sufficient");
+        return fail(
+            ErrorCode::Undetermined, cannotMeasurePath(),
+            ODO_TEXT("trajectory.robot_not_found",
+                     "the robot was not found in any picture of %1")(camerasOf(views)),
+            ODO_TEXT("trajectory.check_robot_and_light",
+                     "check that the robot moves in the pictures, that a colour that was told is the one it "
+                     "has there, and that the light is sufficient"));
     if (foundRegistered == 0)
-        return fail(ErrorCode::Undetermined, cannotMeasurePath,
-                    "only cameras that are not registered to the floor saw the robot",
-                    "run odograph register for them");
+        return fail(ErrorCode::Undetermined, cannotMeasurePath(),
+                    ODO_TEXT("trajectory.only_unregistered",
+                             "only cameras that are not registered to the floor saw the robot"),
+                    ODO_TEXT("trajectory.register_them", "run odograph register for them"));
     return {};
 }
 
@@ -174,9 +171,11 @@ Result<PlacedRobot> placeAtOneHeight(const std::vector<ViewTrack> &views,
             return std::move(*solid);
     }
     if (!shape.referenceM.isZero())
-        return fail(ErrorCode::Undetermined, cannotMeasurePath,
-                    "its reference point lies beside its centre, but its outlines do not tell its heading",
-                    "give it the reference point 0,0 and track again");
+        return fail(
+            ErrorCode::Undetermined, cannotMeasurePath(),
+            ODO_TEXT("trajectory.heading_unknown",
+                     "its reference point lies beside its centre, but its outlines do not tell its heading"),
+            ODO_TEXT("trajectory.centre_reference", "give it the reference point 0,0 and track again"));
     const PlaneChoice plane = choosePlane(views, times, shape);
     const bool known = plane.heightM > 0;
     PlacedRobot placed{known ? lookAtPlane(views, times, plane.planeM) : lookFromAllViews(views, times, 0),
@@ -195,9 +194,12 @@ Result<PlacedRobot> place(const std::vector<ViewTrack> &views, const std::vector
         return placeAtOneHeight(views, times, shape);
     auto placed = freeHeight(lookFromAllViews(views, times, 0));
     if (!placed)
-        return fail(ErrorCode::Undetermined, cannotMeasurePath,
-                    "its height is to be triangulated, but two registered views hardly ever saw it together",
-                    "add a second view, or give the robot one height");
+        return fail(
+            ErrorCode::Undetermined, cannotMeasurePath(),
+            ODO_TEXT(
+                "trajectory.seldom_together",
+                "its height is to be triangulated, but two registered views hardly ever saw it together"),
+            ODO_TEXT("trajectory.add_view", "add a second view, or give the robot one height"));
     return PlacedRobot{std::move(placed->views), freePlaneSigmaM, placed->medianHeightM, true, {}};
 }
 
@@ -221,8 +223,9 @@ Result<Smoother> parseSmoother(std::string_view name)
         if (itsName == name)
             return smoother;
     }
-    return fail(ErrorCode::NotFound, "smoother " + std::string(name), "there is none of that name",
-                "use rts, savgol, tracker or none");
+    return fail(ErrorCode::NotFound, ODO_TEXT("trajectory.smoother", "smoother %1")(std::string(name)),
+                ODO_TEXT("trajectory.no_such_smoother", "there is none of that name"),
+                ODO_TEXT("trajectory.use_smoother", "use rts, savgol, tracker or none"));
 }
 
 std::string_view smootherName(Smoother smoother)

@@ -49,7 +49,10 @@ std::size_t startOfStretch(std::size_t stretch, std::size_t count)
 /// further.
 constexpr std::size_t partLength = 16'384, margin = 1024;
 
-const char *const chooseLonger = "choose a track with more positions";
+Message chooseLonger()
+{
+    return ODO_TEXT("trajectory.choose_longer_track", "choose a track with more positions");
+}
 
 /// What all tracks of this kind are analysed with. A stated σ counts as ours do.
 MeasurementNoise importedNoise()
@@ -202,9 +205,9 @@ public:
             return tl::unexpected(learnt.error());
         for (std::size_t begin = 0; begin < m_raw.count; begin += partLength) {
             if (m_control.isCancelled())
-                return cancelled(cannotMeasurePath);
+                return cancelled(cannotMeasurePath());
             m_control.report(double(begin) / double(m_raw.count),
-                             "analysing position " + std::to_string(begin));
+                             ODO_TEXT("trajectory.analysing_position", "analysing position %1")(begin));
             if (auto added = addPart(begin, std::min(begin + partLength, m_raw.count)); !added)
                 return tl::unexpected(added.error());
         }
@@ -255,10 +258,7 @@ private:
     Result<Profile> finish()
     {
         if (m_used < 3 || m_instants.empty())
-            return fail(ErrorCode::Undetermined, cannotMeasurePath,
-                        "not enough data: of " + std::to_string(m_raw.count) + " frames " +
-                            std::to_string(m_used) + " give a position that can be used",
-                        chooseLonger);
+            return notEnoughData(m_raw.count, m_used, chooseLonger());
         m_profile.metrics = measureRun(m_instants);
         m_instants = {};
         if (m_options.task) {
@@ -306,7 +306,7 @@ Result<Profile> analyseImported(const SampleSource &raw, const AnalysisOptions &
     if (profile)
         return profile;
     Error error = profile.error();
-    error.advice = chooseLonger;
+    error.advice = chooseLonger();
     return tl::unexpected(error);
 }
 

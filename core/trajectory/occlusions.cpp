@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 #include <optional>
 
@@ -272,42 +271,43 @@ std::string_view occlusionCauseName(OcclusionCause cause)
     return names[static_cast<std::size_t>(cause)];
 }
 
-std::string occlusionWords(const Occlusion &occlusion)
+Message occlusionWords(const Occlusion &occlusion)
 {
-    const std::string where = " in view " + occlusion.view;
+    const MessageArgument other = Named::robot(occlusion.other), view = Named::camera(occlusion.view);
     switch (occlusion.cause) {
     case OcclusionCause::HiddenBehind:
-        return "hidden behind " + occlusion.other + where;
+        return ODO_TEXT("trajectory.hidden_behind", "hidden behind %1 in view %2")(other, view);
     case OcclusionCause::PartlyHiddenBehind:
-        return "partly hidden behind " + occlusion.other + where;
+        return ODO_TEXT("trajectory.partly_hidden_behind", "partly hidden behind %1 in view %2")(other, view);
     case OcclusionCause::OneOutline:
-        return "one outline with " + occlusion.other + where;
+        return ODO_TEXT("trajectory.one_outline", "one outline with %1 in view %2")(other, view);
     case OcclusionCause::CutByEdge:
-        return "cut by the frame's edge" + where;
+        return ODO_TEXT("trajectory.cut_by_frames_edge", "cut by the frame's edge in view %1")(view);
     case OcclusionCause::PartlyVisible:
-        return "outline smaller than usual" + where;
+        return ODO_TEXT("trajectory.outline_smaller", "outline smaller than usual in view %1")(view);
     case OcclusionCause::OutlineTooLarge:
-        return "outline larger than usual" + where;
+        return ODO_TEXT("trajectory.outline_larger", "outline larger than usual in view %1")(view);
     case OcclusionCause::NotVisible:
         break;
     }
-    return "not visible" + where;
+    return ODO_TEXT("trajectory.not_visible", "not visible in view %1")(view);
 }
 
-std::string occlusionSentence(const Occlusion &occlusion)
+Message occlusionSentence(const Occlusion &occlusion)
 {
-    return occlusionWords(occlusion) + " (" + secondsText(toSeconds(occlusion.span.begin)) + " to " +
-           secondsText(toSeconds(occlusion.span.end)) + ")";
+    return ODO_TEXT("trajectory.occlusion_span", "%1 (%2 to %3)")(
+        occlusionWords(occlusion), quantity(toSeconds(occlusion.span.begin), 2, "s"),
+        quantity(toSeconds(occlusion.span.end), 2, "s"));
 }
 
-std::string reasonAmong(const std::vector<Occlusion> &occlusions, const Spike &spike)
+Message reasonAmong(const std::vector<Occlusion> &occlusions, const Spike &spike)
 {
-    std::string reason = spike.reason;
+    std::vector<Message> reasons{spike.reason};
     for (const Occlusion &one : occlusions) {
         if (one.span.contains(spike.time))
-            reason += (reason.empty() ? "" : "; ") + occlusionWords(one);
+            reasons.push_back(occlusionWords(one));
     }
-    return reason;
+    return joined(std::move(reasons), Join::Semicolon);
 }
 
 std::vector<std::vector<Occlusion>> findOcclusions(std::span<const OcclusionView> views,
@@ -345,27 +345,26 @@ bool mostlyUnseen(const std::vector<Sample> &samples, std::size_t begin, std::si
     return 2 * unseen > end - begin;
 }
 
-std::string sentence(const Sample &left, const Sample *back)
+Message unseenStretch(const Sample &left, const Sample *back)
 {
-    char text[256];
-    std::snprintf(text, sizeof text, " (it was at X %.2f m, Y %.2f m); ", left.position->x(),
-                  left.position->y());
-    char when[96];
-    if (back)
-        std::snprintf(when, sizeof when, "no view sees it from %.1f s to %.1f s", toSeconds(left.time),
-                      toSeconds(back->time));
-    else
-        std::snprintf(when, sizeof when, "no view sees it after %.1f s", toSeconds(left.time));
-    return std::string(when) + text +
-           "move or add a camera so that the whole task is seen; the figures are of the part that was seen";
+    const MessageArgument since = quantity(toSeconds(left.time), 1, "s"),
+                          x = quantity(left.position->x(), 2, "m"), y = quantity(left.position->y(), 2, "m");
+    return joined(
+        {back ? ODO_TEXT("trajectory.unseen_between", "no view sees it from %1 to %2 (it was at X %3, Y %4)")(
+                    since, quantity(toSeconds(back->time), 1, "s"), x, y)
+              : ODO_TEXT("trajectory.unseen_after", "no view sees it after %1 (it was at X %2, Y %3)")(since,
+                                                                                                       x, y),
+         ODO_TEXT("trajectory.move_camera", "move or add a camera so that the whole task is seen"),
+         ODO_TEXT("trajectory.figures_of_seen", "the figures are of the part that was seen")},
+        Join::Semicolon);
 }
 
 } // namespace
 
-std::vector<std::string> describeUnseenStretches(const Profile &profile, Nanoseconds longestBridgedGap)
+std::vector<Message> describeUnseenStretches(const Profile &profile, Nanoseconds longestBridgedGap)
 {
     const std::vector<Sample> &samples = profile.samples;
-    std::vector<std::string> sentences;
+    std::vector<Message> sentences;
     const Sample *last = nullptr;
     for (std::size_t i = 0; i < samples.size(); ++i) {
         if (!isUsed(samples[i]))
@@ -373,14 +372,14 @@ std::vector<std::string> describeUnseenStretches(const Profile &profile, Nanosec
         const Sample &next = samples[i];
         const auto since = last ? static_cast<std::size_t>(last - samples.data()) + 1 : i;
         if (last && next.time - last->time > longestBridgedGap && mostlyUnseen(samples, since, i))
-            sentences.push_back(sentence(*last, &next));
+            sentences.push_back(unseenStretch(*last, &next));
         last = &next;
     }
     if (!last)
         return sentences;
     const auto since = static_cast<std::size_t>(last - samples.data()) + 1;
     if (samples.back().time - last->time > longestAtEnd && mostlyUnseen(samples, since, samples.size()))
-        sentences.push_back(sentence(*last, nullptr));
+        sentences.push_back(unseenStretch(*last, nullptr));
     return sentences;
 }
 

@@ -38,12 +38,12 @@ struct Occlusion
     std::string other; ///< the other robot's name; empty where none is known
 };
 /// "hidden behind Blue 1 in view A".
-std::string occlusionWords(const Occlusion &occlusion);
+Message occlusionWords(const Occlusion &occlusion);
 /// "hidden behind Blue 1 in view A (3.20 s to 3.90 s)".
-std::string occlusionSentence(const Occlusion &occlusion);
+Message occlusionSentence(const Occlusion &occlusion);
 /// A spike's reason with what happened then, from the robot's occlusions: "jump of 84 mm; hidden behind Blue
 /// 1 in view A".
-std::string reasonAmong(const std::vector<Occlusion> &occlusions, const Spike &spike);
+Message reasonAmong(const std::vector<Occlusion> &occlusions, const Spike &spike);
 
 /// A view of a trial. floorView: nullptr where the camera is not registered.
 struct OcclusionView
@@ -72,6 +72,6 @@ std::vector<std::vector<Occlusion>> findOcclusions(std::span<const OcclusionView
 /// profile has nothing there: between sightings longer than a gap that is bridged, or over half a second at
 /// the end. It says when and where the robot left and what to do. Without subject, to be put behind
 /// "robot R: ".
-std::vector<std::string> describeUnseenStretches(const Profile &profile, Nanoseconds longestBridgedGap);
+std::vector<Message> describeUnseenStretches(const Profile &profile, Nanoseconds longestBridgedGap);
 
 } // namespace odo

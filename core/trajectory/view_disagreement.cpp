@@ -227,11 +227,15 @@ Result<void> checkAgreement(const std::vector<Sample> &samples)
     if (2 * found.apartM.size() < found.seen || double(found.used) >= leastUsed * double(found.seen) ||
         found.apartM.empty())
         return {};
-    return fail(ErrorCode::Undetermined, cannotMeasurePath,
-                "the views put it " + formatNumber(1000 * upperMedian(std::move(found.apartM)), 0) +
-                    " mm apart: a camera was moved after it was registered, the videos belong to other "
-                    "cameras, or one view follows something else",
-                "look at the outlines, and register the cameras again");
+    return fail(
+        ErrorCode::Undetermined, cannotMeasurePath(),
+        joined({ODO_TEXT("trajectory.views_apart", "the views put it %1 apart")(
+                    quantity(toMillimetres(upperMedian(std::move(found.apartM))), 0, "mm")),
+                ODO_TEXT("trajectory.why_views_apart",
+                         "a camera was moved after it was registered, the videos belong to other cameras, or "
+                         "one view follows something else")},
+               Join::Colon),
+        ODO_TEXT("trajectory.look_and_register", "look at the outlines, and register the cameras again"));
 }
 
 } // namespace odo

@@ -75,7 +75,7 @@ Result<void> FrameStream::Impl::readOn()
 
 void FrameStream::Impl::readAll()
 {
-    end = orShortage("cannot decode the video", [this] { return readOn(); });
+    end = orShortage(ODO_TEXT("video.cannot_decode", "cannot decode the video"), [this] { return readOn(); });
     queue.close();
 }
 

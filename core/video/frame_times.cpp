@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace odo {
 
@@ -66,16 +65,16 @@ std::optional<UnevenRate> unevenRate(const std::vector<Nanoseconds> &frameTimes)
     return UnevenRate{shortest, longest};
 }
 
-std::string unevenRateWords(const std::vector<Nanoseconds> &frameTimes)
+Message unevenRateWords(const std::vector<Nanoseconds> &frameTimes)
 {
     const auto uneven = unevenRate(frameTimes);
     if (!uneven)
         return {};
-    char text[120];
-    std::snprintf(text, sizeof text,
-                  "its frame rate varies, pictures are %.0f to %.0f ms apart; each counts at its own time",
-                  1e3 * toSeconds(uneven->shortest), 1e3 * toSeconds(uneven->longest));
-    return text;
+    return joined({ODO_TEXT("video.rate_varies", "its frame rate varies, pictures are %1 to %2 apart")(
+                       quantity(1e3 * toSeconds(uneven->shortest), 0),
+                       quantity(1e3 * toSeconds(uneven->longest), 0, "ms")),
+                   ODO_TEXT("video.each_at_its_time", "each counts at its own time")},
+                  Join::Semicolon);
 }
 
 } // namespace odo

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/message.h"
 #include "core/base/units.h"
 
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace odo {
@@ -28,8 +28,8 @@ struct UnevenRate
 };
 std::optional<UnevenRate> unevenRate(const std::vector<Nanoseconds> &frameTimes);
 
-/// The same as one sentence of a warning; empty where they are even.
-std::string unevenRateWords(const std::vector<Nanoseconds> &frameTimes);
+/// The same as a warning; empty where they are even.
+Message unevenRateWords(const std::vector<Nanoseconds> &frameTimes);
 
 /// A camera's clock was read: what it showed, and the times of this machine's steady clock between which it
 /// did.

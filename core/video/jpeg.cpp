@@ -320,13 +320,23 @@ JpegEncoder::~JpegEncoder()
     tjDestroy(m_impl->handle);
 }
 
+namespace {
+
+tl::unexpected<Error> notCoded(ErrorCode code, Message why)
+{
+    return fail(code, ODO_TEXT("video.picture_not_coded", "a picture cannot be coded"), std::move(why),
+                ODO_TEXT("video.give_another_format", "let the camera give another format"));
+}
+
+} // namespace
+
 Result<std::vector<std::uint8_t>> JpegEncoder::encode(const Frame &frame)
 {
     const FrameFormat &format = frame.format;
     const auto sampling = samplingOf(format);
     if (!sampling)
-        return fail(ErrorCode::InvalidInput, "a picture cannot be coded",
-                    "JPEG does not have its layout of colours", "let the camera give another format");
+        return notCoded(ErrorCode::InvalidInput,
+                        ODO_TEXT("video.no_jpeg_layout", "JPEG does not have its layout of colours"));
     std::array<PlaneView, 3> planes{frame.y, frame.u, frame.v};
     if (!format.fullRange) {
         for (int i = 0; i < 3; ++i)
@@ -341,8 +351,7 @@ Result<std::vector<std::uint8_t>> JpegEncoder::encode(const Frame &frame)
     unsigned long size = coded.size();
     if (tjCompressFromYUVPlanes(m_impl->handle, rows, format.width, strides, format.height, *sampling,
                                 &buffer, &size, m_impl->quality, TJFLAG_NOREALLOC) != 0)
-        return fail(ErrorCode::Internal, "a picture cannot be coded", tjGetErrorStr2(m_impl->handle),
-                    "let the camera give another format");
+        return notCoded(ErrorCode::Internal, foreignWords(tjGetErrorStr2(m_impl->handle)));
     return std::vector<std::uint8_t>(coded.begin(), coded.begin() + static_cast<std::ptrdiff_t>(size));
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/base/file_system.h"
 #include "core/base/shortage.h"
+#include "core/files/file_words.h"
 #include "core/files/protected_files.h"
 #include "core/video/internal/stream_format.h"
 #include "core/video/jpeg.h"
@@ -29,9 +30,9 @@ constexpr std::uintmax_t maximumFileBytes = 200'000'000;
 /// With more, decoding and detection would take more than 500 MB.
 constexpr std::int64_t mostPicturePixels = 50'000'000;
 
-std::string cannotRead(const std::filesystem::path &file)
+Message cannotRead(const std::filesystem::path &file)
 {
-    return "cannot read the picture " + file.string();
+    return ODO_TEXT("video.cannot_read_picture", "cannot read the picture %1")(Named::file(file));
 }
 
 /// As a packet, which a decoder takes without a copy.
@@ -42,15 +43,16 @@ Result<libav::PacketPtr> readFile(const std::filesystem::path &file)
     std::error_code error;
     const std::uintmax_t size = files::sizeOf(file, error);
     if (error || size > maximumFileBytes)
-        return fail(ErrorCode::InvalidInput, cannotRead(file), "the file is larger than 200 MB",
-                    "name a picture");
+        return fail(ErrorCode::InvalidInput, cannotRead(file),
+                    ODO_TEXT("video.picture_file_too_large", "the file is larger than 200 MB"),
+                    ODO_TEXT("video.name_a_picture", "name a picture"));
     libav::PacketPtr packet(libav::allocated(av_packet_alloc()));
     if (libav::checked(av_new_packet(packet.get(), static_cast<int>(size))) != 0)
         throw std::bad_alloc();
     std::ifstream stream(file, std::ios::binary);
     if (!stream.read(reinterpret_cast<char *>(packet->data), static_cast<std::streamsize>(size)))
-        return fail(ErrorCode::Io, cannotRead(file), "the file could not be read",
-                    "check that you may read the file");
+        return fail(ErrorCode::Io, cannotRead(file),
+                    ODO_TEXT("video.file_not_read", "the file could not be read"), checkFileMayBeRead());
     return packet;
 }
 
@@ -224,19 +226,23 @@ Result<Frame> readPictureChecked(const std::filesystem::path &file)
         return tl::unexpected(packet.error());
     const auto header = pictureHeader(bytesOf(*packet));
     if (!header)
-        return fail(ErrorCode::InvalidInput, cannotRead(file), "it is no PNG, JPEG, BMP, TIFF or PNM picture",
-                    "convert it to PNG or JPEG");
+        return fail(ErrorCode::InvalidInput, cannotRead(file),
+                    ODO_TEXT("video.no_picture_format", "it is no PNG, JPEG, BMP, TIFF or PNM picture"),
+                    ODO_TEXT("video.convert_to_png", "convert it to PNG or JPEG"));
     if (libav::isTooLarge(header->width, header->height) ||
         std::int64_t(header->width) * header->height > mostPicturePixels)
         return fail(ErrorCode::InvalidInput, cannotRead(file),
-                    "it says that it has " + std::to_string(header->width) + "x" +
-                        std::to_string(header->height) +
-                        " pixels; more than 50 megapixels or 32000 pixels a side are not read",
-                    "make it smaller");
+                    joined({ODO_TEXT("video.picture_claims_size", "it says that it has %1 pixels")(
+                                std::to_string(header->width) + "x" + std::to_string(header->height)),
+                            ODO_TEXT("video.largest_picture",
+                                     "more than 50 megapixels or 32000 pixels a side are not read")},
+                           Join::Semicolon),
+                    ODO_TEXT("video.make_smaller", "make it smaller"));
     auto frame = decode(std::move(*packet), *header);
     if (!frame)
-        return fail(ErrorCode::InvalidInput, cannotRead(file), "its content is damaged or cut short",
-                    "copy it again");
+        return fail(ErrorCode::InvalidInput, cannotRead(file),
+                    ODO_TEXT("video.picture_damaged", "its content is damaged or cut short"),
+                    ODO_TEXT("video.copy_again", "copy it again"));
     return std::move(*frame);
 }
 

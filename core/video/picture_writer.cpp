@@ -18,9 +18,15 @@ using PackedPicture = std::vector<unsigned char>;
 
 constexpr int jpegQuality = 95;
 
+tl::unexpected<Error> notPacked(ErrorCode code, Message why)
+{
+    return fail(code, ODO_TEXT("video.picture", "picture"), std::move(why),
+                ODO_TEXT("video.use_another_picture", "use another picture"));
+}
+
 tl::unexpected<Error> notPacked()
 {
-    return fail(ErrorCode::Internal, "picture", "it could not be packed", "use another picture");
+    return notPacked(ErrorCode::Internal, ODO_TEXT("video.picture_not_packed", "it could not be packed"));
 }
 
 /// Rows of grey or of red, green and blue, as a PNG: quickly, which makes it a tenth larger than it could be.
@@ -76,7 +82,8 @@ Result<PackedPicture> packedAs(const std::filesystem::path &ending, const Frame 
         return colourPng(frame);
     if (ending == ".jpg" || ending == ".jpeg")
         return JpegEncoder(jpegQuality).encode(frame);
-    return fail(ErrorCode::InvalidInput, "picture", "its format is not known", "use another picture");
+    return notPacked(ErrorCode::InvalidInput,
+                     ODO_TEXT("video.picture_format_unknown", "its format is not known"));
 }
 
 } // namespace
@@ -85,8 +92,10 @@ Result<void> writePicture(const Frame &frame, const OutputTarget &target)
 {
     const auto bytes = packedAs(target.file.extension(), frame);
     if (!bytes)
-        return fail(ErrorCode::Io, "picture '" + target.file.string() + "'", bytes.error().why,
-                    "check the folder, the free space, and that the name ends in .png or .jpg");
+        return fail(ErrorCode::Io, ODO_TEXT("video.picture_named", "picture '%1'")(Named::file(target.file)),
+                    bytes.error().why,
+                    ODO_TEXT("video.check_picture_place",
+                             "check the folder, the free space, and that the name ends in .png or .jpg"));
     return writeOutput(target, {reinterpret_cast<const char *>(bytes->data()), bytes->size()});
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/base/file_system.h"
 #include "core/video/internal/libav.h"
+#include "core/video/internal/video_words.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -42,10 +43,21 @@ struct RecordingWriter::Impl
     Nanoseconds synced{0};
 
     ~Impl() { close(); }
-    tl::unexpected<Error> problem(const std::string &why) const
+    tl::unexpected<Error> problem(Message why) const
     {
-        return fail(ErrorCode::Io, "cannot write the recording " + file.string(), why,
-                    "check that its folder may be written to and has room");
+        return fail(
+            ErrorCode::Io,
+            ODO_TEXT("video.cannot_write_recording", "cannot write the recording %1")(Named::file(file)),
+            std::move(why),
+            ODO_TEXT("video.check_its_folder", "check that its folder may be written to and has room"));
+    }
+    tl::unexpected<Error> libavProblem(int error) const
+    {
+        return problem(foreignWords(libav::errorText(error)));
+    }
+    tl::unexpected<Error> systemProblem(int error) const
+    {
+        return problem(foreignWords(std::strerror(error)));
     }
     Result<void> openFile();
     Result<void> open(const FrameFormat &format);
@@ -63,8 +75,8 @@ Result<void> RecordingWriter::Impl::openFile()
     {
     };
     if (descriptor < 0 || ::fstat(descriptor, &there) != 0)
-        return problem(std::strerror(errno));
-    return there.st_size > 0 || !S_ISREG(there.st_mode) ? problem(std::strerror(EEXIST)) : Result<void>();
+        return systemProblem(errno);
+    return there.st_size > 0 || !S_ISREG(there.st_mode) ? systemProblem(EEXIST) : Result<void>();
 }
 
 Result<void> RecordingWriter::Impl::open(const FrameFormat &format)
@@ -73,12 +85,12 @@ Result<void> RecordingWriter::Impl::open(const FrameFormat &format)
         return opened;
     const int error = avformat_alloc_output_context2(&container, nullptr, "matroska", nullptr);
     if (error < 0)
-        return problem(libav::errorText(error));
+        return libavProblem(error);
     auto *buffer = static_cast<unsigned char *>(libav::allocated(av_malloc(bufferBytes)));
     container->pb = avio_alloc_context(buffer, bufferBytes, 1, this, nullptr, writeToFile, seekInFile);
     if (!container->pb) {
         av_free(buffer);
-        return problem(libav::errorText(AVERROR(ENOMEM)));
+        return libavProblem(AVERROR(ENOMEM));
     }
     container->flags |= AVFMT_FLAG_FLUSH_PACKETS | AVFMT_FLAG_BITEXACT;
     stream = libav::allocated(avformat_new_stream(container, nullptr));
@@ -97,7 +109,7 @@ Result<void> RecordingWriter::Impl::open(const FrameFormat &format)
     libav::Options muxing;
     muxing.set("cluster_time_limit", clusterMs);
     const int begun = avformat_write_header(container, muxing.get());
-    return begun < 0 ? problem(libav::errorText(begun)) : Result<void>();
+    return begun < 0 ? libavProblem(begun) : Result<void>();
 }
 
 int RecordingWriter::Impl::writeToFile(void *impl, std::uint8_t *bytes, int count)
@@ -159,7 +171,7 @@ Result<void> RecordingWriter::write(std::span<const std::uint8_t> jpeg, Nanoseco
 {
     Impl &d = *m_impl;
     if (!d.container)
-        return d.problem("writing has failed before");
+        return d.problem(writingFailedBefore());
     const libav::PacketPtr packet(libav::allocated(av_packet_alloc()));
     // Not owned, so that the muxer only reads it.
     packet->data =
@@ -176,7 +188,7 @@ Result<void> RecordingWriter::write(std::span<const std::uint8_t> jpeg, Nanoseco
         error = AVERROR(errno);
     if (error < 0) {
         d.close(); // after a failed write to the disk, a later one may seem to succeed
-        return d.problem(libav::errorText(error));
+        return d.libavProblem(error);
     }
     if (syncNow)
         d.synced = time;
@@ -187,10 +199,10 @@ Result<void> RecordingWriter::finish()
 {
     Impl &d = *m_impl;
     if (!d.container)
-        return d.problem("writing has failed before");
+        return d.problem(writingFailedBefore());
     const int error = av_write_trailer(d.container);
     if (!d.close() || error < 0)
-        return d.problem(error < 0 ? libav::errorText(error) : std::strerror(errno));
+        return error < 0 ? d.libavProblem(error) : d.systemProblem(errno);
     return {};
 }
 

@@ -2,10 +2,11 @@
 #include "core/video/video_input.h"
 
 #include "core/base/file_system.h"
+#include "core/files/file_words.h"
 #include "core/files/protected_files.h"
+#include "core/video/internal/video_words.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <vector>
 extern "C" {
 #include <libavutil/crc.h>
@@ -23,11 +24,6 @@ constexpr const char *ordinaryContainers =
     "matroska,webm,mov,mp4,m4a,3gp,3g2,mj2,avi,mpegts,mpeg,mpegvideo,mjpeg,"
     "h264,hevc,m4v,ivf,flv,asf,ogg,nut,dv";
 
-std::string couldNotOpen(const std::filesystem::path &file)
-{
-    return "cannot open the video " + file.string();
-}
-
 int refuseOtherFiles(AVFormatContext *, AVIOContext **, const char *, int, AVDictionary **)
 {
     return AVERROR(EPERM);
@@ -35,12 +31,12 @@ int refuseOtherFiles(AVFormatContext *, AVIOContext **, const char *, int, AVDic
 
 Result<void> checkFile(const std::filesystem::path &file)
 {
-    if (auto may = checkMayBeRead(file, couldNotOpen(file)); !may)
+    if (auto may = checkMayBeRead(file, cannotOpenVideo(file)); !may)
         return may;
     std::error_code unknown;
     if (files::sizeOf(file, unknown) == 0)
-        return fail(ErrorCode::InvalidInput, couldNotOpen(file), "the file is empty",
-                    "copy it from the camera again");
+        return fail(ErrorCode::InvalidInput, cannotOpenVideo(file),
+                    ODO_TEXT("video.file_is_empty", "the file is empty"), copyFromCamera());
     return {};
 }
 
@@ -85,8 +81,8 @@ Result<void> VideoInput::openContainer(const AVInputFormat *known)
     const std::string address = "file:" + files::absolute(m_file).string();
     int error = libav::checked(avio_open2(&m_io, address.c_str(), AVIO_FLAG_READ, nullptr, ioOptions.get()));
     if (error < 0)
-        return fail(ErrorCode::Io, couldNotOpen(m_file), libav::errorText(error),
-                    "check that you may read the file");
+        return fail(ErrorCode::Io, cannotOpenVideo(m_file), foreignWords(libav::errorText(error)),
+                    checkFileMayBeRead());
 
     m_container = libav::allocated(avformat_alloc_context());
     m_container->pb = m_io;
@@ -98,10 +94,14 @@ Result<void> VideoInput::openContainer(const AVInputFormat *known)
     // Frees the context when it fails. That there is no memory libav also says of damaged lengths.
     error = avformat_open_input(&m_container, nullptr, known, options.get());
     if (error < 0)
-        return fail(ErrorCode::InvalidInput, couldNotOpen(m_file),
-                    "it is not a video of a kind that is read, or its header is damaged or missing (" +
-                        libav::errorText(error) + ")",
-                    "give an MP4, MOV, MKV or AVI file; copy it from the camera again if it was cut short");
+        return fail(
+            ErrorCode::InvalidInput, cannotOpenVideo(m_file),
+            ODO_TEXT("video.no_video_kind",
+                     "it is not a video of a kind that is read, or its header is damaged or missing (%1)")(
+                foreignWords(libav::errorText(error))),
+            joined({ODO_TEXT("video.give_container", "give an MP4, MOV, MKV or AVI file"),
+                    ODO_TEXT("video.copy_if_cut_short", "copy it from the camera again if it was cut short")},
+                   Join::Semicolon));
     return {};
 }
 
@@ -122,8 +122,9 @@ Result<void> VideoInput::findStream()
     const int best =
         error < 0 ? error : av_find_best_stream(m_container, AVMEDIA_TYPE_VIDEO, -1, -1, nullptr, 0);
     if (best < 0 || (m_container->streams[best]->disposition & AV_DISPOSITION_ATTACHED_PIC) != 0)
-        return fail(ErrorCode::InvalidInput, couldNotOpen(m_file),
-                    "it holds no video stream that can be read", "give the file that the camera recorded");
+        return fail(ErrorCode::InvalidInput, cannotOpenVideo(m_file),
+                    ODO_TEXT("video.no_stream", "it holds no video stream that can be read"),
+                    ODO_TEXT("video.give_camera_file", "give the file that the camera recorded"));
     m_stream = m_container->streams[best];
     libav::forgetUnknownColours(*m_stream->codecpar);
     if (static_cast<std::size_t>(best) < stated.size())
@@ -175,9 +176,10 @@ bool isNeverShown(const AVPacket &packet, AVCodecID codec)
     return codec == AV_CODEC_ID_VP8 && (packet.data[0] & 0x10) == 0;
 }
 
-void addWarning(PacketIndex &index, const std::string &text)
+void addWarning(PacketIndex &index, Message what, Message why)
 {
-    index.warning += (index.warning.empty() ? "" : "; ") + text;
+    index.warning = joined({std::move(index.warning), joined({std::move(what), std::move(why)}, Join::Colon)},
+                           Join::Semicolon);
 }
 
 struct Walk
@@ -224,8 +226,8 @@ void sortByPresentation(PacketIndex &index)
     const auto end = std::unique(frames.begin(), frames.end(),
                                  [](const auto &a, const auto &b) { return a.pts == b.pts; });
     if (const auto doubled = frames.end() - end; doubled > 0)
-        addWarning(index,
-                   std::to_string(doubled) + " frames left out: their time stamps repeat the frame before");
+        addWarning(index, ODO_TEXT("video.frames_left_out", "%1 frames left out")(doubled),
+                   ODO_TEXT("video.stamps_repeat", "their time stamps repeat the frame before"));
     frames.erase(end, frames.end());
 }
 
@@ -256,10 +258,9 @@ void timeByCounting(PacketIndex &index, const Walk &walk, const AVStream &stream
         const AVRational rate = stream.avg_frame_rate.num > 0 ? stream.avg_frame_rate : stream.r_frame_rate;
         base = rate.num > 0 ? av_inv_q(rate) : AVRational{1, 25};
         stamps = evenTimes(index.frames.size());
-        char text[120];
-        std::snprintf(text, sizeof text, "the file has no time stamps: an even %.3f frames/s is assumed",
-                      1.0 / av_q2d(base));
-        addWarning(index, text);
+        addWarning(index, ODO_TEXT("video.no_time_stamps", "the file has no time stamps"),
+                   ODO_TEXT("video.even_rate_assumed",
+                            "an even %1 is assumed")(quantity(1.0 / av_q2d(base), 3, "frames/s")));
     }
     std::sort(stamps.begin(), stamps.end());
     stamps.erase(std::unique(stamps.begin(), stamps.end()), stamps.end());
@@ -278,22 +279,25 @@ void timeByStamps(PacketIndex &index, const AVStream &stream)
 void warnIfCutShort(PacketIndex &index, const VideoInput &input, const Walk &walk)
 {
     const AVFormatContext &container = input.container();
-    std::string why;
+    Message why;
     if (walk.corrupt)
-        why = "a packet there is damaged";
+        why = ODO_TEXT("video.packet_damaged", "a packet there is damaged");
     else if (walk.endError != AVERROR_EOF)
-        why = libav::errorText(walk.endError);
+        why = foreignWords(libav::errorText(walk.endError));
     else if (container.duration_estimation_method != AVFMT_DURATION_FROM_BITRATE &&
              container.duration != AV_NOPTS_VALUE) {
         // Three frames and a hundredth: headers are rounded, and some count to the end of the last frame.
         const std::int64_t missing = av_sat_sub64(container.duration, input.lastEnd());
         const auto frame = index.times.back().count() / 1000 / static_cast<std::int64_t>(index.times.size());
         if (missing > 3 * frame && missing > container.duration / 100)
-            why = "its header promises " + secondsText(toSeconds(Nanoseconds(
-                                               std::min(container.duration, longestVideoNs / 1000) * 1000)));
+            why = ODO_TEXT("video.header_promises", "its header promises %1")(quantity(
+                toSeconds(Nanoseconds(std::min(container.duration, longestVideoNs / 1000) * 1000)), 2, "s"));
     }
-    if (!why.empty())
-        addWarning(index, "ends early at " + secondsText(toSeconds(index.times.back())) + ": " + why);
+    if (!why.isEmpty())
+        addWarning(
+            index,
+            ODO_TEXT("video.ends_early", "ends early at %1")(quantity(toSeconds(index.times.back()), 2, "s")),
+            std::move(why));
 }
 
 } // namespace
@@ -331,18 +335,19 @@ Result<PacketIndex> indexPackets(VideoInput &input)
     PacketIndex index;
     const Walk walk = walkPackets(input, index);
     if (walk.endError == AVERROR_EXIT)
-        return cancelled("cannot open the video " + input.file().string());
+        return cancelled(cannotOpenVideo(input.file()));
     if (index.frames.empty())
-        return fail(ErrorCode::InvalidInput, "cannot open the video " + input.file().string(),
-                    "not one whole frame is in it", "copy it from the camera again");
+        return fail(ErrorCode::InvalidInput, cannotOpenVideo(input.file()),
+                    ODO_TEXT("video.no_whole_frame", "not one whole frame is in it"), copyFromCamera());
     if (walk.ptsMissing)
         timeByCounting(index, walk, input.stream());
     else
         timeByStamps(index, input.stream());
     if (index.times.back().count() > longestVideoNs)
-        return fail(ErrorCode::InvalidInput, "cannot open the video " + input.file().string(),
-                    "its time stamps span " + secondsText(toSeconds(index.times.back())),
-                    "copy it from the camera again");
+        return fail(ErrorCode::InvalidInput, cannotOpenVideo(input.file()),
+                    ODO_TEXT("video.stamps_span",
+                             "its time stamps span %1")(quantity(toSeconds(index.times.back()), 2, "s")),
+                    copyFromCamera());
     warnIfCutShort(index, input, walk);
     return index;
 }

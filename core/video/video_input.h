@@ -84,7 +84,8 @@ struct PacketIndex
     std::vector<Nanoseconds> times; ///< of `frames`, since the first, strictly increasing
     /// Packets do not say when their frame is shown: frames can only be told by counting them from the start.
     bool counted = false;
-    std::string warning;
+    /// empty, or such as "ends early at 12.40 s: …"
+    Message warning;
     std::vector<std::vector<std::uint8_t>> firstJpegs; ///< of MJPEG: the first packets
 
     /// The packet to begin decoding with so that this frame comes out: the last key frame before it both in

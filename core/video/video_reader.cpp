@@ -5,6 +5,7 @@
 #include "core/video/frame_times.h"
 #include "core/video/internal/libav.h"
 #include "core/video/internal/stream_format.h"
+#include "core/video/internal/video_words.h"
 #include "core/video/jpeg.h"
 #include "core/video/video_input.h"
 
@@ -24,8 +25,9 @@ public:
     {
         Frame frame;
         if (m_decoder->decode(bytesOf(*m_packet), std::nullopt, frame) != JpegDecoder::Outcome::Decoded)
-            return fail(ErrorCode::InvalidInput, "cannot decode all of a frame", "its data are damaged",
-                        "its sound part is used");
+            return fail(ErrorCode::InvalidInput,
+                        ODO_TEXT("video.cannot_decode_all", "cannot decode all of a frame"), dataAreDamaged(),
+                        ODO_TEXT("video.sound_part_used", "its sound part is used"));
         return frame;
     }
     static std::span<const std::uint8_t> bytesOf(const AVPacket &packet)
@@ -58,12 +60,13 @@ VideoInfo describe(const VideoInput &input, const PacketIndex &index, const Fram
 Result<libav::CodecPtr> openDecoder(const VideoInput &input)
 {
     const AVCodecParameters &parameters = *input.stream().codecpar;
-    const std::string what = "cannot open the video " + input.file().string();
+    const Message what = cannotOpenVideo(input.file());
     const AVCodec *codec = avcodec_find_decoder(parameters.codec_id);
     if (!codec)
         return fail(ErrorCode::InvalidInput, what,
-                    std::string("there is no decoder for ") + avcodec_get_name(parameters.codec_id),
-                    "convert it to H.264");
+                    ODO_TEXT("video.no_decoder", "there is no decoder for %1")(
+                        std::string(avcodec_get_name(parameters.codec_id))),
+                    convertToH264());
     libav::CodecPtr decoder(libav::allocated(avcodec_alloc_context3(codec)));
     int error = libav::checked(avcodec_parameters_to_context(decoder.get(), &parameters));
     decoder->pkt_timebase = input.stream().time_base;
@@ -73,7 +76,9 @@ Result<libav::CodecPtr> openDecoder(const VideoInput &input)
         error = libav::checked(avcodec_open2(decoder.get(), codec, nullptr));
     if (error < 0)
         return fail(ErrorCode::InvalidInput, what,
-                    "its decoder would not start (" + libav::errorText(error) + ")", "convert it to H.264");
+                    ODO_TEXT("video.decoder_not_started",
+                             "its decoder would not start (%1)")(foreignWords(libav::errorText(error))),
+                    convertToH264());
     return decoder;
 }
 
@@ -100,9 +105,14 @@ struct VideoReader::Impl
     bool beganMidway = false;  ///< nothing has come out of the decoder since it began at a key frame
     bool hasChecksums = false; ///< of FFV1: known as soon as one held
 
-    std::string name(std::size_t frame) const
+    Message cannotDecode(std::size_t frame) const
     {
-        return "frame " + std::to_string(frame) + " of " + file.string();
+        return ODO_TEXT("video.cannot_decode_frame", "cannot decode frame %1 of %2")(frame,
+                                                                                     Named::file(file));
+    }
+    Message cannotShow(std::int64_t frame) const
+    {
+        return ODO_TEXT("video.cannot_show_frame", "cannot show frame %1 of %2")(frame, Named::file(file));
     }
     Result<void> restart();
     bool startAt(std::size_t keyPacket);
@@ -294,10 +304,10 @@ Result<std::optional<Frame>> VideoReader::Impl::decoded(std::size_t wanted)
     }
     beganMidway = false;
     if (!isAhead(wanted) && input->isCancelled())
-        return cancelled("cannot decode " + name(wanted));
+        return cancelled(cannotDecode(wanted));
     if (!isAhead(wanted))
-        return fail(ErrorCode::InvalidInput, "cannot decode " + name(wanted), "its data are damaged",
-                    "it is left out");
+        return fail(ErrorCode::InvalidInput, cannotDecode(wanted), dataAreDamaged(),
+                    ODO_TEXT("video.frame_left_out", "it is left out"));
     return std::exchange(ahead, std::nullopt);
 }
 
@@ -313,7 +323,7 @@ VideoReader::~VideoReader() = default;
 Result<std::unique_ptr<VideoReader>> VideoReader::open(const std::filesystem::path &file,
                                                        const CancelToken &cancel)
 {
-    return orShortage("cannot open the video " + file.string(), [&] { return openChecked(file, cancel); });
+    return orShortage(cannotOpenVideo(file), [&] { return openChecked(file, cancel); });
 }
 
 Result<std::unique_ptr<VideoReader>> VideoReader::openChecked(const std::filesystem::path &file,
@@ -364,18 +374,18 @@ Result<std::optional<Frame>> VideoReader::next(const std::optional<PixelRect> &r
     if (d.nextIndex >= d.index.frames.size())
         return std::nullopt;
     const std::size_t wanted = d.nextIndex++;
-    return orShortage("cannot decode " + d.name(wanted), [&d, wanted] { return d.decoded(wanted); });
+    return orShortage(d.cannotDecode(wanted), [&d, wanted] { return d.decoded(wanted); });
 }
 
 Result<void> VideoReader::seek(std::int64_t frameIndex)
 {
     Impl &d = *m_impl;
     if (frameIndex < 0 || frameIndex >= static_cast<std::int64_t>(d.index.frames.size()))
-        return fail(ErrorCode::InvalidInput,
-                    "cannot show frame " + std::to_string(frameIndex) + " of " + d.file.string(),
-                    "it has frames 0 to " + std::to_string(d.index.frames.size() - 1), "choose one of these");
+        return fail(ErrorCode::InvalidInput, d.cannotShow(frameIndex),
+                    ODO_TEXT("video.frames_it_has", "it has frames 0 to %1")(d.index.frames.size() - 1),
+                    ODO_TEXT("video.choose_one_of_these", "choose one of these"));
     const auto frame = static_cast<std::size_t>(frameIndex);
-    return orShortage("cannot show " + d.name(frame), [&d, frame]() -> Result<void> {
+    return orShortage(d.cannotShow(frameIndex), [&d, frame]() -> Result<void> {
         if (!d.isOnTheWay(frame) && (d.index.counted || !d.startAt(d.index.keyPacketFor(frame))))
             if (auto again = d.restart(); !again)
                 return again;

@@ -22,7 +22,7 @@ struct VideoInfo
     double framesPerSecond = 0; ///< 1 / typical interval (mean of those near the median); 0 for one frame
     bool variableRate = false;  ///< intervals differ by more than 10 % of the median
     Nanoseconds duration{0};    ///< last frame time − first frame time + typical interval
-    std::string warning;        ///< empty, or e.g. "ends early at 12.4 s: …" for a truncated file
+    Message warning;            ///< empty, or such as "ends early at 12.40 s: …" of a truncated file
 };
 
 /// Decodes one local video file to planes, exactly as coded, frame-accurately; MJPEG by libjpeg-turbo, all

@@ -5,6 +5,7 @@
 #include "core/base/units.h"
 #include "core/files/output_file.h"
 #include "core/video/internal/video_encoder.h"
+#include "core/video/internal/video_words.h"
 
 #include <cmath>
 #include <cstdio>
@@ -17,6 +18,11 @@ namespace odo {
 namespace {
 
 constexpr std::size_t headBytes = 8192; // the muxer writes Info and Tags before the first cluster
+
+Message cannotWrite(const std::filesystem::path &file)
+{
+    return ODO_TEXT("video.cannot_write", "cannot write the video %1")(Named::file(file));
+}
 
 } // namespace
 
@@ -40,9 +46,10 @@ Result<void> setMicrosecondScale(const std::filesystem::path &file, Nanoseconds 
     stream.clear();
     const std::size_t scaleAt = head.find(milliseconds);
     if (scaleAt == std::string::npos)
-        return fail(ErrorCode::Internal, "cannot write the video " + file.string(),
-                    "its time scale was not found where the muxer should have put it",
-                    "report this as a bug");
+        return fail(ErrorCode::Internal, cannotWrite(file),
+                    ODO_TEXT("video.no_time_scale",
+                             "its time scale was not found where the muxer should have put it"),
+                    ODO_TEXT("video.report_bug", "report this as a bug"));
     stream.seekp(static_cast<std::streamoff>(scaleAt));
     stream.write(microseconds.data(), static_cast<std::streamsize>(microseconds.size()));
 
@@ -57,8 +64,9 @@ Result<void> setMicrosecondScale(const std::filesystem::path &file, Nanoseconds 
     }
     stream.close();
     if (!stream)
-        return fail(ErrorCode::Io, "cannot write the video " + file.string(),
-                    "its header could not be rewritten", "check that there is room on the disk");
+        return fail(ErrorCode::Io, cannotWrite(file),
+                    ODO_TEXT("video.header_not_rewritten", "its header could not be rewritten"),
+                    ODO_TEXT("video.check_room", "check that there is room on the disk"));
     return {};
 }
 
@@ -93,8 +101,9 @@ struct VideoWriter::Impl
     ~Impl() { closeFile(); }
     tl::unexpected<Error> problem(int error) const
     {
-        return fail(ErrorCode::Io, "cannot write the video " + file.string(), libav::errorText(error),
-                    "check that the folder exists, may be written to and has room");
+        return fail(ErrorCode::Io, cannotWrite(file), foreignWords(libav::errorText(error)),
+                    ODO_TEXT("video.check_the_folder",
+                             "check that the folder exists, may be written to and has room"));
     }
     Result<void> openContainer(const OutputTarget &target);
     Result<void> addStream();
@@ -110,11 +119,13 @@ Result<void> VideoWriter::Impl::openContainer(const OutputTarget &target)
     const std::string extension = file.extension().string();
     matroska = videoKind(file) == FileKind::Matroska;
     if (!matroska && extension != ".mp4")
-        return fail(ErrorCode::InvalidInput, "cannot write the video " + file.string(),
-                    "its name ends with neither .mkv nor .mp4", "give it one of these endings");
+        return fail(ErrorCode::InvalidInput, cannotWrite(file),
+                    ODO_TEXT("video.no_known_ending", "its name ends with neither .mkv nor .mp4"),
+                    ODO_TEXT("video.give_known_ending", "give it one of these endings"));
     if (options.codec == VideoCodec::Ffv1 && !matroska)
-        return fail(ErrorCode::InvalidInput, "cannot write the video " + file.string(),
-                    "FFV1 does not go into MP4", "use the ending .mkv");
+        return fail(ErrorCode::InvalidInput, cannotWrite(file),
+                    ODO_TEXT("video.no_ffv1_in_mp4", "FFV1 does not go into MP4"),
+                    ODO_TEXT("video.use_mkv", "use the ending .mkv"));
     auto opened = OutputFile::open(target, videoKind(file));
     if (!opened)
         return tl::unexpected(opened.error());
@@ -222,8 +233,9 @@ VideoWriter::create(const OutputTarget &target, const FrameFormat &format, const
 {
     libav::quieten();
     if (!(options.nominalFramesPerSecond > 0.0 && options.nominalFramesPerSecond <= 100'000.0))
-        return fail(ErrorCode::InvalidInput, "cannot write the video " + target.file.string(),
-                    "its frame rate is not positive", "give the frames per second, e.g. 30");
+        return fail(ErrorCode::InvalidInput, cannotWrite(target.file),
+                    ODO_TEXT("video.rate_not_positive", "its frame rate is not positive"),
+                    ODO_TEXT("video.give_rate", "give the frames per second, e.g. 30"));
     auto impl = std::make_unique<Impl>();
     impl->file = target.file;
     impl->format = format;
@@ -238,19 +250,24 @@ VideoWriter::create(const OutputTarget &target, const FrameFormat &format, const
 Result<void> VideoWriter::write(const Frame &frame)
 {
     Impl &d = *m_impl;
-    const std::string what = "cannot write a frame to the video " + d.file.string();
+    const Message what =
+        ODO_TEXT("video.cannot_write_frame", "cannot write a frame to the video %1")(Named::file(d.file));
     if (d.failed)
-        return fail(ErrorCode::Io, what, "writing has failed before", "start the video again");
+        return fail(ErrorCode::Io, what, writingFailedBefore(),
+                    ODO_TEXT("video.start_video_again", "start the video again"));
     if (!sameLayout(frame.format, d.format) || frame.format.siting != d.format.siting)
-        return fail(ErrorCode::InvalidInput, what, "its format differs from the video's",
-                    "write one format to a file");
+        return fail(ErrorCode::InvalidInput, what,
+                    ODO_TEXT("video.format_differs", "its format differs from the video's"),
+                    ODO_TEXT("video.write_one_format", "write one format to a file"));
     if (!d.started)
         d.firstTime = frame.time;
     const std::int64_t timeUs =
         std::llround(static_cast<double>((frame.time - d.firstTime).count()) / 1000.0);
     if (d.started && timeUs <= d.lastUs)
-        return fail(ErrorCode::InvalidInput, what, "its time is not after the frame's before it",
-                    "write the frames in order, at least a microsecond apart");
+        return fail(
+            ErrorCode::InvalidInput, what,
+            ODO_TEXT("video.time_not_after", "its time is not after the frame's before it"),
+            ODO_TEXT("video.write_in_order", "write the frames in order, at least a microsecond apart"));
     auto picture = pictureOf(frame, *d.encoder, timeUs);
     if (!picture)
         return tl::unexpected(picture.error());
@@ -265,12 +282,15 @@ Result<void> VideoWriter::write(const Frame &frame)
 Result<void> VideoWriter::finish()
 {
     Impl &d = *m_impl;
-    const std::string what = "cannot finish the video " + d.file.string();
+    const Message what = ODO_TEXT("video.cannot_finish", "cannot finish the video %1")(Named::file(d.file));
     if (!d.container || d.failed)
-        return fail(ErrorCode::Io, what, d.failed ? "writing has failed before" : "it is finished",
-                    "start it again");
+        return fail(ErrorCode::Io, what,
+                    d.failed ? writingFailedBefore() : ODO_TEXT("video.is_finished", "it is finished"),
+                    ODO_TEXT("video.start_it_again", "start it again"));
     if (!d.started)
-        return fail(ErrorCode::InvalidInput, what, "no frame was written to it", "write at least one");
+        return fail(ErrorCode::InvalidInput, what,
+                    ODO_TEXT("video.no_frame_written", "no frame was written to it"),
+                    ODO_TEXT("video.write_at_least_one", "write at least one"));
     if (auto flushed = d.encode(nullptr); !flushed)
         return flushed;
     if (const int error = av_write_trailer(d.container); error < 0)

@@ -17,6 +17,7 @@
 #include "core/workflow/calibrate/register_job.h"
 #include "core/workflow/import/import_trial_job.h"
 #include "core/workflow/known_truth.h"
+#include "core/workflow/shared_words.h"
 #include "core/workflow/track/track_job.h"
 
 #include <vector>
@@ -102,13 +103,22 @@ namespace fs = std::filesystem;
 constexpr const char *className = "Year 9 robotics";
 constexpr int boardPictures = 14;
 constexpr double boardNoise = 1.5; // of 255
-constexpr const char *demoAdvice = "choose a folder you can write to, with 300 MB free";
+
+Message demoAdvice()
+{
+    return ODO_TEXT("workflow.choose_folder_for_demo", "choose a folder you can write to, with 300 MB free");
+}
+
+tl::unexpected<Error> demoCancelled()
+{
+    return cancelled(ODO_TEXT("workflow.demo", "demo"));
+}
 
 Result<void> makeFolder(const fs::path &folder)
 {
     std::error_code problem;
     files::makeFolders(folder, problem);
-    return problem ? fail(ErrorCode::Io, "folder '" + folder.string() + "'", problem.message(), demoAdvice)
+    return problem ? fail(ErrorCode::Io, folderCalled(folder), foreignWords(problem.message()), demoAdvice())
                    : Result<void>();
 }
 
@@ -117,7 +127,7 @@ JobControl part(const JobControl &whole, double from, double to)
 {
     JobControl control = whole;
     if (whole.progress)
-        control.progress = [report = whole.progress, from, to](double fraction, const std::string &text) {
+        control.progress = [report = whole.progress, from, to](double fraction, const Message &text) {
             report(from + (to - from) * fraction, text);
         };
     return control;
@@ -155,7 +165,7 @@ public:
             if (auto done = (this->*step)(); !done)
                 return done;
             if (m_control.isCancelled())
-                return cancelled("demo");
+                return demoCancelled();
         }
         return {};
     }
@@ -169,7 +179,8 @@ private:
         if (auto made = makeFolder(pictures); !made)
             return made;
         for (const SimulatedCamera &camera : testbed().cameras) {
-            m_control.report(0.02, "calibrating camera " + camera.name);
+            m_control.report(0.02, ODO_TEXT("workflow.calibrating_camera",
+                                            "calibrating camera %1")(Named::camera(camera.name)));
             CalibrateSettings settings;
             settings.camera = camera.name;
             SimulatedBoard board;
@@ -177,7 +188,7 @@ private:
             int number = 0;
             for (const RigidTransform &pose : heldBoardPoses(camera.view.camera(), board, boardPictures, 7)) {
                 if (m_control.isCancelled())
-                    return cancelled("demo");
+                    return demoCancelled();
                 board.cameraFromBoard = pose;
                 const std::string suffix = (number < 9 ? "_0" : "_") + std::to_string(number + 1) + ".png";
                 const fs::path file = pictures / (camera.name + suffix);
@@ -351,7 +362,7 @@ std::error_code moveParts(const fs::path &from, const fs::path &to)
     return problem;
 }
 
-Result<void> makeIn(const fs::path &folder, const std::string &what, const JobControl &control)
+Result<void> makeIn(const fs::path &folder, const Message &what, const JobControl &control)
 {
     const auto staging = TemporaryFolder::make(folder, what);
     if (!staging)
@@ -359,25 +370,27 @@ Result<void> makeIn(const fs::path &folder, const std::string &what, const JobCo
     if (auto built = buildIn((*staging)->path(), control); !built)
         return built;
     const std::error_code problem = moveParts((*staging)->path(), folder);
-    return problem ? fail(ErrorCode::Io, what, problem.message(), demoAdvice) : Result<void>();
+    return problem ? fail(ErrorCode::Io, what, foreignWords(problem.message()), demoAdvice())
+                   : Result<void>();
 }
 
 } // namespace
 
 Result<fs::path> makeDemo(const fs::path &folder, const JobControl &control)
 {
-    const std::string what = "demo in '" + folder.string() + "'";
+    const Message what = ODO_TEXT("workflow.demo_in", "demo in '%1'")(Named::file(folder));
     for (const char *name : parts) {
         if (files::exists(folder / name))
-            return fail(ErrorCode::AlreadyExists, what, std::string(name) + " is there already",
-                        "open it, or choose another folder");
+            return fail(ErrorCode::AlreadyExists, what,
+                        ODO_TEXT("workflow.demo_is_there", "%1 is there already")(Named::file(name)),
+                        ODO_TEXT("workflow.open_it_or_elsewhere", "open it, or choose another folder"));
     }
     if (auto may = checkNewProject(folder / "demo.odo", what); !may)
         return tl::unexpected(may.error());
     std::error_code problem;
     const bool folderIsNew = files::makeFolders(folder, problem);
     if (problem)
-        return fail(ErrorCode::Io, what, problem.message(), demoAdvice);
+        return fail(ErrorCode::Io, what, foreignWords(problem.message()), demoAdvice());
     if (auto made = makeIn(folder, what, control); !made) {
         if (folderIsNew)
             files::remove(folder); // only when empty

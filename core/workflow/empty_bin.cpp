@@ -33,7 +33,7 @@ Result<void> EmptyBinJob::run(const JobControl &control)
     for (std::size_t i = 0; i < m_content.trials.size() && !control.isCancelled(); ++i) {
         const TrialName &trial = m_content.trials[i];
         control.report(static_cast<double>(i) / static_cast<double>(m_content.trials.size()),
-                       "removing " + trial.name);
+                       ODO_TEXT("workflow.removing", "removing %1")(Named::trial(trial.name)));
         if (auto removed = remove(**project, trial, usedBeside); !removed)
             return removed;
     }
@@ -50,13 +50,15 @@ Result<void> EmptyBinJob::remove(Project &project, const TrialName &trial,
     if (!known || !known->binned) // another window has removed it, or taken it out of the bin
         return {};
     std::vector<std::string> paths;
-    auto removed = project.note("remove " + trial.name + " for good", [&]() -> Result<void> {
-        auto files = project.trials().removeForGood(trial.id);
-        if (!files)
-            return tl::unexpected(files.error());
-        paths = std::move(*files);
-        return {};
-    });
+    auto removed =
+        project.note(ODO_TEXT("workflow.remove_for_good", "remove %1 for good")(Named::trial(trial.name)),
+                     [&]() -> Result<void> {
+                         auto files = project.trials().removeForGood(trial.id);
+                         if (!files)
+                             return tl::unexpected(files.error());
+                         paths = std::move(*files);
+                         return {};
+                     });
     if (!removed)
         return removed;
     ++m_removed;

@@ -5,8 +5,18 @@
 #include "core/files/output_file.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "core/workflow/shared_words.h"
 
 namespace odo {
+
+namespace {
+
+Message exportOf(const std::string &trial)
+{
+    return ODO_TEXT("workflow.export", "export of '%1'")(Named::trial(trial));
+}
+
+} // namespace
 
 ExportJob::ExportJob(std::string trial, std::filesystem::path folder, CsvStyle style)
     : m_trial(std::move(trial)), m_folder(std::move(folder)), m_style(style)
@@ -22,8 +32,7 @@ Result<void> ExportJob::prepare(Project &project)
     if (!analyses)
         return tl::unexpected(analyses.error());
     if (analyses->empty())
-        return fail(ErrorCode::NotFound, "export of '" + m_trial + "'", "it has not been tracked yet",
-                    "track it first");
+        return fail(ErrorCode::NotFound, exportOf(m_trial), notTrackedYet(), trackItFirst());
     m_analyses = std::move(*analyses);
     return {};
 }
@@ -43,7 +52,7 @@ Result<void> ExportJob::writeAll(const JobControl &control)
 {
     for (const AnalysisRecord &analysis : m_analyses) {
         if (control.isCancelled())
-            return cancelled("export of '" + m_trial + "'");
+            return cancelled(exportOf(m_trial));
         const std::string name = m_analyses.size() > 1 ? m_trial + " " + analysis.robotName : m_trial;
         const std::filesystem::path file = m_folder / (fileNameOf(name) + ".csv");
         if (auto written =

@@ -8,7 +8,7 @@ namespace odo {
 
 Result<void> runToEnd(Job &job, Project &project, const JobControl &control)
 {
-    return orShortage(cannotDoThis, [&]() -> Result<void> {
+    return orShortage(cannotDoThis(), [&]() -> Result<void> {
         if (auto prepared = job.prepare(project); !prepared)
             return prepared;
         {

@@ -28,17 +28,16 @@ bool JobRunner::start(std::shared_ptr<Job> job)
     const auto finishLater = [this](const Result<void> &result) {
         callLater(this, [this, result] { finish(result); });
     };
-    if (const auto prepared = orShortage(cannotDoThis, [this] { return m_job->prepare(m_project); });
+    if (const auto prepared = orShortage(cannotDoThis(), [this] { return m_job->prepare(m_project); });
         !prepared) {
         finishLater(prepared);
         return true;
     }
-    JobControl control{m_cancel, [this](double fraction, const std::string &text) {
-                           const QString words = QString::fromStdString(text);
-                           callLater(this, [this, fraction, words] { Q_EMIT progressed(fraction, words); });
+    JobControl control{m_cancel, [this](double fraction, const Message &text) {
+                           callLater(this, [this, fraction, text] { Q_EMIT progressed(fraction, text); });
                        }};
-    auto thread = startThread(cannotDoThis, [worker = m_job, control, finishLater] {
-        finishLater(orShortage(cannotDoThis, [&] {
+    auto thread = startThread(cannotDoThis(), [worker = m_job, control, finishLater] {
+        finishLater(orShortage(cannotDoThis(), [&] {
             const CancelScope scope(&control.cancel);
             return worker->run(control);
         }));
@@ -61,7 +60,7 @@ void JobRunner::finish(const Result<void> &result)
         m_thread.join();
     const std::shared_ptr<Job> job = std::exchange(m_job, nullptr);
     const Result<void> outcome =
-        result ? orShortage(cannotDoThis, [&] { return job->commit(m_project); }) : result;
+        result ? orShortage(cannotDoThis(), [&] { return job->commit(m_project); }) : result;
     Q_EMIT finished(job, outcome ? std::nullopt : std::optional<Error>(outcome.error()));
 }
 

@@ -6,7 +6,6 @@
 
 #include <QMetaObject>
 #include <QObject>
-#include <QString>
 #include <memory>
 #include <optional>
 #include <thread>
@@ -33,7 +32,7 @@ public:
     void cancel();
 
 Q_SIGNALS:
-    void progressed(double fraction, const QString &text);
+    void progressed(double fraction, const odo::Message &text);
     /// Once a job, after commit: no error on success. job is the one given to start.
     void finished(const std::shared_ptr<odo::Job> &job, const std::optional<odo::Error> &error);
 

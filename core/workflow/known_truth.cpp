@@ -7,6 +7,7 @@
 #include "core/files/output_file.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "core/workflow/shared_words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,8 +49,8 @@ Result<void> keepTruth(Project &project, const TrialRecord &trial, const Simulat
     std::error_code problem;
     files::makeFolders(folder, problem);
     if (problem)
-        return fail(ErrorCode::Io, "folder '" + folder.string() + "'", problem.message(),
-                    "choose a folder that you may write to");
+        return fail(ErrorCode::Io, folderCalled(folder), foreignWords(problem.message()),
+                    ODO_TEXT("workflow.choose_writable_folder", "choose a folder that you may write to"));
     for (std::size_t r = 0; r < scene.robots.size(); ++r) {
         const std::string &name = scene.robots[r].name;
         const auto robot = project.robots().find(name);

@@ -4,10 +4,12 @@
 #include "core/base/file_system.h"
 #include "core/base/sha256.h"
 #include "core/exchange/file_name.h"
+#include "core/files/file_words.h"
 #include "core/files/protected_files.h"
 #include "core/files/temporary.h"
 #include "core/project/project_media.h"
 #include "core/project/recording_rows.h"
+#include "core/workflow/shared_words.h"
 
 #include <QFile>
 
@@ -18,7 +20,12 @@ namespace {
 constexpr qint64 blockBytes = 1 << 18;
 /// How much may wait for the disk: who cancels, and the end, waits for no more.
 constexpr qint64 syncEach = 16 << 20;
-constexpr const char *roomAdvice = "check the free space and the rights of the project's folder";
+
+Message roomAdvice()
+{
+    return ODO_TEXT("workflow.check_room_and_rights",
+                    "check the free space and the rights of the project's folder");
+}
 
 /// Of what files may be called letters and digits of any script, '-' and '_' stay; the rest could mean
 /// something to a shell.
@@ -49,20 +56,20 @@ ClaimedFile::Outcome<ClaimedFile> inFolder(const std::filesystem::path &folder, 
 
 /// Copies block by block, hashing on the way, and gives the hash.
 Result<std::string> copyHashed(const std::filesystem::path &source, const ClaimedFile &target,
-                               const std::string &what, const JobControl &control)
+                               const Message &what, const JobControl &control)
 {
     if (auto may = checkMayBeRead(source, what); !may)
         return tl::unexpected(may.error());
     QFile in(QString::fromStdString(source.string()));
     if (!in.open(QIODevice::ReadOnly))
-        return fail(ErrorCode::Io, what, in.errorString().toStdString(), roomAdvice);
+        return fail(ErrorCode::Io, what, foreignWords(in.errorString().toStdString()), roomAdvice());
     Sha256 hash;
     for (qint64 waiting = 0; !in.atEnd();) {
         if (control.isCancelled())
             return cancelled(what);
         const QByteArray block = in.read(blockBytes);
         if (block.isEmpty() && in.error() != QFileDevice::NoError)
-            return fail(ErrorCode::Io, what, in.errorString().toStdString(), roomAdvice);
+            return fail(ErrorCode::Io, what, foreignWords(in.errorString().toStdString()), roomAdvice());
         hash.add(block.constData(), static_cast<std::size_t>(block.size()));
         std::error_code problem = target.write({block.constData(), static_cast<std::size_t>(block.size())});
         waiting += block.size();
@@ -71,45 +78,46 @@ Result<std::string> copyHashed(const std::filesystem::path &source, const Claime
             waiting = 0;
         }
         if (problem)
-            return fail(ErrorCode::Io, what, problem.message(), roomAdvice);
+            return fail(ErrorCode::Io, what, foreignWords(problem.message()), roomAdvice());
     }
     return hash.hex();
 }
 
 Result<void> published(ClaimedFile &file, const std::string &name, const std::string &ending,
-                       const std::string &what)
+                       const Message &what)
 {
     std::error_code problem = file.sync();
     if (!problem)
         problem = file.publish(safeName(name), ending);
     if (problem)
-        return fail(ErrorCode::Io, what, problem.message(), roomAdvice);
+        return fail(ErrorCode::Io, what, foreignWords(problem.message()), roomAdvice());
     syncToDisk(file.path().parent_path()); // some file systems cannot: the bytes are safe
     return {};
 }
 
 /// One that lies in the media folder.
-Result<MediaCopy> held(const std::filesystem::path &file, const std::string &what, const JobControl &control)
+Result<MediaCopy> held(const std::filesystem::path &file, const Message &what, const JobControl &control)
 {
     auto hold = ClaimedFile::hold(file);
     if (!hold && hold.error() == std::errc::resource_unavailable_try_again)
-        return fail(ErrorCode::Unavailable, what, "another program is writing or removing it just now",
-                    "wait until that has ended");
+        return fail(
+            ErrorCode::Unavailable, what,
+            ODO_TEXT("workflow.written_just_now", "another program is writing or removing it just now"),
+            ODO_TEXT("workflow.wait_until_ended", "wait until that has ended"));
     auto hash = fileSha256(file, control);
     if (!hash)
         return tl::unexpected(hash.error());
     if (!hold)
-        return fail(ErrorCode::Io, what, hold.error().message(),
-                    "check that the file is there and may be read");
+        return fail(ErrorCode::Io, what, foreignWords(hold.error().message()), checkFileIsThere());
     return MediaCopy{std::move(*hold), std::move(*hash)};
 }
 
 Result<MediaCopy> copied(const std::filesystem::path &source, const std::filesystem::path &mediaFolder,
-                         const std::string &name, const std::string &what, const JobControl &control)
+                         const std::string &name, const Message &what, const JobControl &control)
 {
     auto file = inFolder(mediaFolder, [&] { return ClaimedFile::begin(mediaFolder); });
     if (!file)
-        return fail(ErrorCode::Io, what, file.error().message(), roomAdvice);
+        return fail(ErrorCode::Io, what, foreignWords(file.error().message()), roomAdvice());
     auto hash = copyHashed(source, *file, what, control);
     if (!hash)
         return tl::unexpected(hash.error());
@@ -125,20 +133,22 @@ Result<ClaimedFile> claimMediaFile(const std::filesystem::path &folder, const st
 {
     auto file = inFolder(folder, [&] { return ClaimedFile::create(folder, safeName(name), ending); });
     if (!file)
-        return fail(ErrorCode::Io, "cannot write '" + (folder / (safeName(name) + ending)).string() + "'",
-                    file.error().message(), roomAdvice);
+        return fail(ErrorCode::Io,
+                    ODO_TEXT("workflow.cannot_write",
+                             "cannot write '%1'")(Named::file(folder / (safeName(name) + ending))),
+                    foreignWords(file.error().message()), roomAdvice());
     return std::move(*file);
 }
 
 Result<ClaimedFile> writeMediaFile(const std::filesystem::path &folder, const std::string &name,
                                    const std::string &ending, std::span<const char> content,
-                                   const std::string &what)
+                                   const Message &what)
 {
     auto file = inFolder(folder, [&] { return ClaimedFile::begin(folder); });
     if (!file)
-        return fail(ErrorCode::Io, what, file.error().message(), roomAdvice);
+        return fail(ErrorCode::Io, what, foreignWords(file.error().message()), roomAdvice());
     if (const std::error_code problem = file->write(content))
-        return fail(ErrorCode::Io, what, problem.message(), roomAdvice);
+        return fail(ErrorCode::Io, what, foreignWords(problem.message()), roomAdvice());
     if (auto done = published(*file, name, ending, what); !done)
         return tl::unexpected(done.error());
     return std::move(*file);
@@ -148,7 +158,7 @@ Result<MediaCopy> copyIntoMedia(const std::filesystem::path &source, const std::
                                 const std::string &name, const JobControl &control)
 {
     const std::filesystem::path original = files::absolute(source);
-    const std::string what = "copy of '" + source.string() + "'";
+    const Message what = ODO_TEXT("workflow.copy_of", "copy of '%1'")(Named::file(source));
     const bool isThere =
         files::isSame(original.parent_path(), mediaFolder) || isOwnMedia(original, mediaFolder);
     auto copy = isThere ? held(original, what, control) : copied(original, mediaFolder, name, what, control);
@@ -156,8 +166,7 @@ Result<MediaCopy> copyIntoMedia(const std::filesystem::path &source, const std::
         return copy;
     const auto bytes = copy->file.bytes();
     if (!bytes)
-        return fail(ErrorCode::Io, what, "it cannot be looked at (" + bytes.error().message() + ")",
-                    "check that the file is there and may be read");
+        return cannotBeLookedAt(what, bytes.error());
     copy->bytes = *bytes;
     return copy;
 }

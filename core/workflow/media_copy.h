@@ -34,6 +34,6 @@ Result<ClaimedFile> claimMediaFile(const std::filesystem::path &folder, const st
 /// As claimMediaFile, with what the file holds, whole and on the disk. what: names it in messages. Error Io.
 Result<ClaimedFile> writeMediaFile(const std::filesystem::path &folder, const std::string &name,
                                    const std::string &ending, std::span<const char> content,
-                                   const std::string &what);
+                                   const Message &what);
 
 } // namespace odo

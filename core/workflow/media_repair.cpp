@@ -16,6 +16,11 @@ namespace odo {
 
 namespace {
 
+Message lookIn(const std::filesystem::path &folder)
+{
+    return ODO_TEXT("workflow.look_in", "look in '%1'")(Named::file(folder));
+}
+
 /// Files of one of these sizes, so that only they are read.
 Result<std::vector<std::filesystem::path>> filesOfSizes(const std::filesystem::path &folder,
                                                         const std::vector<RecordingRecord> &lost,
@@ -32,10 +37,11 @@ Result<std::vector<std::filesystem::path>> filesOfSizes(const std::filesystem::p
     };
     files::eachFileBelow(folder, visit, problem);
     if (control.isCancelled())
-        return cancelled("look for lost videos");
+        return cancelled(ODO_TEXT("workflow.look_for_lost_videos", "look for lost videos"));
     if (problem)
-        return fail(ErrorCode::Io, "look in '" + folder.string() + "'", problem.message(),
-                    "check that the folder is there and may be read");
+        return fail(
+            ErrorCode::Io, lookIn(folder), foreignWords(problem.message()),
+            ODO_TEXT("workflow.check_folder_is_there", "check that the folder is there and may be read"));
     return files;
 }
 
@@ -66,8 +72,9 @@ Result<void> RelinkJob::findLost()
         if (!unfinished.contains(recording.trial) && !files::exists((*project)->resolve(recording)))
             m_lost.push_back(std::move(recording));
     if (m_lost.empty())
-        return fail(ErrorCode::NotFound, "lost videos", "no video of this project is lost",
-                    "there is nothing to do");
+        return fail(ErrorCode::NotFound, ODO_TEXT("workflow.lost_videos", "lost videos"),
+                    ODO_TEXT("workflow.no_video_lost", "no video of this project is lost"),
+                    ODO_TEXT("workflow.nothing_to_do", "there is nothing to do"));
     return {};
 }
 
@@ -75,18 +82,20 @@ Result<void> RelinkJob::run(const JobControl &control)
 {
     if (auto found = findLost(); !found)
         return found;
-    control.report(0, "looking for files");
+    control.report(0, ODO_TEXT("workflow.looking_for_files", "looking for files"));
     const auto files = filesOfSizes(m_folder, m_lost, control);
     if (!files)
         return tl::unexpected(files.error());
     if (auto looked = look(*files, control); !looked)
         return looked;
     if (m_found.empty())
-        return fail(ErrorCode::NotFound, "look in '" + m_folder.string() + "'",
-                    m_lost.size() == 1
-                        ? "the lost video is not there"
-                        : "none of the " + std::to_string(m_lost.size()) + " lost videos is there",
-                    "choose the folder where they were copied to");
+        return fail(
+            ErrorCode::NotFound, lookIn(m_folder),
+            m_lost.size() == 1
+                ? Message(ODO_TEXT("workflow.lost_video_not_there", "the lost video is not there"))
+                : ODO_TEXT("workflow.lost_videos_not_there",
+                           "none of the %1 lost videos is there")(m_lost.size()),
+            ODO_TEXT("workflow.choose_folder_of_copies", "choose the folder where they were copied to"));
     return {};
 }
 
@@ -94,7 +103,7 @@ Result<void> RelinkJob::look(const std::vector<std::filesystem::path> &files, co
 {
     for (std::size_t i = 0; i < files.size() && m_found.size() < m_lost.size(); ++i) {
         control.report(static_cast<double>(i) / static_cast<double>(files.size()),
-                       "reading " + files[i].filename().string());
+                       ODO_TEXT("workflow.reading_file", "reading %1")(Named::file(files[i].filename())));
         const auto hash = fileSha256(files[i], control);
         if (!hash && hash.error().code == ErrorCode::Cancelled)
             return tl::unexpected(hash.error());
@@ -111,8 +120,9 @@ Result<void> RelinkJob::look(const std::vector<std::filesystem::path> &files, co
 
 Result<void> RelinkJob::commit(Project &project)
 {
-    const std::string words =
-        m_found.size() == 1 ? "link a lost video" : "link " + std::to_string(m_found.size()) + " lost videos";
+    const Message words = m_found.size() == 1
+                              ? Message(ODO_TEXT("workflow.link_lost_video", "link a lost video"))
+                              : ODO_TEXT("workflow.link_lost_videos", "link %1 lost videos")(m_found.size());
     return project.change(words, [&]() -> Result<void> {
         for (const Found &found : m_found) {
             if (auto linked = project.trials().setFile(found.recording, files::absolute(found.file)); !linked)
@@ -166,7 +176,7 @@ Result<void> FindStraysJob::prepare(Project &project)
 
 Result<void> FindStraysJob::run(const JobControl &control)
 {
-    control.report(0, "looking through the media folder");
+    control.report(0, ODO_TEXT("workflow.looking_through_media", "looking through the media folder"));
     const auto project = Project::openAgain(m_project, Project::Access::ReadOnly);
     if (!project)
         return tl::unexpected(project.error());
@@ -178,7 +188,7 @@ Result<void> FindStraysJob::run(const JobControl &control)
         m_others.insert(m_others.end(), some->begin(), some->end());
     for (const std::filesystem::path &file : m_strays) {
         if (control.isCancelled())
-            return cancelled("look for stray files");
+            return cancelled(ODO_TEXT("workflow.look_for_strays", "look for stray files"));
         // a link leads to what is somebody else's
         const bool isFile = files::kindOfItself(file) == files::Kind::File;
         if (isFile && file.extension() != inTheMaking && VideoInput::open(file))
@@ -254,7 +264,7 @@ Result<void> RemoveStraysJob::run(const JobControl &control)
         return tl::unexpected(project.error());
     for (const std::filesystem::path &file : m_strays) {
         if (control.isCancelled())
-            return cancelled("remove stray files");
+            return cancelled(ODO_TEXT("workflow.remove_strays", "remove stray files"));
         const auto removed = removeStray(**project, file);
         if (!removed)
             return tl::unexpected(removed.error());

@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/base/file_system.h"
+#include "core/base/subjects.h"
 #include "core/files/output_file.h"
 #include "core/files/temporary.h"
 #include "core/project/new_file.h"
@@ -17,6 +18,15 @@
 
 namespace odo {
 
+namespace {
+
+Message copyingProject()
+{
+    return ODO_TEXT("workflow.copying_project", "copying the project");
+}
+
+} // namespace
+
 Result<void> CopyJob::prepare(Project &project)
 {
     m_project = project.file();
@@ -25,9 +35,10 @@ Result<void> CopyJob::prepare(Project &project)
 
 Result<void> CopyJob::run(const JobControl &control)
 {
-    if (auto may = checkNewProject(m_copy, "copy '" + m_copy.filename().string() + "'"); !may)
+    const Message what = ODO_TEXT("workflow.copy", "copy '%1'")(Named::file(m_copy.filename()));
+    if (auto may = checkNewProject(m_copy, what); !may)
         return may;
-    control.report(0, "copying the project");
+    control.report(0, copyingProject());
     const auto project = Project::openAgain(m_project, Project::Access::ReadOnly);
     if (!project)
         return tl::unexpected(project.error());
@@ -36,7 +47,7 @@ Result<void> CopyJob::run(const JobControl &control)
     if (!control.isCancelled())
         return {};
     files::remove(m_copy);
-    return cancelled("copy '" + m_copy.filename().string() + "'");
+    return cancelled(what);
 }
 
 namespace {
@@ -60,6 +71,11 @@ void addFilesBelow(const std::filesystem::path &folder, const std::filesystem::p
     }
 }
 
+Message packingOf(const std::filesystem::path &file)
+{
+    return ODO_TEXT("workflow.pack", "pack '%1'")(Named::file(file));
+}
+
 /// All that belongs to a project's media; none where there is no folder. Links that lead out of it are left.
 /// A folder that cannot be read is an error, for what lies in it would be missing.
 Result<std::vector<std::filesystem::path>> filesIn(const std::filesystem::path &folder)
@@ -68,8 +84,8 @@ Result<std::vector<std::filesystem::path>> filesIn(const std::filesystem::path &
     std::error_code problem;
     addFilesBelow(folder, folder, files, problem);
     if (problem && problem != std::errc::no_such_file_or_directory)
-        return fail(ErrorCode::Io, "pack '" + folder.string() + "'", problem.message(),
-                    "check that it is there and may be read");
+        return fail(ErrorCode::Io, packingOf(folder), foreignWords(problem.message()),
+                    ODO_TEXT("workflow.check_it_is_there", "check that it is there and may be read"));
     return files;
 }
 
@@ -115,8 +131,10 @@ Result<void> PackJob::look(Project &project, const JobControl &control)
     std::map<RecordId, std::string> names;
     for (const TrialName &trial : *trials) {
         if (trial.unfinished)
-            return fail(ErrorCode::InvalidInput, "pack '" + m_project.filename().string() + "'",
-                        "trial '" + trial.name + "' is being recorded", "end its recording first");
+            return fail(ErrorCode::InvalidInput, packingOf(m_project.filename()),
+                        ODO_TEXT("workflow.trial_being_recorded",
+                                 "trial '%1' is being recorded")(Named::trial(trial.name)),
+                        ODO_TEXT("workflow.end_recording_first", "end its recording first"));
         names.emplace(trial.id, trial.name);
     }
     const auto recordings = project.trials().allRecordings();
@@ -126,8 +144,10 @@ Result<void> PackJob::look(Project &project, const JobControl &control)
         const std::filesystem::path file = project.resolve(recording);
         const std::string &trial = names[recording.trial];
         if (!files::exists(file)) {
-            m_warnings.push_back("the video of camera " + recording.cameraName + " in trial '" + trial +
-                                 "' is lost, and not in the packed project");
+            m_warnings.push_back(
+                ODO_TEXT("workflow.lost_not_packed",
+                         "the video of camera %1 in trial '%2' is lost, and not in the packed project")(
+                    Named::camera(recording.cameraName), Named::trial(trial)));
         } else if (!isOwnMedia(file, m_mediaFolder)) {
             const auto isIts = isItsVideo(file, recording, control);
             if (!isIts)
@@ -136,9 +156,10 @@ Result<void> PackJob::look(Project &project, const JobControl &control)
                 m_elsewhere.push_back({recording.id, file});
                 m_inputs.add(file);
             } else {
-                m_warnings.push_back(
-                    "the video of camera " + recording.cameraName + " in trial '" + trial +
-                    "' lies elsewhere and is another file than it was, and not in the packed project");
+                m_warnings.push_back(ODO_TEXT("workflow.replaced_not_packed",
+                                              "the video of camera %1 in trial '%2' lies elsewhere and is "
+                                              "another file than it was, and not in the packed project")(
+                    Named::camera(recording.cameraName), Named::trial(trial)));
             }
         }
     }
@@ -187,12 +208,12 @@ Result<void> PackJob::run(const JobControl &control)
 {
     // Beside the archive: there is room for it, or there is none at all.
     const auto work = TemporaryFolder::make(files::absolute(m_archive.file).parent_path(),
-                                            "file '" + m_archive.file.string() + "'");
+                                            quotedFileSubject(m_archive.file));
     if (!work)
         return tl::unexpected(work.error());
     const std::filesystem::path copy = (*work)->path() / m_project.filename();
     std::vector<ArchiveEntry> entries;
-    control.report(0, "copying the project");
+    control.report(0, copyingProject());
     if (auto copied = copyProject(copy, entries, control); !copied)
         return copied;
     return writeArchive(m_archive, entries, control);
@@ -227,7 +248,7 @@ Result<void> takeSetUp(Project &from, Project &to, const JobControl &control)
 {
     const auto camera = [&](const CameraRecord &record) -> Result<void> {
         if (control.isCancelled())
-            return cancelled("new project");
+            return cancelled(ODO_TEXT("workflow.new_project", "new project"));
         const auto added = to.cameras().add(record);
         return added ? takeLens(from, record.id, to, added->id) : tl::unexpected(added.error());
     };
@@ -262,7 +283,7 @@ Result<void> makeFilled(Project &from, const std::filesystem::path &file, const 
     const auto to = Project::create(file, title);
     if (!to)
         return tl::unexpected(to.error());
-    return (*to)->note("take over the set-up of " + *original,
+    return (*to)->note(ODO_TEXT("workflow.take_over_set_up", "take over the set-up of %1")(*original),
                        [&] { return takeSetUp(from, **to, control); });
 }
 
@@ -272,11 +293,11 @@ Result<std::filesystem::path> makeProjectLike(const std::filesystem::path &origi
                                               const std::filesystem::path &file, const std::string &title,
                                               const JobControl &control)
 {
-    control.report(0, "taking over the set-up");
+    control.report(0, ODO_TEXT("workflow.taking_over_set_up", "taking over the set-up"));
     const auto from = Project::openAgain(original, Project::Access::ReadOnly);
     if (!from)
         return tl::unexpected(from.error());
-    const std::string what = "project '" + file.string() + "'";
+    const Message what = ODO_TEXT("workflow.project", "project '%1'")(Named::file(file));
     if (auto may = checkNewProject(file, what); !may)
         return tl::unexpected(may.error());
     NewFile made(file, what);

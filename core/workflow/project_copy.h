@@ -40,7 +40,7 @@ public:
     Result<void> run(const JobControl &control) override;
     Result<void> commit(Project &) override { return {}; }
 
-    const std::vector<std::string> &warnings() const { return m_warnings; } ///< after run
+    const std::vector<Message> &warnings() const { return m_warnings; } ///< after run
 
 private:
     struct Elsewhere
@@ -56,7 +56,7 @@ private:
     std::filesystem::path m_project, m_mediaFolder;
     std::vector<Elsewhere> m_elsewhere;
     InputFiles m_inputs;
-    std::vector<std::string> m_warnings;
+    std::vector<Message> m_warnings;
 };
 
 /// Makes a project with the set-up of another one: cameras with their lens in force, marker layouts, robots,

@@ -1,20 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/trial_sources.h"
 
+#include "core/base/subjects.h"
 #include "core/calibration/lens_influence.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "core/workflow/shared_words.h"
 
 namespace odo {
-
-namespace {
-
-std::string sizeText(int width, int height)
-{
-    return std::to_string(width) + "×" + std::to_string(height);
-}
-
-} // namespace
 
 ViewClock clockOf(const RecordingRecord &recording)
 {
@@ -68,10 +61,14 @@ Result<std::vector<RegisteredView>> registeredViews(Project &project, const Tria
             const Intrinsics &lens = floorView->camera().intrinsics();
             if (lens.widthPx != recording.widthPx || lens.heightPx != recording.heightPx)
                 return fail(ErrorCode::InvalidInput,
-                            "view '" + recording.cameraName + "' of trial '" + trial.name + "'",
-                            "its pictures are " + sizeText(recording.widthPx, recording.heightPx) +
-                                " but the camera was calibrated at " + sizeText(lens.widthPx, lens.heightPx),
-                            "calibrate and register the camera at the size it records");
+                            ODO_TEXT("workflow.view_of_trial", "view '%1' of trial '%2'")(
+                                Named::camera(recording.cameraName), Named::trial(trial.name)),
+                            ODO_TEXT("workflow.another_picture_size",
+                                     "its pictures are %1 but the camera was calibrated at %2")(
+                                sizeText(recording.widthPx, recording.heightPx),
+                                sizeText(lens.widthPx, lens.heightPx)),
+                            ODO_TEXT("workflow.calibrate_at_recorded_size",
+                                     "calibrate and register the camera at the size it records"));
             view.floorView = std::move(*floorView);
             view.registration = std::move(**registration);
         }
@@ -103,8 +100,10 @@ Result<std::vector<RobotRecord>> robotsToTrack(Project &project, const TrialReco
         return robots;
     auto all = project.robots().all();
     if (all && all->empty())
-        return fail(ErrorCode::NotFound, "trial '" + trial.name + "'", "the project has no robot to look for",
-                    "add one with: odograph robot add PROJECT NAME --colour #rrggbb");
+        return fail(ErrorCode::NotFound, trialSubject(trial.name), noRobotToLookFor(),
+                    joined({ODO_TEXT("workflow.add_one_with", "add one with"),
+                            nameAlone(std::string("odograph robot add PROJECT NAME --colour #rrggbb"))},
+                           Join::Colon));
     return all;
 }
 

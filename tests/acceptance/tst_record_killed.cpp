@@ -109,10 +109,10 @@ void TestRecordKilled::lookAt(const std::filesystem::path &projectFile, const QS
     // One killed between making its file and storing its trial left that file, which the check names ever
     // after.
     std::erase_if(*problems, [&trial](const ProjectProblem &problem) {
-        return problem.what.starts_with("no trial,") &&
-               problem.where.find('/' + trial.toStdString() + '_') == std::string::npos;
+        return problem.what.english().starts_with("no trial,") &&
+               problem.where.english().find('/' + trial.toStdString() + '_') == std::string::npos;
     });
-    QVERIFY2(problems->empty(), problems->empty() ? "" : problems->front().what.c_str());
+    QVERIFY2(problems->empty(), problems->empty() ? "" : problems->front().what.english().c_str());
     const auto kept = (*project)->trials().find(trial.toStdString());
     if (!kept) {
         QVERIFY2(recordedS < mostMissingS + longestBeginS, qPrintable(QString::number(recordedS)));

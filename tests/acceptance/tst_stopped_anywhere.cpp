@@ -163,8 +163,8 @@ void TestStoppedAnywhere::lookAtStrays(Project &project, bool withHashes)
         left.erase(QString::fromStdString(project.resolve(recording).string()));
     const auto problems = project.check(withHashes).value();
     for (const ProjectProblem &problem : problems)
-        QVERIFY2(left.erase(QString::fromStdString(problem.where)) == 1,
-                 (problem.where + ": " + problem.what).c_str());
+        QVERIFY2(left.erase(QString::fromStdString(problem.where.english())) == 1,
+                 joined({problem.where, problem.what}, Join::Colon).english().c_str());
     QVERIFY2(left.empty(), left.empty() ? "" : qPrintable(*left.begin()));
     m_strays += static_cast<int>(problems.size());
     FindStraysJob found;

@@ -174,7 +174,7 @@ private Q_SLOTS:
         const auto changes = (*project)->changes();
         QVERIFY(changes.has_value());
         for (const ChangeEntry &entry : *changes)
-            told.prepend(QString::fromStdString(entry.words));
+            told.prepend(QString::fromStdString(entry.words.english()));
         const QStringList expected{QStringLiteral("add robot red"),
                                    QStringLiteral("add layout floor"),
                                    QStringLiteral("import the lens of camera A from a.yaml"),

@@ -55,7 +55,7 @@ Profile exact(const Course &course, double durationS, double sigmaM = 0, double 
 
 Result<RunComparison> compared(const Profile &a, const Profile &b, ComparisonOptions options = {})
 {
-    return compareRuns({{"One", &a}, {"Two", &b}}, options);
+    return compareRuns({{foreignWords("One"), &a}, {foreignWords("Two"), &b}}, options);
 }
 
 Task lineTask()
@@ -417,7 +417,7 @@ private Q_SLOTS:
                                 "the same task"));
         QVERIFY(message(compared(run, elsewhere, byTask()))
                     .contains(QLatin1String("in common with the task's path")));
-        QCOMPARE(message(compareRuns({{"One", &run}}, {})),
+        QCOMPARE(message(compareRuns({{foreignWords("One"), &run}}, {})),
                  QStringLiteral("comparison: it takes two runs; choose another run as well"));
         QVERIFY(
             message(compared(run, run, {std::nullopt, AlignBy::StartGate, {}, {}, false}))

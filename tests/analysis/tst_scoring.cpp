@@ -140,9 +140,9 @@ void TestScoring::refusesWhatCannotBeComputed()
     QVERIFY(checkScoring({}) && checkScoring({good}));
     const auto refused = checkScoring({good, {metric.toStdString(), full, none, points}});
     QVERIFY(!refused);
-    QCOMPARE(refused.error().what, std::string("line 2 of the scoring"));
-    QCOMPARE(QString::fromStdString(refused.error().why), why);
-    QCOMPARE(checkScoring(std::vector<Criterion>(31, good)).error().why,
+    QCOMPARE(refused.error().what.english(), std::string("line 2 of the scoring"));
+    QCOMPARE(QString::fromStdString(refused.error().why.english()), why);
+    QCOMPARE(checkScoring(std::vector<Criterion>(31, good)).error().why.english(),
              std::string("it has more than 30 lines"));
 }
 

@@ -126,7 +126,7 @@ void TestTaskTemplates::refusesSizesThatAreNone()
 {
     TemplateSizes none;
     none.lengthM = 0;
-    QCOMPARE(taskFromTemplate(TaskTemplate::Circle, none).error().why,
+    QCOMPARE(taskFromTemplate(TaskTemplate::Circle, none).error().why.english(),
              std::string("a size is less than 1 mm"));
     TemplateSizes far;
     far.centre.x() = 5000;

@@ -99,7 +99,7 @@ private Q_SLOTS:
         for (qsizetype i = 0; i < numbers.size(); i += 2)
             zone.corners.emplace_back(numbers[i], numbers[i + 1]);
         const auto valid = checkZone(zone);
-        QCOMPARE(valid ? QString() : QString::fromStdString(valid.error().why), why);
+        QCOMPARE(valid ? QString() : QString::fromStdString(valid.error().why.english()), why);
     }
 
     void tooManyAreRefused()
@@ -112,7 +112,7 @@ private Q_SLOTS:
         Task task;
         for (int i = 0; i < 31; ++i)
             task.zones.push_back(rectangularZone(std::to_string(i), ZoneRule::StayInside, {0, 0}, {1, 1}));
-        QCOMPARE(checkTask(task).error().why, std::string("the task has 30 zones already"));
+        QCOMPARE(checkTask(task).error().why.english(), std::string("the task has 30 zones already"));
     }
 
     void aRunBreaksARuleWhereItCrossesTheEdge()

@@ -20,11 +20,11 @@ private Q_SLOTS:
             endIfCancelled();
             return 7;
         };
-        QCOMPARE(orShortage("the work", work).value(), 7);
+        QCOMPARE(orShortage(foreignWords("the work"), work).value(), 7);
         cancel.cancel();
-        QCOMPARE(orShortage("the work", work).error().message(),
+        QCOMPARE(orShortage(foreignWords("the work"), work).error().message(),
                  std::string("the work: cancelled; nothing was changed"));
-        QCOMPARE(orShortage("the work", work).error().code, ErrorCode::Cancelled);
+        QCOMPARE(orShortage(foreignWords("the work"), work).error().code, ErrorCode::Cancelled);
         endIfCancelled(); // outside of it nothing ends
         QVERIFY(!CancelScope::current());
     }
@@ -49,7 +49,7 @@ private Q_SLOTS:
         const CancelToken cancel;
         cancel.cancel();
         std::atomic<int> ended{0};
-        const auto done = orShortage("the parts", [&]() -> Result<void> {
+        const auto done = orShortage(foreignWords("the parts"), [&]() -> Result<void> {
             const CancelScope scope(&cancel);
             sideBySide(4, [&](std::size_t) {
                 ++ended;

@@ -2,6 +2,7 @@
 #include "core/base/error.h"
 
 #include "tests/support/registered_test.h"
+#include "tests/support/said_error.h"
 
 #include <QString>
 #include <QTest>
@@ -14,16 +15,18 @@ class TestError : public QObject
 private Q_SLOTS:
     void isOneLine()
     {
-        QCOMPARE((Error{ErrorCode::Io, "file 'a\nb'", "it is full", "make room"}).message(),
+        QCOMPARE((test::saidError(ErrorCode::Io, "file 'a\nb'", "it is full", "make room")).message(),
                  std::string("file 'a b': it is full; make room"));
-        QCOMPARE((Error{ErrorCode::Io, "file", "it is full", ""}).message(), std::string("file: it is full"));
+        QCOMPARE((test::saidError(ErrorCode::Io, "file", "it is full", "")).message(),
+                 std::string("file: it is full"));
     }
 
     void ofALongNameTheMiddleIsLeftOut()
     {
         const std::string longName = "project '/" + QString(3000, QChar(0x00DC)).toStdString() + "end.odo'";
         const std::string line =
-            Error{ErrorCode::Io, longName, "its name is too long", "choose a shorter name"}.message();
+            test::saidError(ErrorCode::Io, longName, "its name is too long", "choose a shorter name")
+                .message();
         QVERIFY2(line.size() < 700, line.c_str());
         QVERIFY(line.starts_with("project '/\u00DC") &&
                 line.ends_with("end.odo': its name is too long; choose a shorter name"));

@@ -3,6 +3,7 @@
 
 #include "core/base/error.h"
 #include "tests/support/registered_test.h"
+#include "tests/support/said_error.h"
 
 #include <QTest>
 
@@ -62,7 +63,8 @@ private Q_SLOTS:
 
     void errorsCommandNoTerminal()
     {
-        const Error error{ErrorCode::Io, "team '\x1b[2J'", "two\nlines", "photo\xe2\x80\xaegnp"};
+        const Error error =
+            test::saidError(ErrorCode::Io, "team '\x1b[2J'", "two\nlines", "photo\xe2\x80\xaegnp");
         QCOMPARE(error.message(), std::string("team '\\x1b[2J': two lines; photo‹U+202E›gnp"));
     }
 };

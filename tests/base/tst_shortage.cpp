@@ -3,6 +3,7 @@
 
 #include "tests/fault/scarce.h"
 #include "tests/support/registered_test.h"
+#include "tests/support/said_error.h"
 
 #include <QTest>
 #include <atomic>
@@ -33,7 +34,7 @@ private Q_SLOTS:
     {
         QFETCH(int, code);
         QFETCH(QByteArray, why);
-        const auto result = orShortage("the work", [code]() -> Result<int> {
+        const auto result = orShortage(foreignWords("the work"), [code]() -> Result<int> {
             if (code == 0)
                 throw std::bad_alloc();
             throw std::system_error(code, std::generic_category());
@@ -47,31 +48,33 @@ private Q_SLOTS:
 
     void allElseIsAnErrorToo()
     {
-        QCOMPARE(orShortage("", []() -> Result<int> { return 7; }).value(), 7);
-        QCOMPARE(
-            orShortage("", []() -> Result<int> { return fail(ErrorCode::Io, "a", "b", "c"); }).error().what,
-            std::string("a"));
-        const auto unexpected =
-            orShortage("the work", []() -> Result<int> { throw std::logic_error("no such row"); });
+        QCOMPARE(orShortage(foreignWords(""), []() -> Result<int> { return 7; }).value(), 7);
+        QCOMPARE(orShortage(foreignWords(""),
+                            []() -> Result<int> { return test::saidFailure(ErrorCode::Io, "a", "b", "c"); })
+                     .error()
+                     .what.english(),
+                 std::string("a"));
+        const auto unexpected = orShortage(foreignWords("the work"),
+                                           []() -> Result<int> { throw std::logic_error("no such row"); });
         QCOMPARE(unexpected.error().code, ErrorCode::Internal);
         QCOMPARE(unexpected.error().message(),
                  std::string("the work: something unexpected happened (no such row); what was saved is safe; "
                              "try again, and report it if it happens again"));
-        QCOMPARE(orShortage("", []() -> Result<int> { throw 7; }).error().why,
+        QCOMPARE(orShortage(foreignWords(""), []() -> Result<int> { throw 7; }).error().why.english(),
                  std::string("something unexpected happened (an exception without words)"));
     }
 
     void aThreadThatIsNotToBeHadIsAnError()
     {
         std::atomic<int> done = 0;
-        auto thread = startThread("the work", [&done] { ++done; });
+        auto thread = startThread(foreignWords("the work"), [&done] { ++done; });
         QVERIFY(thread);
         thread->join();
         const FailingRequest none(Scarce::Threads, 1);
-        const auto refused = startThread("the work", [&done] { ++done; });
+        const auto refused = startThread(foreignWords("the work"), [&done] { ++done; });
         QVERIFY(none.hasFailed());
         QVERIFY(!refused);
-        QCOMPARE(refused.error().message(), noThread("the work").message());
+        QCOMPARE(refused.error().message(), noThread(foreignWords("the work")).message());
         QCOMPARE(done.load(), 1);
     }
 

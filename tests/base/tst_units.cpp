@@ -2,6 +2,7 @@
 #include "core/base/units.h"
 
 #include "tests/support/registered_test.h"
+#include "tests/support/said_error.h"
 
 #include <QTest>
 #include <clocale>
@@ -62,7 +63,7 @@ private Q_SLOTS:
     }
     void errorsAreOneLine()
     {
-        const Error error{ErrorCode::Io, "a\nb", "c\td", "e"};
+        const Error error = test::saidError(ErrorCode::Io, "a\nb", "c\td", "e");
         QCOMPARE(error.message(), std::string("a b: c d; e"));
     }
 };

@@ -2,6 +2,7 @@
 #include "core/base/error.h"
 
 #include "tests/support/registered_test.h"
+#include "tests/support/said_error.h"
 
 #include <QTest>
 
@@ -15,8 +16,8 @@ private Q_SLOTS:
     {
         QVERIFY(withoutValue(Result<int>(7)).has_value());
         QVERIFY(withoutValue(Result<void>()).has_value());
-        const Result<void> failed =
-            withoutValue(Result<int>(fail(ErrorCode::NotFound, "class 3", "it is gone", "look again")));
+        const Result<void> failed = withoutValue(
+            Result<int>(test::saidFailure(ErrorCode::NotFound, "class 3", "it is gone", "look again")));
         QVERIFY(!failed);
         QVERIFY(failed.error().code == ErrorCode::NotFound);
         QCOMPARE(failed.error().message(), std::string("class 3: it is gone; look again"));

@@ -8,6 +8,7 @@
 #include "tests/acceptance/scenes/look_robots.h"
 #include "tests/benchmark/cpu_clock.h"
 #include "tests/benchmark/opencv_tracking.h"
+#include "tests/support/said_error.h"
 
 #include <numbers>
 #include <opencv2/imgproc.hpp>
@@ -139,7 +140,8 @@ Result<std::vector<Figure>> measureLooks(const std::filesystem::path &folder, do
             return tl::unexpected(clip.error());
         const auto background = learnedFrom(*clip);
         if (!background)
-            return tl::unexpected(Error{ErrorCode::Io, clip->file.string(), "cannot be read", "remove it"});
+            return tl::unexpected(
+                test::saidError(ErrorCode::Io, clip->file.string(), "cannot be read", "remove it"));
         std::vector<LookRound> all;
         for (int round = 0; round < rounds; ++round)
             all.push_back(runRound(*clip, *background));

@@ -57,17 +57,17 @@ private Q_SLOTS:
         // the grid has a place within a step of the middle
         QVERIFY(std::abs(summary.middleM - 0.0035) < 1e-4);
         QCOMPARE(summary.seenPart, 1.0);
-        QVERIFY(contains(summary.words, "in the middle, ±6.0 mm in the corner near D."));
+        QVERIFY(contains(summary.words.english(), "in the middle, ±6.0 mm in the corner near D."));
     }
     void saysWhatIsNotSeen()
     {
         const auto half = summaryOf([](const Vector2d &at) { return at.x() < 1.5 ? unseen : 0.002; });
         QVERIFY(half.seenPart > 0.4 && half.seenPart < 0.6);
-        QVERIFY(contains(half.words, "% of the floor among the markers is not seen."));
+        QVERIFY(contains(half.words.english(), "% of the floor among the markers is not seen."));
         const auto none = summaryOf([](const Vector2d &) { return unseen; });
         QCOMPARE(none.seenPart, 0.0);
         QVERIFY(std::isnan(none.worstM));
-        QCOMPARE(none.words, std::string("None of the floor among the markers is seen."));
+        QCOMPARE(none.words.english(), std::string("None of the floor among the markers is seen."));
         QVERIFY(std::isnan(summariseAccuracy({}, {}, {}).worstM));
     }
     void aCameraStandsWhereItWasPut()

@@ -69,7 +69,7 @@ FloorView shaken(const FloorView &view, std::mt19937 &random)
 
 bool refusedWith(const std::vector<SharedPoint> &points, const char *words)
 {
-    const auto chained = registerThrough(throughView, "B", points, lens(), true);
+    const auto chained = registerThrough(throughView, foreignWords("B"), points, lens(), true);
     if (chained)
         return false;
     const std::string told = chained.error().message();
@@ -86,22 +86,22 @@ class TestChainedRegistration : public QObject
 private Q_SLOTS:
     void exactPointsGiveThePlaceExactly()
     {
-        const auto chained = registerThrough(throughView, "B", sharedPoints(), lens(), true);
+        const auto chained = registerThrough(throughView, foreignWords("B"), sharedPoints(), lens(), true);
         QVERIFY2(chained.has_value(), chained ? "" : chained.error().message().c_str());
         const RigidTransform &pose = chained->registration.worldFromCamera;
         QVERIFY((pose.translation - ownView.cameraInWorld()).norm() < 1e-7);
         QVERIFY(pose.rotation.angularDistance(ownView.worldFromCamera().rotation) < 1e-7);
         QCOMPARE(chained->places.markers.size(), std::size_t(6));
-        QVERIFY(chained->registration.verdict.find("through B 6 points") != std::string::npos);
+        QVERIFY(chained->registration.verdict.english().find("through B 6 points") != std::string::npos);
     }
     /// A shift of B's whole world is C's shift, point for point: the closed form of the common part.
     void aShiftOfTheOtherCameraIsCarriedWhole()
     {
         Matrix6d shift = Matrix6d::Zero();
         shift(3, 3) = 0.01 * 0.01;
-        const auto still =
-            registerThrough(viewFrom({0.4, -1.2, 2}, {1.4, 1.0, 0}), "B", sharedPoints(), lens(), true);
-        const auto moving = registerThrough(viewFrom({0.4, -1.2, 2}, {1.4, 1.0, 0}, shift), "B",
+        const auto still = registerThrough(viewFrom({0.4, -1.2, 2}, {1.4, 1.0, 0}), foreignWords("B"),
+                                           sharedPoints(), lens(), true);
+        const auto moving = registerThrough(viewFrom({0.4, -1.2, 2}, {1.4, 1.0, 0}, shift), foreignWords("B"),
                                             sharedPoints(), lens(), true);
         QVERIFY(still.has_value() && moving.has_value());
         const Matrix6d common = moving->registration.poseCovariance - still->registration.poseCovariance;
@@ -125,13 +125,13 @@ private Q_SLOTS:
         constexpr int trials = 400;
         double normalised = 0, worst = 0;
         for (int i = 0; i < trials; ++i) {
-            const auto first =
-                registerThrough(shaken(throughView, random), "B", noisy(sharedPoints()), lens(), true);
+            const auto first = registerThrough(shaken(throughView, random), foreignWords("B"),
+                                               noisy(sharedPoints()), lens(), true);
             QVERIFY(first.has_value());
             const FloorView middle(lens(), first->registration.worldFromCamera,
                                    first->registration.poseCovariance);
             const auto second =
-                registerThrough(middle, "C", noisy(sharedPoints(ownView, last)), lens(), true);
+                registerThrough(middle, foreignWords("C"), noisy(sharedPoints(ownView, last)), lens(), true);
             QVERIFY(second.has_value());
             const FloorView view(lens(), second->registration.worldFromCamera,
                                  second->registration.poseCovariance);
@@ -181,7 +181,7 @@ private Q_SLOTS:
         for (SharedPoint &point : points)
             point.throughPixel = {100 + 200.0 * double(&point - points.data()), 700};
         points[2].throughPixel = {600, 100};
-        const auto chained = registerThrough(level, "B", points, lens(), true);
+        const auto chained = registerThrough(level, foreignWords("B"), points, lens(), true);
         QVERIFY(!chained.has_value());
         QVERIFY(chained.error().message().find("point c lies at or beyond the horizon of B; choose") !=
                 std::string::npos);

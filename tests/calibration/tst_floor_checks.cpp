@@ -84,9 +84,10 @@ private Q_SLOTS:
         QVERIFY(one && two && wrong);
         QVERIFY(two->sigmaM < one->sigmaM);
         QVERIFY(two->agrees);
-        QVERIFY(contains(two->words, "inside the expected error of"));
+        QVERIFY(contains(two->words.english(), "inside the expected error of"));
         QVERIFY(!wrong->agrees);
-        QVERIFY(contains(wrong->words, "shorter than the 1050.0 mm told: outside the expected error of"));
+        QVERIFY(contains(wrong->words.english(),
+                         "shorter than the 1050.0 mm told: outside the expected error of"));
     }
     void badLengthsHaveTheirSentences()
     {
@@ -186,7 +187,7 @@ private Q_SLOTS:
         const auto still = checkMoved("B", truth, stored, noisy(truth, 0.2, random), 0.2);
         QVERIFY(still.has_value());
         QCOMPARE(int(still->verdict), int(MovedCheck::Verdict::Still));
-        QVERIFY(contains(still->words, "B stands where it was registered: 5 markers"));
+        QVERIFY(contains(still->words.english(), "B stands where it was registered: 5 markers"));
 
         RigidTransform turned = truth.worldFromCamera();
         turned.rotation = Eigen::Quaterniond(Eigen::AngleAxisd(0.007, Vector3d(0.3, 0.1, 1).normalized())) *
@@ -194,14 +195,14 @@ private Q_SLOTS:
         const FloorView bumped(truth.camera(), turned, Eigen::Matrix<double, 6, 6>::Zero());
         const auto moved = checkMoved("B", truth, stored, noisy(bumped, 0.2, random), 0.2);
         QCOMPARE(int(moved->verdict), int(MovedCheck::Verdict::CameraMoved));
-        QVERIFY(contains(moved->words, "B has moved "));
-        QVERIFY(contains(moved->words, " px = "));
+        QVERIFY(contains(moved->words.english(), "B has moved "));
+        QVERIFY(contains(moved->words.english(), " px = "));
 
         auto one = noisy(truth, 0.2, random);
         one[1].pixel = *truth.pixelFromWorld({2.43, 0.01, 0});
         const auto marker = checkMoved("B", truth, stored, one, 0.2);
         QCOMPARE(int(marker->verdict), int(MovedCheck::Verdict::MarkersMoved));
-        QVERIFY(contains(marker->words, "Marker U has moved"));
+        QVERIFY(contains(marker->words.english(), "Marker U has moved"));
         QVERIFY(std::abs(marker->shiftM - std::hypot(0.03, 0.01)) < 0.003);
 
         auto three = one;
@@ -209,8 +210,9 @@ private Q_SLOTS:
         const auto missing = checkMoved("B", truth, stored, {one[0]}, 0.2);
         QVERIFY(!missing.has_value());
         QVERIFY(contains(missing.error().message(), "1 of its 5 markers were found again, two are needed"));
-        QVERIFY(contains(checkMoved("B", truth, stored, {stored.begin() + 2, stored.end()}, 0.2)->words,
-                         "Not found again: O and U."));
+        QVERIFY(
+            contains(checkMoved("B", truth, stored, {stored.begin() + 2, stored.end()}, 0.2)->words.english(),
+                     "Not found again: O and U."));
     }
     void noFalseAlarmsAndNoShiftOfTwoPixelsMissed()
     {

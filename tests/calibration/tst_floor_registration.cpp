@@ -80,7 +80,7 @@ bool refusedWith(const MarkerLayout &layout, const std::vector<MarkerPixel> &pix
 {
     const auto registration = registerFloor(layout, pixels, bentCamera(), intrinsicsKnown);
     if (registration) {
-        qWarning("accepted: %s", registration->verdict.c_str());
+        qWarning("accepted: %s", registration->verdict.english().c_str());
         return false;
     }
     const std::string message = registration.error().message();
@@ -102,9 +102,9 @@ private Q_SLOTS:
         QVERIFY(registration->worldFromCamera.rotation.angularDistance(pose().rotation) < 1e-9);
         QVERIFY(registration->rmsPx < 1e-8);
         QCOMPARE(registration->markers.size(), std::size_t(4));
-        QVERIFY(contains(registration->verdict, "Good: 4 markers fit to 0.0 mm RMS"));
-        QVERIFY(contains(registration->verdict, "a fifth would"));
-        QVERIFY(registration->verdict.find("distortion") == std::string::npos);
+        QVERIFY(contains(registration->verdict.english(), "Good: 4 markers fit to 0.0 mm RMS"));
+        QVERIFY(contains(registration->verdict.english(), "a fifth would"));
+        QVERIFY(registration->verdict.english().find("distortion") == std::string::npos);
     }
     void markersThatOnlyOneListHasAreLeftOut()
     {
@@ -150,7 +150,7 @@ private Q_SLOTS:
         QVERIFY(registration.has_value());
         QVERIFY(std::abs(registration->intrinsics.fxPx - 1111) < 1e-3);
         QVERIFY((registration->worldFromCamera.translation - place).norm() < 1e-5);
-        QVERIFY(contains(registration->verdict,
+        QVERIFY(contains(registration->verdict.english(),
                          "taken as free of distortion, its focal length estimated from the "
                          "markers (1111 px ± "));
     }
@@ -165,7 +165,7 @@ private Q_SLOTS:
             registerFloor(sixMarkers(), seenBy(truth, sixMarkers(), above), assumed, false);
         QVERIFY(registration.has_value());
         QCOMPARE(registration->intrinsics.fxPx, assumed.intrinsics().fxPx);
-        QVERIFY(contains(registration->verdict, "guessed (1536 px)"));
+        QVERIFY(contains(registration->verdict.english(), "guessed (1536 px)"));
         QVERIFY(registration->rmsM < 1e-6);
     }
     void refusesTooFewMarkers()
@@ -304,7 +304,8 @@ private Q_SLOTS:
         pixels[3].pixel += Vector2d(3, 1);
         const auto told = registerFloor(five, pixels, bentCamera(), true);
         QVERIFY2(told.has_value(), told ? "" : told.error().message().c_str());
-        QVERIFY2(told->verdict.find("worst D") != std::string::npos, told->verdict.c_str());
+        QVERIFY2(told->verdict.english().find("worst D") != std::string::npos,
+                 told->verdict.english().c_str());
     }
     void aMarkerMeasuredWronglyIsNamedInTheVerdict()
     {
@@ -313,8 +314,8 @@ private Q_SLOTS:
         layout.markers[5].pointInWorld.x() += 0.05;
         const auto registration = registerFloor(layout, seenBy(bentCamera(), truth), bentCamera(), true);
         QVERIFY(registration.has_value());
-        QVERIFY(contains(registration->verdict, "worst F"));
-        QVERIFY(contains(registration->verdict, "Poor, measure the markers again"));
+        QVERIFY(contains(registration->verdict.english(), "worst F"));
+        QVERIFY(contains(registration->verdict.english(), "Poor, measure the markers again"));
     }
     void soundLayoutsAreHardlyEverRefused()
     {

@@ -82,9 +82,9 @@ private Q_SLOTS:
             views[7].pixels[i].x() += 1.5;
         const auto result = calibrateIntrinsics(views, widthPx, heightPx, LensModel::Standard, JobControl());
         QVERIFY(result.has_value());
-        QVERIFY(contains(result->verdict, "12 pictures fit to 0."));
-        QVERIFY(contains(result->verdict, "Look at picture7"));
-        QVERIFY(contains(result->verdict, "each half of them foretells the other to"));
+        QVERIFY(contains(result->verdict.english(), "12 pictures fit to 0."));
+        QVERIFY(contains(result->verdict.english(), "Look at picture7"));
+        QVERIFY(contains(result->verdict.english(), "each half of them foretells the other to"));
         QCOMPARE(result->picturesUsed(), std::size_t(12));
     }
     void picturesThatCannotBeUsedAreTold()
@@ -125,7 +125,7 @@ private Q_SLOTS:
                             tilt * across(random), tilt * across(random), across(random), random, 0.2));
                 const auto result =
                     calibrateIntrinsics(views, widthPx, heightPx, LensModel::Standard, JobControl());
-                QVERIFY2(!result.has_value(), result ? result->verdict.c_str() : "");
+                QVERIFY2(!result.has_value(), result ? result->verdict.english().c_str() : "");
                 QCOMPARE(result.error().code, ErrorCode::Undetermined);
                 QVERIFY(contains(result.error().message(), "tilted by 30 to 45 degrees"));
             }
@@ -146,7 +146,7 @@ private Q_SLOTS:
     {
         const CameraModel camera = CameraModel::create(lens(LensModel::Standard, {})).value();
         JobControl control;
-        control.progress = [&](double, const std::string &) { control.cancel.cancel(); };
+        control.progress = [&](double, const Message &) { control.cancel.cancel(); };
         const auto result = calibrateIntrinsics(tiltedViews(camera, 12, 0.1), widthPx, heightPx,
                                                 LensModel::Standard, control);
         QVERIFY(!result.has_value());

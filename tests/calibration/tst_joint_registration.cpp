@@ -111,11 +111,12 @@ private Q_SLOTS:
             drawn.measured.markers[1].pointInWorld += Vector2d(0.023, 0);
             const auto joint = registerJointly(drawn.measured, drawn.cameras, 0.002);
             QVERIFY(joint.has_value());
-            const bool isNamed = joint->doubts.size() == 1 && joint->doubts[0].starts_with("U is ") &&
-                                 contains(joint->doubts[0], "mm off by all cameras: measure it again");
+            const bool isNamed =
+                joint->doubts.size() == 1 && joint->doubts[0].english().starts_with("U is ") &&
+                contains(joint->doubts[0].english(), "mm off by all cameras: measure it again");
             named += isNamed;
             if (!isNamed)
-                qInfo("%s", joint->verdict.c_str());
+                qInfo("%s", joint->verdict.english().c_str());
             const auto marker = std::ranges::find(joint->markers, "U", &JointMarker::label);
             if (marker->isSuspicious)
                 QVERIFY(std::abs(marker->offM.norm() - 0.023) < 0.02);
@@ -132,7 +133,7 @@ private Q_SLOTS:
             drawn.cameras[1].pixels[3].pixel += Vector2d(9, -8);
             const auto joint = registerJointly(drawn.measured, drawn.cameras, tapeM);
             QVERIFY(joint.has_value());
-            named += joint->doubts.size() == 1 && joint->doubts[0].starts_with("B sees D 1");
+            named += joint->doubts.size() == 1 && joint->doubts[0].english().starts_with("B sees D 1");
         }
         qInfo("named in %d of 30", named);
         QVERIFY(named >= 27);

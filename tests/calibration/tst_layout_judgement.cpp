@@ -302,7 +302,7 @@ private Q_SLOTS:
                 ++tried;
                 if (const auto registration = judged(spoilt)) {
                     if (++accepted[fault.name] <= 2)
-                        qInfo("accepted (%s): %s", fault.name, registration->verdict.c_str());
+                        qInfo("accepted (%s): %s", fault.name, registration->verdict.english().c_str());
                 }
             }
         }
@@ -336,7 +336,8 @@ private Q_SLOTS:
                 // nearly the same turned. There the labels count, which a tag's number or a person gave.
                 (registration->rmsPx < 1 ? indistinguishable : wrong) += 1;
                 if (registration->rmsPx >= 1 && wrong <= 3)
-                    qInfo("accepted at %.1f px: %s", registration->rmsPx, registration->verdict.c_str());
+                    qInfo("accepted at %.1f px: %s", registration->rmsPx,
+                          registration->verdict.english().c_str());
             }
             if (tried % 10 != 0)
                 continue;

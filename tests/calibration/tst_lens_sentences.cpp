@@ -162,10 +162,10 @@ private Q_SLOTS:
             const auto error = bad.answer();
             QVERIFY2(error, bad.kind);
             qInfo("%s: %s", bad.kind, error->message().c_str());
-            QVERIFY2(error->why.find(bad.words) != std::string::npos,
+            QVERIFY2(error->why.english().find(bad.words) != std::string::npos,
                      (std::string(bad.kind) + ": " + error->message()).c_str());
-            QVERIFY2(!error->advice.empty(), bad.kind);
-            QVERIFY2(sentences.insert(error->why).second, bad.kind);
+            QVERIFY2(!error->advice.english().empty(), bad.kind);
+            QVERIFY2(sentences.insert(error->why.english()).second, bad.kind);
         }
     }
 };

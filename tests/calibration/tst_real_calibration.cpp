@@ -123,11 +123,11 @@ private Q_SLOTS:
         QVERIFY2(registration.has_value(), registration ? "" : registration.error().message().c_str());
         qInfo("%s: %.3f px, %.2f mm, camera %.3f m above the floor; %s", qPrintable(camera),
               registration->rmsPx, 1000 * registration->rmsM, registration->worldFromCamera.translation.z(),
-              registration->verdict.c_str());
+              registration->verdict.english().c_str());
         QVERIFY(registration->rmsM < 0.005);
         const auto guessed = registerFloor(layout, pixels, CameraModel::assumed(1088, 1920), false);
         QVERIFY2(guessed.has_value(), guessed ? "" : guessed.error().message().c_str());
-        qInfo("%s without intrinsics: %s", qPrintable(camera), guessed->verdict.c_str());
+        qInfo("%s without intrinsics: %s", qPrintable(camera), guessed->verdict.english().c_str());
         QVERIFY(std::abs(guessed->intrinsics.fxPx - lens.intrinsics().fxPx) < 0.1 * lens.intrinsics().fxPx);
     }
     void calibratesTheStereoSetsLeftCamera_data()
@@ -151,7 +151,7 @@ private Q_SLOTS:
         const auto result = calibrateIntrinsics(views, 640, 480, LensModel::Standard, JobControl());
         QVERIFY2(result.has_value(), result ? "" : result.error().message().c_str());
         qInfo("fx %.3f fy %.3f, RMS %.4f px; %s", result->intrinsics.fxPx, result->intrinsics.fyPx,
-              result->rmsPx, result->verdict.c_str());
+              result->rmsPx, result->verdict.english().c_str());
         QVERIFY(std::abs(result->intrinsics.fxPx - 535.916) < 1);
         QVERIFY(result->rmsPx <= 0.41);
     }
@@ -174,7 +174,7 @@ private Q_SLOTS:
         const auto result = calibrateIntrinsics(views, 1088, 1920, LensModel::Standard, JobControl());
         QVERIFY2(result.has_value(), result ? "" : result.error().message().c_str());
         qInfo("fx %.3f fy %.3f, RMS %.4f px; %s", result->intrinsics.fxPx, result->intrinsics.fyPx,
-              result->rmsPx, result->verdict.c_str());
+              result->rmsPx, result->verdict.english().c_str());
         QVERIFY(std::abs(result->intrinsics.fxPx - focalPx) < 0.03 * focalPx);
         QVERIFY(std::abs(result->intrinsics.fyPx - focalPx) < 0.03 * focalPx);
     }
@@ -218,11 +218,11 @@ private Q_SLOTS:
         QVERIFY(views.size() >= 14);
         const auto result = calibrateIntrinsics(views, 1280, 720, LensModel::Standard, JobControl());
         QVERIFY2(result.has_value(), result ? "" : result.error().message().c_str());
-        qInfo("fx %.2f, %s", result->intrinsics.fxPx, result->verdict.c_str());
+        qInfo("fx %.2f, %s", result->intrinsics.fxPx, result->verdict.english().c_str());
         // camera_array.toml has 760.3, from more pictures; these cover a fifth of the picture, and the
         // verdict says so: ± 1.9 %, of which three are allowed.
         QVERIFY(std::abs(result->intrinsics.fxPx - 760.3) < 0.057 * 760.3);
-        QVERIFY(result->verdict.starts_with("Poor"));
+        QVERIFY(result->verdict.english().starts_with("Poor"));
         QVERIFY(result->rmsPx < 0.2);
     }
 };

@@ -114,7 +114,7 @@ private Q_SLOTS:
         QVERIFY((carried.poseCovariance - anew->poseCovariance).norm() < 1e-4 * anew->poseCovariance.norm());
         QVERIFY(std::abs(carried.floorSigmaM - anew->floorSigmaM) < 1e-4 * anew->floorSigmaM);
         QVERIFY(std::abs(carried.rmsM - anew->rmsM) < 1e-5);
-        QVERIFY(carried.verdict.find("all lengths multiplied by 2.0000") != std::string::npos);
+        QVERIFY(carried.verdict.english().find("all lengths multiplied by 2.0000") != std::string::npos);
     }
 };
 

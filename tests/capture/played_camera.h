@@ -105,7 +105,7 @@ public:
         Nanoseconds clockStart{0}; ///< when, after that, its own clock began
         Nanoseconds phase{0};      ///< how much later than others it takes its pictures
         bool codes = false;        ///< gives JPEG files (which are none, but words)
-        std::vector<std::string> notHeld = {};
+        std::vector<Message> notHeld = {};
         FrameFormat format = FrameFormat{160, 96};
     };
     PlayedCamera(std::shared_ptr<Script> script, Kind kind)
@@ -115,7 +115,7 @@ public:
 
     const CameraDescription &description() const override { return m_description; }
     void stop() override { m_script->stop(); }
-    std::vector<std::string> holdAutomatics() override
+    std::vector<Message> holdAutomatics() override
     {
         m_script->held = true;
         return m_kind.notHeld;
@@ -130,7 +130,7 @@ public:
         for (;;) {
             const auto step = m_script->next();
             if (!step || std::holds_alternative<Script::Hang>(*step))
-                return cancelled("played camera");
+                return cancelled(foreignWords("played camera"));
             if (const Error *error = std::get_if<Error>(&*step))
                 return tl::unexpected(*error);
             if (const auto *loss = std::get_if<Script::Loss>(&*step)) {
@@ -167,7 +167,7 @@ private:
 
     const std::shared_ptr<Script> m_script;
     const Kind m_kind;
-    const CameraDescription m_description{"play:", "played", "Played", 160, 96, 30};
+    const CameraDescription m_description{"play:", "played", foreignWords("Played"), 160, 96, 30};
     int m_sequence = 0;
     Nanoseconds m_time{0}, m_interval = interval;
     std::uint64_t m_lostHere = 0;

@@ -2,6 +2,7 @@
 #include "core/capture/camera_source.h"
 #include "tests/capture/played_camera.h"
 #include "tests/support/registered_test.h"
+#include "tests/support/said_error.h"
 
 #include <QTest>
 #include <atomic>
@@ -13,7 +14,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-const Error taken{ErrorCode::NotFound, "camera play:", "it is not there", "plug it in"};
+const Error taken = test::saidError(ErrorCode::NotFound, "camera play:", "it is not there", "plug it in");
 
 } // namespace
 
@@ -38,7 +39,8 @@ void TestAwaitedSource::isThatCameraAsSoonAsItIsThere()
         [&]() -> Result<std::unique_ptr<CameraSource>> {
             if (++attempts < 3)
                 return tl::unexpected(taken);
-            return std::make_unique<PlayedCamera>(script, PlayedCamera::Kind{.notHeld = {"Focus"}});
+            return std::make_unique<PlayedCamera>(script,
+                                                  PlayedCamera::Kind{.notHeld = {foreignWords("Focus")}});
         },
         1ms);
     QVERIFY(source->holdAutomatics().empty() || attempts == 3);
@@ -48,8 +50,8 @@ void TestAwaitedSource::isThatCameraAsSoonAsItIsThere()
     QVERIFY(picture);
     QCOMPARE(attempts.load(), 3);
     QCOMPARE(source->next()->sequence, 1u);
-    QCOMPARE(source->description().name, std::string("Played"));
-    QCOMPARE(source->holdAutomatics(), std::vector<std::string>{"Focus"});
+    QCOMPARE(source->description().name.english(), std::string("Played"));
+    QCOMPARE(test::english(source->holdAutomatics()), std::vector<std::string>{"Focus"});
 }
 
 void TestAwaitedSource::saysWhyItIsNotThere()
@@ -69,7 +71,8 @@ void TestAwaitedSource::saysWhyItIsNotThere()
 
 void TestAwaitedSource::anAddressThatIsNotUnderstoodIsNotTriedAgain()
 {
-    const Error wrong{ErrorCode::InvalidInput, "camera v4l2:x?y", "'y' is not understood", "leave it out"};
+    const Error wrong =
+        test::saidError(ErrorCode::InvalidInput, "camera v4l2:x?y", "'y' is not understood", "leave it out");
     std::atomic<int> attempts = 0;
     const auto source = awaitCamera(
         "v4l2:x?y", wrong,

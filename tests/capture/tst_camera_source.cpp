@@ -33,7 +33,7 @@ Shown shownAt(CameraSource &source, const SimulatedScene &scene, const std::vect
 
 std::unique_ptr<CameraSource> board(Pace::Kind pace)
 {
-    return simulatedBoardSource({"sim:T", "simulated", "T", 320, 180, 10}, lens, {},
+    return simulatedBoardSource({"sim:T", "simulated", foreignWords("T"), 320, 180, 10}, lens, {},
                                 heldBoardPoses(lens, {}, 3, 1), pace);
 }
 
@@ -78,8 +78,8 @@ private Q_SLOTS:
     {
         SimulatedScene scene = demoTestbed(1);
         scene.durationS = 0.2;
-        const auto source =
-            simulatedSceneSource({"sim:A", "simulated", "A", 1280, 720, 30}, scene, 0, Pace::Kind::None);
+        const auto source = simulatedSceneSource({"sim:A", "simulated", foreignWords("A"), 1280, 720, 30},
+                                                 scene, 0, Pace::Kind::None);
         for (std::uint64_t i = 0; i < 8; ++i)
             QCOMPARE(source->next()->sequence, i);
     }
@@ -87,8 +87,8 @@ private Q_SLOTS:
     void aSceneShowsTheRobotsThatAreChosen()
     {
         const SimulatedScene scene = demoTestbed(1); // in which there is none
-        const auto source =
-            simulatedSceneSource({"sim:A", "simulated", "A", 1280, 720, 30}, scene, 0, Pace::Kind::None);
+        const auto source = simulatedSceneSource({"sim:A", "simulated", foreignWords("A"), 1280, 720, 30},
+                                                 scene, 0, Pace::Kind::None);
         const Shown floor = shownAt(*source, scene, circlingRobots({}));
         // By BT.601 a red has much of Cr, a blue of Cb; the rover is dark and grey.
         for (const std::vector<RobotAppearance> &chosen : {std::vector<RobotAppearance>{{.colour = demoRed}},

@@ -4,6 +4,7 @@
 #include "tests/capture/two_cameras.h"
 #include "tests/support/patience.h"
 #include "tests/support/registered_test.h"
+#include "tests/support/said_error.h"
 
 #include <atomic>
 #include <csignal>
@@ -18,8 +19,9 @@ namespace {
 
 using State = ViewHealth::State;
 
-const Error gone{ErrorCode::Unavailable, "camera play:", "it was unplugged", "plug it in"};
-const Error over{ErrorCode::Io, "camera play:", "the video has ended", "nothing is to be done"};
+const Error gone = test::saidError(ErrorCode::Unavailable, "camera play:", "it was unplugged", "plug it in");
+const Error over =
+    test::saidError(ErrorCode::Io, "camera play:", "the video has ended", "nothing is to be done");
 
 } // namespace
 
@@ -54,7 +56,7 @@ void TestCaptureFaults::aCameraThatIsGoneIsWaitedFor()
     cameras.a->pictures(lot);
     QTRY_COMPARE(cameras.health(1).state, State::Waiting);
     QVERIFY(cameras.health(1).trouble);
-    QCOMPARE(healthWords(cameras.health(1)), gone.message());
+    QCOMPARE(healthWords(cameras.health(1)).english(), gone.message());
     QTRY_COMPARE(cameras.health(0).delivered, std::uint64_t(lot)); // the other one loses nothing
     QVERIFY(!cameras.health(0).trouble);
     cameras.b->lose(5);
@@ -71,7 +73,7 @@ void TestCaptureFaults::aCameraThatIsGoneIsWaitedFor()
     QCOMPARE(view.gaps.size(), std::size_t(1));
     QCOMPARE(view.gaps.front().before, std::size_t(10));
     QCOMPARE(view.gaps.front().length, 6 * PlayedCamera::interval);
-    QCOMPARE(view.gaps.front().why.why, gone.why);
+    QCOMPARE(view.gaps.front().why.why.english(), gone.why.english());
     QCOMPARE(view.taken[10] - view.taken[9], 6 * PlayedCamera::interval); // the time goes on
 }
 
@@ -88,7 +90,7 @@ void TestCaptureFaults::aCameraThatEndsKeepsWhatThereIs()
     QVERIFY(!outcome.views[0].problem);
     QCOMPARE(outcome.views[0].taken.size(), std::size_t(lot));
     QVERIFY(outcome.views[1].problem);
-    QCOMPARE(outcome.views[1].problem->why, over.why);
+    QCOMPARE(outcome.views[1].problem->why.english(), over.why.english());
     QCOMPARE(outcome.views[1].taken.size(), std::size_t(20));
     QVERIFY(VideoReader::open(outcome.views[1].file));
 }
@@ -127,7 +129,7 @@ void TestCaptureFaults::itEndsBeforeTheDiskIsFull()
              qPrintable(QString::number(*disk.secondsLeft)));
     left = 99'000'000;
     QTRY_VERIFY((cameras.pictures(1), cameras.session->health().disk.ended)); // it looks once a second
-    QCOMPARE(cameras.session->health().disk.trouble->error.why,
+    QCOMPARE(cameras.session->health().disk.trouble->error.why.english(),
              std::string("its disk has only 99 MB left, of which 100 are kept free"));
     const RecordingOutcome outcome = cameras.session->stopRecording();
     for (const ViewRecording &view : outcome.views) {
@@ -222,9 +224,10 @@ void TestCaptureFaults::aSlowDiskIsToldBeforeAnythingIsLost()
     QTRY_VERIFY(cameras.session->health().disk.trouble);
     const DiskHealth slow = cameras.session->health().disk;
     QVERIFY(!slow.ended);
-    QVERIFY2(slow.trouble->error.why.starts_with("it is too slow: a picture has waited 1."),
-             slow.trouble->error.why.c_str());
-    QCOMPARE(slow.trouble->error.advice, std::string("nothing is lost yet; end what else writes to it"));
+    QVERIFY2(slow.trouble->error.why.english().starts_with("it is too slow: a picture has waited 1."),
+             slow.trouble->error.why.english().c_str());
+    QCOMPARE(slow.trouble->error.advice.english(),
+             std::string("nothing is lost yet; end what else writes to it"));
     QTRY_COMPARE(cameras.delivered(), std::uint64_t(lot));
     goesOn.set_value();
     const RecordingOutcome outcome = cameras.session->stopRecording();
@@ -246,7 +249,7 @@ void TestCaptureFaults::aCameraThatHangsHoldsNothingUp()
     QTRY_COMPARE(cameras.health(0).delivered, std::uint64_t(lot));
     QTRY_VERIFY(cameras.health(1).trouble); // nobody says why: it is silent for a second
     QCOMPARE(cameras.health(1).state, State::Waiting);
-    QVERIFY(cameras.health(1).trouble->error.why.starts_with("no picture has come for "));
+    QVERIFY(cameras.health(1).trouble->error.why.english().starts_with("no picture has come for "));
     const RecordingOutcome outcome = cameras.session->stopRecording();
     QCOMPARE(outcome.views[0].taken.size(), std::size_t(lot));
     QCOMPARE(outcome.views[1].taken.size(), std::size_t(5));
@@ -278,8 +281,8 @@ void TestCaptureFaults::aCameraThatTakesFewerPicturesIsTold()
                  "camera play:: it takes only 12 pictures a second of the 30 it was asked for; give it more "
                  "light or a shorter exposure, or ask for a lower rate"));
     QCOMPARE(cameras.health(0).state, State::Delivering);
-    QVERIFY2(healthWords(cameras.health(0)).ends_with(" frames/s (too slow), none lost"),
-             healthWords(cameras.health(0)).c_str());
+    QVERIFY2(healthWords(cameras.health(0)).english().ends_with(" frames/s (too slow), none lost"),
+             healthWords(cameras.health(0)).english().c_str());
     cameras.a->error(gone); // whatever is worse is told instead
     QTRY_VERIFY(cameras.health(0).trouble);
     QVERIFY(!cameras.health(0).slow);

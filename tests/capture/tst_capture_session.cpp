@@ -2,6 +2,7 @@
 #include "core/video/video_reader.h"
 #include "tests/capture/two_cameras.h"
 #include "tests/support/registered_test.h"
+#include "tests/support/said_error.h"
 
 #include <QFile>
 
@@ -103,8 +104,9 @@ void TestCaptureSession::lostPicturesAreCounted()
     QTRY_VERIFY(cameras.health(0).delivered == 28 && cameras.health(1).delivered == lot);
     QCOMPARE(cameras.health(0).lostOnWire, 2u);
     QVERIFY(cameras.health(0).latencyS > 19); // they claim to have been taken 20 s ago, and a second apart
-    QCOMPARE(healthWords(cameras.health(1)).substr(healthWords(cameras.health(1)).find(',')),
-             std::string(", none lost"));
+    QCOMPARE(
+        healthWords(cameras.health(1)).english().substr(healthWords(cameras.health(1)).english().find(',')),
+        std::string(", none lost"));
     const RecordingOutcome outcome = cameras.session->stopRecording();
     QCOMPARE(outcome.views[0].lostOnWire, 2u);
     QCOMPARE(outcome.views[1].lostOnWire, 0u);
@@ -177,12 +179,12 @@ void TestCaptureSession::healthKnowsTheClockAndHowWellTheyAreInStep()
     QVERIFY(std::abs(pairs.p95S - 0.007) < 1e-6);
     const std::size_t middle = pairs.histogram.size() / 2;
     QCOMPARE(std::uint64_t(pairs.histogram[middle + 7]), pairs.pairs); // bins of 1 ms
-    QCOMPARE(inStepWords(0.0012), std::string("in step to 1.2 ms; at 2 m/s that is 2.4 mm"));
+    QCOMPARE(inStepWords(0.0012).english(), std::string("in step to 1.2 ms; at 2 m/s that is 2.4 mm"));
 }
 
 void TestCaptureSession::whatChangesByItselfIsHeldWhileRecording()
 {
-    TwoCameras cameras(0s, 20s, {.notHeld = {"White balance"}});
+    TwoCameras cameras(0s, 20s, {.notHeld = {foreignWords("White balance")}});
     cameras.pictures(1);
     QTRY_COMPARE(cameras.delivered(), 1u);
     QVERIFY(!cameras.health(0).automaticsHeld);
@@ -190,7 +192,7 @@ void TestCaptureSession::whatChangesByItselfIsHeldWhileRecording()
     cameras.pictures(2);
     QTRY_VERIFY(cameras.health(0).automaticsHeld && cameras.health(1).automaticsHeld);
     QVERIFY(!*cameras.health(0).automaticsHeld);
-    QCOMPARE(cameras.health(0).notHeld, std::vector<std::string>{"White balance"});
+    QCOMPARE(test::english(cameras.health(0).notHeld), std::vector<std::string>{"White balance"});
     QVERIFY(*cameras.health(1).automaticsHeld);
     QVERIFY(cameras.a->held && cameras.b->held);
 
@@ -222,9 +224,10 @@ void TestCaptureSession::lossesOfWhatIsMadeHereAreNotTheWires()
     view.state = ViewHealth::State::Delivering;
     view.framesPerSecond = 30;
     view.lostOnWire = 3;
-    QCOMPARE(healthWords(view), std::string("30.0 frames/s, 3 lost on the wire"));
+    QCOMPARE(healthWords(view).english(), std::string("30.0 frames/s, 3 lost on the wire"));
     view.hasWire = comesByWire("simulated");
-    QCOMPARE(healthWords(view), std::string("30.0 frames/s, 3 lost because this machine is too slow"));
+    QCOMPARE(healthWords(view).english(),
+             std::string("30.0 frames/s, 3 lost because this machine is too slow"));
     QVERIFY(!comesByWire("file") && comesByWire("v4l2") && comesByWire("aravis"));
 }
 

@@ -4,6 +4,7 @@
 #include "tests/capture/two_cameras.h"
 #include "tests/fault/scarce.h"
 #include "tests/support/registered_test.h"
+#include "tests/support/said_error.h"
 
 using namespace odo;
 using namespace odo::test;
@@ -41,7 +42,7 @@ private Q_SLOTS:
         failing.reset();
         const auto lame = std::size_t(view), sound = 1 - lame;
         QCOMPARE(cameras.health(lame).state, ViewHealth::State::Ended);
-        QCOMPARE(cameras.health(lame).trouble->error.why, std::string(noThreadWords));
+        QCOMPARE(cameras.health(lame).trouble->error.why.english(), std::string(noThreadWords));
         cameras.session->startRecording(filesIn(*m_folder));
         cameras.pictures(lot);
         QTRY_COMPARE(cameras.health(sound).delivered, std::uint64_t(lot));
@@ -50,7 +51,7 @@ private Q_SLOTS:
         QCOMPARE(outcome.views[sound].taken.size(), std::size_t(lot));
         QVERIFY(VideoReader::open(outcome.views[sound].file));
         QVERIFY(outcome.views[lame].problem);
-        QCOMPARE(outcome.views[lame].problem->why, std::string(noThreadWords));
+        QCOMPARE(outcome.views[lame].problem->why.english(), std::string(noThreadWords));
         QVERIFY(outcome.views[lame].taken.empty());
     }
 
@@ -70,7 +71,7 @@ private Q_SLOTS:
             QVERIFY(failing.hasFailed());
         }
         QVERIFY(cameras.session->health().disk.ended);
-        QCOMPARE(cameras.session->health().disk.trouble->error.why, std::string(noThreadWords));
+        QCOMPARE(cameras.session->health().disk.trouble->error.why.english(), std::string(noThreadWords));
         cameras.pictures(lot);
         QTRY_COMPARE(cameras.delivered(), std::uint64_t(lot)); // both are shown
         const RecordingOutcome outcome = cameras.session->stopRecording();
@@ -89,14 +90,14 @@ private Q_SLOTS:
     {
         const FailingRequest failing(Scarce::Threads, 1);
         const auto source = awaitCamera(
-            "play:", Error{ErrorCode::Unavailable, "camera play:", "it is away", "wait"},
+            "play:", test::saidError(ErrorCode::Unavailable, "camera play:", "it is away", "wait"),
             []() -> Result<std::unique_ptr<CameraSource>> {
-                return fail(ErrorCode::Unavailable, "camera", "it is away", "wait");
+                return test::saidFailure(ErrorCode::Unavailable, "camera", "it is away", "wait");
             },
             1ms);
         const auto captured = source->next();
         QVERIFY(!captured);
-        QCOMPARE(captured.error().why, std::string(noThreadWords));
+        QCOMPARE(captured.error().why.english(), std::string(noThreadWords));
         source->stop();
         QCOMPARE(source->next().error().code, ErrorCode::Cancelled);
     }

@@ -3,6 +3,7 @@
 
 #include "tests/capture/played_camera.h"
 #include "tests/support/registered_test.h"
+#include "tests/support/said_error.h"
 
 #include <QTest>
 
@@ -11,8 +12,8 @@ using namespace odo::test;
 
 namespace {
 
-const Error notThere{ErrorCode::Unavailable, "camera play:", "it is there but sends no pictures",
-                     "look at its cable"};
+const Error notThere = test::saidError(
+    ErrorCode::Unavailable, "camera play:", "it is there but sends no pictures", "look at its cable");
 
 } // namespace
 

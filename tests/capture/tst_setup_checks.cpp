@@ -80,11 +80,11 @@ void TestSetupChecks::usbBuses()
     QCOMPARE(checkUsbBuses({onBus("A", "usb1", 480), onBus("B", "usb3", 480)}).verdict, Verdict::Good);
     const SetupFinding shared = checkUsbBuses({onBus("A", "usb1", 480), onBus("B", "usb1", 480)});
     QCOMPARE(shared.verdict, Verdict::Warning);
-    QCOMPARE(shared.words, std::string("cameras A and B share the bus usb1, of 480 Mbit/s"));
-    QVERIFY(has(shared.advice, "plug one into a port on the other side"));
+    QCOMPARE(shared.words.english(), std::string("cameras A and B share the bus usb1, of 480 Mbit/s"));
+    QVERIFY(has(shared.advice.english(), "plug one into a port on the other side"));
     const SetupFinding fast = checkUsbBuses({onBus("A", "usb2", 5000), onBus("B", "usb2", 5000)});
     QCOMPARE(fast.verdict, Verdict::Good);
-    QVERIFY(fast.advice.empty());
+    QVERIFY(fast.advice.english().empty());
 }
 
 void TestSetupChecks::permissions()
@@ -93,8 +93,8 @@ void TestSetupChecks::permissions()
     QCOMPARE(checkPermissions({{"/dev/video0"}}).verdict, Verdict::Good);
     const SetupFinding closed = checkPermissions({{"/dev/video0", false, "", 0}, {"/dev/video1"}});
     QCOMPARE(closed.verdict, Verdict::Bad);
-    QCOMPARE(closed.words, std::string("you may not use /dev/video0"));
-    QVERIFY(has(closed.advice, "usermod -aG video"));
+    QCOMPARE(closed.words.english(), std::string("you may not use /dev/video0"));
+    QVERIFY(has(closed.advice.english(), "usermod -aG video"));
 }
 
 void TestSetupChecks::receiveBuffer()
@@ -105,8 +105,8 @@ void TestSetupChecks::receiveBuffer()
     QCOMPARE(checkReceiveBuffer({camera("A", "aravis")}, 8 << 20).verdict, Verdict::Good);
     const SetupFinding small = checkReceiveBuffer({camera("A", "aravis")}, 212992); // Debian's
     QCOMPARE(small.verdict, Verdict::Bad);
-    QCOMPARE(small.words, std::string("only 0.2 MiB: A will lose pictures"));
-    QVERIFY(has(small.advice, "net.core.rmem_max=4194304"));
+    QCOMPARE(small.words.english(), std::string("only 0.2 MiB: A will lose pictures"));
+    QVERIFY(has(small.advice.english(), "net.core.rmem_max=4194304"));
 }
 
 void TestSetupChecks::packetSize()
@@ -115,7 +115,7 @@ void TestSetupChecks::packetSize()
     QCOMPARE(checkPacketSize({camera("A")}, ports).verdict, Verdict::Good);
     const SetupFinding small = checkPacketSize({camera("A", "aravis")}, ports);
     QCOMPARE(small.verdict, Verdict::Warning);
-    QCOMPARE(small.words, std::string("small packets on eth0 (1500)"));
+    QCOMPARE(small.words.english(), std::string("small packets on eth0 (1500)"));
     QCOMPARE(checkPacketSize({camera("A", "aravis")}, {{"eth1", 9000}}).verdict, Verdict::Good);
 }
 
@@ -133,23 +133,24 @@ void TestSetupChecks::flicker()
         a.controls = {exposure};
         QCOMPARE(checkFlicker(a).verdict, verdict);
     }
-    QCOMPARE(checkFlicker(a).words, std::string("exposed for 15.6 ms: pictures may pulse under lamps"));
+    QCOMPARE(checkFlicker(a).words.english(),
+             std::string("exposed for 15.6 ms: pictures may pulse under lamps"));
     a.controls.push_back(choice("Power Line Frequency", {"Disabled", "50 Hz", "60 Hz"}, 0));
     QCOMPARE(checkFlicker(a).verdict, Verdict::Warning);
-    QVERIFY(has(checkFlicker(a).advice, "50 Hz in most countries"));
+    QVERIFY(has(checkFlicker(a).advice.english(), "50 Hz in most countries"));
     a.controls.back().value = 1;
-    QCOMPARE(checkFlicker(a).words, std::string("filtered by the camera (50 Hz)"));
+    QCOMPARE(checkFlicker(a).words.english(), std::string("filtered by the camera (50 Hz)"));
 }
 
 void TestSetupChecks::automatics()
 {
     CheckedCamera a = camera("A");
-    QCOMPARE(checkAutomatics(a).words, std::string("it has none"));
+    QCOMPARE(checkAutomatics(a).words.english(), std::string("it has none"));
     a.health.automaticsHeld = true;
     QCOMPARE(checkAutomatics(a).verdict, Verdict::Good);
-    a.health.notHeld = {"Exposure, Auto", "Gain, Auto"};
+    a.health.notHeld = {foreignWords("Exposure, Auto"), foreignWords("Gain, Auto")};
     QCOMPARE(checkAutomatics(a).verdict, Verdict::Warning);
-    QCOMPARE(checkAutomatics(a).words,
+    QCOMPARE(checkAutomatics(a).words.english(),
              std::string("Exposure, Auto and Gain, Auto go on changing by themselves"));
 }
 
@@ -166,7 +167,7 @@ void TestSetupChecks::step()
     CheckedCamera slow = camera("B");
     slow.health.framesPerSecond = 15;
     const SetupFinding apart = checkStep({camera("A"), slow}, pairs);
-    QCOMPARE(apart.words, std::string("the cameras run at 15.0 and 30.0 frames/s"));
+    QCOMPARE(apart.words.english(), std::string("the cameras run at 15.0 and 30.0 frames/s"));
     slow.health.framesPerSecond = 0;
     QCOMPARE(checkStep({camera("A"), slow}, pairs).verdict, Verdict::NotKnown);
 }
@@ -174,11 +175,11 @@ void TestSetupChecks::step()
 void TestSetupChecks::pictureSize()
 {
     CheckedCamera a = camera("A");
-    QCOMPARE(checkPictureSize(a).words, std::string("1280×720, as it was registered"));
+    QCOMPARE(checkPictureSize(a).words.english(), std::string("1280×720, as it was registered"));
     a.description.widthPx = 640;
     a.description.heightPx = 480;
     QCOMPARE(checkPictureSize(a).verdict, Verdict::Bad);
-    QCOMPARE(checkPictureSize(a).words, std::string("640×480, but registered at 1280×720"));
+    QCOMPARE(checkPictureSize(a).words.english(), std::string("640×480, but registered at 1280×720"));
     a.registeredWidthPx = 0;
     QCOMPARE(checkPictureSize(a).verdict, Verdict::Warning);
 }
@@ -192,13 +193,14 @@ void TestSetupChecks::theWorstComesFirst()
     b.description.widthPx = 640;
     const auto findings = checkSetup({camera("A"), b}, {}, machine);
     QCOMPARE(findings.size(), std::size_t(11)); // three a camera, five of the whole
-    QCOMPARE(findings.front().what, std::string("Picture size, camera B"));
+    QCOMPARE(findings.front().what.english(), std::string("Picture size, camera B"));
     QVERIFY(std::ranges::any_of(findings, [](const SetupFinding &each) {
-        return each.what == "USB buses" && each.verdict == Verdict::Warning;
+        return each.what.english() == "USB buses" && each.verdict == Verdict::Warning;
     }));
     for (const SetupFinding &finding : findings) {
         const bool bad = finding.verdict == Verdict::Bad || finding.verdict == Verdict::Warning;
-        QVERIFY2(!finding.words.empty() && (!bad || !finding.advice.empty()), finding.what.c_str());
+        QVERIFY2(!finding.words.isEmpty() && (!bad || !finding.advice.english().empty()),
+                 finding.what.english().c_str());
     }
     QVERIFY(!checkSetup({}, {}, {}).empty());
 }

@@ -21,7 +21,7 @@ const std::vector<V4l2Mode> webcam{{yuyv, 640, 480, 1, 30},   {yuyv, 1280, 720, 
 std::string chosen(const std::vector<V4l2Mode> &modes, const V4l2Request &request)
 {
     const auto mode = chooseMode(modes, request, "v4l2:/dev/video0");
-    return mode ? modeWords(*mode) : mode.error().message();
+    return mode ? modeWords(*mode).english() : mode.error().message();
 }
 
 } // namespace

@@ -41,7 +41,7 @@ private Q_SLOTS:
                                           std::pair{"a picture", errorOf(readPicture(file))},
                                           std::pair{"a recording", errorOf(fileSha256(file, {}))}}) {
             QVERIFY2(error.code == ErrorCode::InvalidInput, what);
-            QVERIFY2(error.why == "it is a project that is open here", error.message().c_str());
+            QVERIFY2(error.why.english() == "it is a project that is open here", error.message().c_str());
         }
     }
 
@@ -49,7 +49,7 @@ private Q_SLOTS:
     {
         m_project.reset();
         QVERIFY(fileSha256(m_file, {}));
-        QVERIFY(errorOf(VideoReader::open(m_file)).why != "it is a project that is open here");
+        QVERIFY(errorOf(VideoReader::open(m_file)).why.english() != "it is a project that is open here");
     }
 
 private:

@@ -59,7 +59,7 @@ private Q_SLOTS:
                                           {"Übung 1.media/calibration/x.png", write("c", "")}};
         double last = 0;
         JobControl control;
-        control.progress = [&last](double fraction, const std::string &) {
+        control.progress = [&last](double fraction, const Message &) {
             QVERIFY(fraction >= last && fraction <= 1);
             last = fraction;
         };
@@ -82,7 +82,7 @@ private Q_SLOTS:
         const QByteArray before = "PK\x03\x04 the one before";
         write("p.zip", before);
         JobControl control;
-        control.progress = [&control](double, const std::string &) { control.cancel.cancel(); };
+        control.progress = [&control](double, const Message &) { control.cancel.cancel(); };
         const auto cancelled =
             writeArchive(path("p.zip").toStdString(), {{"p.odo", file}, {"p.media/x", file}}, control);
         QCOMPARE(cancelled.error().code, ErrorCode::Cancelled);
@@ -101,7 +101,7 @@ private Q_SLOTS:
         const auto file = write("a", QByteArray(9'000'000, 'x'));
         QVERIFY(writeArchive(path("p.zip").toStdString(), {{"p.odo", file}, {"p.media/x", file}}, {}));
         JobControl control;
-        control.progress = [&control](double, const std::string &) { control.cancel.cancel(); };
+        control.progress = [&control](double, const Message &) { control.cancel.cancel(); };
         QCOMPARE(unpackArchive(path("p.zip").toStdString(), path("new").toStdString(), control).error().code,
                  ErrorCode::Cancelled);
         QCOMPARE(files(), QStringList({QStringLiteral("a"), QStringLiteral("p.zip")}));

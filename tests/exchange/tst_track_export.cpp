@@ -48,7 +48,8 @@ AnalysisRecord sampleTrack()
     standing.accelMps2 = std::numeric_limits<double>::quiet_NaN();
     profile.points = {moving, standing, unknown};
     profile.metrics = {{"max_speed", "m/s", 2, 0.0625}, {"duration", "s", 0.5, std::nullopt}};
-    profile.spikes = {{1, Nanoseconds(33333333), flagBit(SampleFlag::Lost), "no view found the robot"}};
+    profile.spikes = {
+        {1, Nanoseconds(33333333), flagBit(SampleFlag::Lost), foreignWords("no view found the robot")}};
     return analysis;
 }
 
@@ -238,7 +239,7 @@ private Q_SLOTS:
         const auto ended = writeOutput(file, [](const TextSink &sink) -> Result<void> {
             if (auto written = sink("half"); !written)
                 return written;
-            return cancelled("export");
+            return cancelled(foreignWords("export"));
         });
         QCOMPARE(ended.error().code, ErrorCode::Cancelled);
         QCOMPARE(readTextFile(file).value(), std::string("old"));

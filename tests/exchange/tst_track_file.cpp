@@ -242,7 +242,7 @@ private Q_SLOTS:
         QCOMPARE(file->tracks[0].positions.size(), std::size_t(216000));
         QCOMPARE(file->tracks[0].positions.back().position->x(), 215.999);
         JobControl control;
-        control.progress = [&](double, const std::string &) { control.cancel.cancel(); };
+        control.progress = [&](double, const Message &) { control.cancel.cancel(); };
         const auto stopped = readTrackFile(fileOf(text), control);
         QVERIFY(!stopped && stopped.error().code == ErrorCode::Cancelled);
     }

@@ -37,7 +37,7 @@ class TestTrialSchema : public QObject
         }
         profile.points[1].accelMps2 = std::numeric_limits<double>::infinity();
         profile.metrics = {{"max_speed", "m/s", 2, 0.0625}, {"duration", "s", 0.5, std::nullopt}};
-        profile.spikes = {{0, Nanoseconds(0), flagBit(SampleFlag::Jump), "jump of 8 mm"}};
+        profile.spikes = {{0, Nanoseconds(0), flagBit(SampleFlag::Jump), foreignWords("jump of 8 mm")}};
         for (const GateRole role :
              {GateRole::Start, GateRole::Finish, GateRole::StartFinish, GateRole::Split})
             profile.passages.push_back({"gate", role, Nanoseconds(1), 0.001, 0});

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/fault/injected_fault.h"
 
+#include "tests/support/said_error.h"
+
 #include <QDir>
 #include <QFileInfo>
 #include <QProcess>
@@ -155,9 +157,9 @@ Attempt attempt(const std::filesystem::path &folder, const Fault &fault, int nth
         if (!done) {
             told->failed = true;
             told->code = done.error().code;
-            keep(told->what, done.error().what);
-            keep(told->why, done.error().why);
-            keep(told->advice, done.error().advice);
+            keep(told->what, done.error().what.english());
+            keep(told->why, done.error().why.english());
+            keep(told->advice, done.error().advice.english());
         }
         ::_exit(0);
     }
@@ -171,7 +173,7 @@ Attempt attempt(const std::filesystem::path &folder, const Fault &fault, int nth
     attempt.signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
     attempt.acknowledged = told->acknowledged;
     if (told->failed)
-        attempt.error = Error{told->code, told->what, told->why, told->advice};
+        attempt.error = test::saidError(told->code, told->what, told->why, told->advice);
     return attempt;
 }
 

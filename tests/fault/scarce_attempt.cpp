@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/fault/scarce_attempt.h"
+#include "tests/support/said_error.h"
 
 #include <QDataStream>
 #include <QFile>
@@ -19,9 +20,9 @@ QDataStream &operator<<(QDataStream &out, const ScarceAttempt &attempt)
 {
     out << quint64(attempt.requests) << attempt.hasFailed << attempt.error.has_value();
     if (attempt.error)
-        out << int(attempt.error->code) << QByteArray::fromStdString(attempt.error->what)
-            << QByteArray::fromStdString(attempt.error->why)
-            << QByteArray::fromStdString(attempt.error->advice);
+        out << int(attempt.error->code) << QByteArray::fromStdString(attempt.error->what.english())
+            << QByteArray::fromStdString(attempt.error->why.english())
+            << QByteArray::fromStdString(attempt.error->advice.english());
     return out;
 }
 
@@ -35,7 +36,8 @@ QDataStream &operator>>(QDataStream &in, ScarceAttempt &attempt)
         int code = 0;
         QByteArray what, why, advice;
         in >> code >> what >> why >> advice;
-        attempt.error = Error{ErrorCode(code), what.toStdString(), why.toStdString(), advice.toStdString()};
+        attempt.error =
+            test::saidError(ErrorCode(code), what.toStdString(), why.toStdString(), advice.toStdString());
     }
     return in;
 }

@@ -120,7 +120,7 @@ QString TestDamagedProjects::problemOf(const QByteArray &bytes, Project::Access 
             const std::string words = project.error().message();
             if (words.find("bad.odo") == std::string::npos)
                 return QStringLiteral("the file is not named: ") + QString::fromStdString(words);
-            if (project.error().advice.empty() || project.error().code == ErrorCode::Internal)
+            if (project.error().advice.english().empty() || project.error().code == ErrorCode::Internal)
                 return QStringLiteral("it does not say what to do: ") + QString::fromStdString(words);
             if (content(bad) != bytes)
                 return QStringLiteral("it was changed although it was refused: ") +
@@ -251,7 +251,7 @@ void TestDamagedProjects::aDamagedBackupIsNot()
     store(file("lesson.odo.bak-9"), bytes);
     const auto project = Project::open(file("lesson.odo"), Project::Access::ReadWrite);
     QVERIFY(!project);
-    QCOMPARE(project.error().advice, std::string("restore it from a backup copy"));
+    QCOMPARE(project.error().advice.english(), std::string("restore it from a backup copy"));
 }
 
 /// The newest that is sound, under the name that people know; the damaged file with its log is kept, and a
@@ -318,7 +318,7 @@ void TestDamagedProjects::nothingIsLostByRestoring()
                 QVERIFY2(firstDifference(wanted, storedRows(place / "p.odo")).isEmpty(), words);
             QVERIFY2(isStill != (tried.acknowledged == 1) || tried.died(), words);
             if (tried.error) {
-                QVERIFY2(!tried.error->why.empty() && !tried.error->advice.empty() &&
+                QVERIFY2(!tried.error->why.english().empty() && !tried.error->advice.english().empty() &&
                              tried.error->code != ErrorCode::Internal,
                          words);
                 const bool mayStay = fault.how == FailingCalls::How::FromThenOn ||
@@ -348,7 +348,8 @@ void TestDamagedProjects::aWindowOpensWhereThereIsABackup()
     store(file("cut.odo"), m_whole.left(5000));
     const auto alone = worthOpening(file("cut.odo"));
     QVERIFY(!alone);
-    QVERIFY2(alone.error().why.starts_with("the file is cut off"), alone.error().why.c_str());
+    QVERIFY2(alone.error().why.english().starts_with("the file is cut off"),
+             alone.error().why.english().c_str());
     store(file("cut.odo.bak-9"), damagedContent());
     QVERIFY(!worthOpening(file("cut.odo")));
     store(file("cut.odo.bak-10"), m_whole);

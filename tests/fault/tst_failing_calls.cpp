@@ -124,13 +124,14 @@ QString TestFailingCalls::problemOfError(const Attempt &attempt) const
 {
     if (!attempt.error)
         return {};
-    if (attempt.error->what.empty() || attempt.error->why.empty() || attempt.error->advice.empty())
+    if (attempt.error->what.english().empty() || attempt.error->why.english().empty() ||
+        attempt.error->advice.english().empty())
         return QStringLiteral("the error does not say what, why and what to do");
     if (attempt.error->code == ErrorCode::Internal)
         return QStringLiteral("the error is called one of the program");
     // SQLite itself takes some pages that cannot be read for damaged
     const bool isDisksWord = attempt.fault.reads;
-    if (!isDisksWord && attempt.error->why.find("damaged") != std::string::npos)
+    if (!isDisksWord && attempt.error->why.english().find("damaged") != std::string::npos)
         return QStringLiteral("a sound file is called damaged");
     return {};
 }

@@ -154,11 +154,13 @@ QString TestFailingRecordings::problemOfTrial(const fs::path &folder, bool isSai
     auto problems = (*project)->check(true);
     if (problems) // a name that was claimed for a trial that did not begin, with nothing in the file
         std::erase_if(*problems, [](const ProjectProblem &problem) {
-            return problem.what.ends_with("uses this file") && fs::file_size(problem.where) == 0;
+            return problem.what.english().ends_with("uses this file") &&
+                   fs::file_size(problem.where.english()) == 0;
         });
     if (!problems || !problems->empty())
         return QStringLiteral("the check says: ") +
-               QString::fromStdString(problems ? problems->front().what : problems.error().message());
+               QString::fromStdString(problems ? problems->front().what.english()
+                                               : problems.error().message());
     const auto trial = (*project)->trials().find("run");
     if (!trial)
         return {};

@@ -74,8 +74,9 @@ private:
     std::function<Result<void>()> work() const
     {
         QFETCH(UseCase, useCase);
-        return [this, useCase] { // as the command line calls it
-            return orShortage("the use case", [&] { return useCase.work(m_work, [] {}); });
+        return [this, useCase]() -> Result<void> { // as the command line calls it
+            return orShortage(ODO_TEXT("test.use_case", "the use case"),
+                              [&] { return useCase.work(m_work, [] {}); });
         };
     }
 
@@ -114,7 +115,8 @@ QString TestScarcity::problemOf(const ScarceAttempt &tried) const
     if (tried.signal != 0)
         return tried.signal < 0 ? QStringLiteral("ended by an exception")
                                 : QStringLiteral("ended by signal %1").arg(tried.signal);
-    if (tried.error && (tried.error->what.empty() || tried.error->why.empty() || tried.error->advice.empty()))
+    if (tried.error && (tried.error->what.english().empty() || tried.error->why.english().empty() ||
+                        tried.error->advice.english().empty()))
         return QStringLiteral("the error does not say what, why and what to do");
     const bool hasSteps = qstrcmp(QTest::currentDataTag(), "change things") == 0 ||
                           qstrcmp(QTest::currentDataTag(), "empty the bin") == 0;

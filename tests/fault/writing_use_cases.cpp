@@ -13,6 +13,7 @@
 #include "core/workflow/record/completed_recordings.h"
 #include "core/workflow/track/reanalysis.h"
 #include "core/workflow/track/track_job.h"
+#include "tests/support/said_error.h"
 #include "tests/ui/support/stored_example.h"
 
 #include <QDir>
@@ -43,7 +44,7 @@ using Change = std::function<Result<void>(Project &)>;
 Change undoable(const char *words, Change work)
 {
     return [words, work = std::move(work)](Project &project) {
-        return project.change(words, [&] { return work(project); });
+        return project.change(foreignWords(words), [&] { return work(project); });
     };
 }
 
@@ -68,7 +69,9 @@ std::vector<Change> changes()
         [](Project &p) { return withoutValue(p.undo()); },
         [](Project &p) { return withoutValue(p.redo()); },
         [](Project &p) {
-            return p.note("add a team", [&] { return withoutValue(p.teams().add({0, "Kestrel", "9C"})); });
+            return p.note(foreignWords("add a team"), [&] {
+                return withoutValue(p.teams().add({0, "Kestrel", "9C"}));
+            });
         },
         [](Project &p) {
             return withoutValue(p.cameras().add({0, "C", "v4l2:/dev/video9"}));
@@ -214,8 +217,8 @@ UseCase emptyingTheBin()
             if (auto done = runToEnd(job, **project, {}); !done)
                 return done;
             if (!job.left().empty())
-                return fail(ErrorCode::Io, "file '" + job.left().front() + "'", "it could not be deleted",
-                            "delete it");
+                return test::saidFailure(ErrorCode::Io, "file '" + job.left().front() + "'",
+                                         "it could not be deleted", "delete it");
             acknowledge();
         }
         return {};

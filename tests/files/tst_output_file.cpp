@@ -139,7 +139,7 @@ private Q_SLOTS:
         const OpenProjectFile open(path("a.csv"));
         const auto refused = (*output)->commit();
         QVERIFY(!refused.has_value());
-        QCOMPARE(refused.error().why, std::string("it is the project itself"));
+        QCOMPARE(refused.error().why.english(), std::string("it is the project itself"));
         QCOMPARE(contentOf(path("a.csv")), std::string("meanwhile"));
         const auto other = OutputFile::open({path("b.csv"), Existing::Refuse}, FileKind::Csv);
         write(path("b.csv"), "meanwhile");
@@ -175,7 +175,7 @@ private Q_SLOTS:
             return file.has_value();
         });
         killDuring([&] {
-            static auto folder = TemporaryFolder::make(path(), "folder");
+            static auto folder = TemporaryFolder::make(path(), foreignWords("folder"));
             std::ofstream((*folder)->path() / "inside") << "x";
             return folder.has_value();
         });
@@ -188,7 +188,7 @@ private Q_SLOTS:
     void whatIsBeingWrittenIsNotSwept()
     {
         const auto first = OutputFile::open(path("a.csv"), FileKind::Csv);
-        const auto folder = TemporaryFolder::make(path(), "folder");
+        const auto folder = TemporaryFolder::make(path(), foreignWords("folder"));
         write(path(".odograph-short.part"), "not ours");
         write(path("x.odograph-aaaaaaaaaaaa.part"), "not ours");
         QVERIFY(writeOutput(path("b.csv"), "a,b\n").has_value());
@@ -208,7 +208,7 @@ private Q_SLOTS:
         fs::create_directories(path(".odograph-dddddddddddd.part"));
         const auto before = names();
         {
-            const auto folder = TemporaryFolder::make(path(), "folder").value();
+            const auto folder = TemporaryFolder::make(path(), foreignWords("folder")).value();
             write(folder->path() / "kept.csv", "a");
             // a copy is somebody's own
             fs::copy(folder->path().parent_path(), path(".odograph-eeeeeeeeeeee.part"),
@@ -230,7 +230,7 @@ private Q_SLOTS:
 
     void aFolderKeepsWhatWasPublished()
     {
-        const auto folder = TemporaryFolder::make(path(), "folder").value();
+        const auto folder = TemporaryFolder::make(path(), foreignWords("folder")).value();
         QCOMPARE(modeOf(folder->path()), mode_t(0700));
         write(folder->path() / "a", "1");
         write(path("there"), "2");
@@ -243,16 +243,16 @@ private Q_SLOTS:
 
     void saysWhyItCannotBe()
     {
-        const auto nowhere = TemporaryFile::make(path("no"), "file 'x'");
+        const auto nowhere = TemporaryFile::make(path("no"), foreignWords("file 'x'"));
         QCOMPARE(nowhere.error().code, ErrorCode::NotFound);
         QVERIFY(nowhere.error().message().starts_with("file 'x': there is no folder '"));
-        const auto special = TemporaryFile::make("/proc/self", "file 'x'");
+        const auto special = TemporaryFile::make("/proc/self", foreignWords("file 'x'"));
         QVERIFY(!special.has_value());
-        QCOMPARE(OutputFile::open("", FileKind::Csv).error().why, std::string("it has no name"));
+        QCOMPARE(OutputFile::open("", FileKind::Csv).error().why.english(), std::string("it has no name"));
         if (fs::exists("/dev/full")) {
             const auto output = OutputFile::open(path("full.csv"), FileKind::Csv);
             QVERIFY(::dup2(::open("/dev/full", O_WRONLY | O_CLOEXEC), (*output)->descriptor()) >= 0);
-            QCOMPARE((*output)->write("x").error().why,
+            QCOMPARE((*output)->write("x").error().why.english(),
                      std::string("it cannot be written (No space left on device)"));
         }
     }

@@ -63,7 +63,7 @@ class TestOutputGuard : public QObject
     static std::string refusal(const OutputTarget &target, std::optional<FileKind> kind = FileKind::Csv)
     {
         const auto place = checkOutput(target, kind);
-        return place ? std::string() : place.error().why;
+        return place ? std::string() : place.error().why.english();
     }
 
 private Q_SLOTS:
@@ -180,8 +180,9 @@ private Q_SLOTS:
         QFETCH(QString, why);
         const auto refused = checkOutput(target.toStdString(), FileKind::Csv);
         QVERIFY(!refused.has_value());
-        QCOMPARE(QString::fromStdString(refused.error().why), why);
-        QCOMPARE(QString::fromStdString(refused.error().what), QStringLiteral("file '%1'").arg(target));
+        QCOMPARE(QString::fromStdString(refused.error().why.english()), why);
+        QCOMPARE(QString::fromStdString(refused.error().what.english()),
+                 QStringLiteral("file '%1'").arg(target));
         const bool isWrongCall = refused.error().code == ErrorCode::WrongCall;
         QCOMPARE(isWrongCall, why.startsWith(QStringLiteral("it is ")) ||
                                   why.startsWith(QStringLiteral("a ")) ||
@@ -232,7 +233,7 @@ private Q_SLOTS:
             InputFiles inputs;
             inputs.add(path("sub/../logo.png"));
             QCOMPARE(refusal(path("logo.png")), std::string("it is an input of the same call"));
-            InputFiles recordings("it is a recording of the project");
+            InputFiles recordings(foreignWords("it is a recording of the project"));
             recordings.add(path("table.csv"));
             QCOMPARE(refusal({path("hard_free.csv"), Existing::ReplaceAny}),
                      std::string("it is a recording of the project"));

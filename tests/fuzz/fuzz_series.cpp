@@ -13,7 +13,7 @@ template <class Value, class Unpack, class Pack>
 void roundTrip(const QByteArray &bytes, Unpack unpack, Pack pack, bool isExact)
 {
     std::vector<Value> values;
-    if (unpack(bytes, "series", values) &&
+    if (unpack(bytes, Message(), values) &&
         (pack(values).size() != bytes.size() || (isExact && pack(values) != bytes)))
         std::abort();
 }
@@ -31,10 +31,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t coun
     roundTrip<Sample>(bytes, unpackSamples, packSamples, false);
     roundTrip<ProfilePoint>(bytes, unpackPoints, packPoints, false);
     TruthSeries truth;
-    static_cast<void>(unpackTruth(bytes, "truth", truth));
+    static_cast<void>(unpackTruth(bytes, Message(), truth));
     CalibrationPicture picture;
-    static_cast<void>(unpackCorners(bytes, "corners", picture));
-    static_cast<void>(unpackNumbers(bytes, "numbers"));
-    static_cast<void>(unpackSquare(bytes, "matrix"));
+    static_cast<void>(unpackCorners(bytes, Message(), picture));
+    static_cast<void>(unpackNumbers(bytes, Message()));
+    static_cast<void>(unpackSquare(bytes, Message()));
     return 0;
 }

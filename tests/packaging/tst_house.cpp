@@ -152,7 +152,7 @@ void TestHouse::includesRunInNoCircle()
 void TestHouse::everyFileIsFormatted()
 {
     const QString formatter = QStandardPaths::findExecutable(QStringLiteral("clang-format-14"));
-    QVERIFY2(!formatter.isEmpty(), "install clang-format-14 (packaging/packages.txt)");
+    QVERIFY2(!formatter.isEmpty(), "install clang-format-14 (packaging/packages_tests.txt)");
     QStringList arguments{QStringLiteral("--dry-run"), QStringLiteral("--Werror")};
     for (const QString &path : m_sources.keys())
         arguments << m_root + u'/' + path;

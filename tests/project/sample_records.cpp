@@ -31,7 +31,7 @@ IntrinsicsRecord RecordSource::calibration(RecordId camera)
     IntrinsicsRecord record;
     record.camera = camera;
     record.made = instant();
-    record.origin = "imported from Kamera–ß.yaml";
+    record.origin = foreignWords("imported from Kamera–ß.yaml");
     record.calibration.intrinsics = intrinsics(LensModel::Rational);
     record.calibration.rmsPx = positive();
     for (const char *file : {"bild 1.jpg", "картина.png"}) {
@@ -45,14 +45,14 @@ IntrinsicsRecord RecordSource::calibration(RecordId camera)
     record.calibration.pictures[0].outliers = {0, 2};
     record.calibration.pictures[0].leftOut = {2};
     record.calibration.pictures[1].used = false;
-    record.calibration.lensReason = "told";
+    record.calibration.lensReason = foreignWords("told");
     record.calibration.disagreeingPart = positive();
     record.board = {BoardPattern::Charuco, 9, 6, positive(), positive(), "DICT_6X6_250"};
     record.softwareVersion = "0.1.0";
     record.files = {{"run.media/calibration/A_1.png", "00ff", 12345}, {}};
-    record.calibration.rejected = {{"c.jpg", "no board found"}};
+    record.calibration.rejected = {{"c.jpg", foreignWords("no board found")}};
     record.calibration.crossValidationPx = positive();
-    record.calibration.verdict = "good";
+    record.calibration.verdict = foreignWords("good");
     return record;
 }
 
@@ -73,7 +73,7 @@ RegistrationRecord RecordSource::registration(RecordId camera, RecordId layout, 
     const MarkerError &o = registration.markers[0], &u = registration.markers[1];
     registration.rmsPx = std::hypot(o.errorPx, u.errorPx) / std::sqrt(2.0);
     registration.rmsM = std::hypot(o.errorM, u.errorM) / std::sqrt(2.0);
-    registration.verdict = "typical error 1.8 mm";
+    registration.verdict = foreignWords("typical error 1.8 mm");
     return record;
 }
 
@@ -162,7 +162,7 @@ AnalysisRecord RecordSource::analysis(RecordId trial, RecordId robot, std::size_
                                   positive(), positive(), positive(), i % 2 == 0});
     }
     if (samples > 0)
-        profile.spikes = {{0, Nanoseconds(integer()), 0x80000003u, "views disagree by 84 mm"}};
+        profile.spikes = {{0, Nanoseconds(integer()), 0x80000003u, foreignWords("views disagree by 84 mm")}};
     profile.metrics = {{"max_speed", "m/s", number(), positive()}, {"duration", "s", number(), std::nullopt}};
     profile.passages = {{"départ", GateRole::Start, Nanoseconds(integer()), positive(), positive()},
                         {"финиш", GateRole::Finish, Nanoseconds(integer()), positive(), 0}};
@@ -211,7 +211,8 @@ Result<FilledProject> fill(Project &project, RecordSource &source)
         const auto task = project.tasks().add({0, "line", source.task()});
         const auto intrinsics = project.cameras().addIntrinsics(source.calibration(a->id));
         if (!project.cameras().addRegistration(source.registration(a->id, layout->id, intrinsics->id)))
-            return fail(ErrorCode::Internal, "sample project", "no registration", "");
+            return fail(ErrorCode::Internal, foreignWords("sample project"), foreignWords("no registration"),
+                        {});
         TrialRecord trial;
         trial.name = "run 1";
         trial.team = team->id;

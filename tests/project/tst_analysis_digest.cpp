@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is changed by hand in a project is found: by the digests of its analyses, and by computing its metrics
 // again.
+#include "core/base/subjects.h"
 #include "core/project/internal/connection.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
@@ -41,8 +42,8 @@ class TestAnalysisDigest : public QObject
         QStringList problems;
         const auto all = m_project->check(withHashes);
         for (const ProjectProblem &problem : *all) {
-            if (problem.where.starts_with("trial '") || problem.what.starts_with("the marker errors"))
-                problems << QString::fromStdString(problem.what);
+            if (problem.where.code() == "base.trial" || problem.what.code() == "project.marker_errors_differ")
+                problems << QString::fromStdString(problem.what.english());
         }
         return problems;
     }
@@ -57,8 +58,15 @@ class TestAnalysisDigest : public QObject
             track.push_back(
                 {fromSeconds(t), Eigen::Vector2d(0.5 * std::cos(2 * t), 0.5 * std::sin(2 * t)), {}});
         }
-        ImportedTrack source{
-            0, m_filled.robot, {}, "lap.csv", "00ff", 9, "csv", "metres", samplesOfImported(track, 0.001)};
+        ImportedTrack source{0,
+                             m_filled.robot,
+                             {},
+                             "lap.csv",
+                             "00ff",
+                             9,
+                             "csv",
+                             foreignWords("metres"),
+                             samplesOfImported(track, 0.001)};
         AnalysisRecord analysis;
         analysis.robot = m_filled.robot;
         analysis.softwareVersion = ODOGRAPH_VERSION;
@@ -185,8 +193,8 @@ private Q_SLOTS:
         QStringList problems;
         const auto all = m_project->check(false);
         for (const ProjectProblem &problem : *all) {
-            if (problem.where == "camera 'Б'")
-                problems << QString::fromStdString(problem.what);
+            if (problem.where == cameraSubject("Б"))
+                problems << QString::fromStdString(problem.what.english());
         }
         QCOMPARE(
             problems,
@@ -309,9 +317,10 @@ private Q_SLOTS:
     {
         const RecordId trial = imported("lap", 200);
         AnalysisRecord analysis = m_project->analyses().current(trial)->at(0);
-        const SampleSource ending{
-            analysis.profile.points.size(),
-            [](std::size_t, std::size_t) -> Result<std::vector<Sample>> { return cancelled("import"); }};
+        const SampleSource ending{analysis.profile.points.size(),
+                                  [](std::size_t, std::size_t) -> Result<std::vector<Sample>> {
+                                      return cancelled(foreignWords("import"));
+                                  }};
         QCOMPARE(m_project->analyses().add(analysis, ending).error().code, ErrorCode::Cancelled);
         QCOMPARE(m_project->analyses().current(trial)->at(0).id, analysis.id);
     }

@@ -42,7 +42,8 @@ QStringList rowsOf(const ProjectConnection &connection)
 
 Result<void> failing()
 {
-    return fail(ErrorCode::Io, "disk", "the disk is full", "make room");
+    return fail(ErrorCode::Io, foreignWords("disk"), foreignWords("the disk is full"),
+                foreignWords("make room"));
 }
 
 } // namespace
@@ -83,7 +84,7 @@ private:
     QStringList rows() const { return rowsOf(*m_second); }
     Result<void> star(bool starred)
     {
-        return m_project->change(starred ? "star" : "take the star off",
+        return m_project->change(foreignWords(starred ? "star" : "take the star off"),
                                  [&] { return m_project->trials().setStarred(m_trial, starred); });
     }
     Result<void> randomChange(std::mt19937 &random);
@@ -100,13 +101,13 @@ void TestChangeJournal::aChangeIsTakenBackAndMadeAgain()
     QVERIFY(star(true));
     const QStringList after = rows();
     QVERIFY(after != before);
-    QCOMPARE(m_project->undoWords(), std::string("star"));
-    QCOMPARE(m_project->redoWords(), std::string());
-    QCOMPARE(m_project->undo().value(), std::string("star"));
+    QCOMPARE(m_project->undoWords().english(), std::string("star"));
+    QCOMPARE(m_project->redoWords().english(), std::string());
+    QCOMPARE(m_project->undo().value().english(), std::string("star"));
     QCOMPARE(rows(), before);
     QVERIFY(!m_project->trials().get(m_trial)->starred);
-    QCOMPARE(m_project->redoWords(), std::string("star"));
-    QCOMPARE(m_project->redo().value(), std::string("star"));
+    QCOMPARE(m_project->redoWords().english(), std::string("star"));
+    QCOMPARE(m_project->redo().value().english(), std::string("star"));
     QCOMPARE(rows(), after);
     QVERIFY(m_project->trials().get(m_trial)->starred);
 
@@ -149,7 +150,7 @@ Result<void> TestChangeJournal::randomChange(std::mt19937 &random)
             return m_project->setTitle(name);
         }
     };
-    return m_project->change("change " + name, make);
+    return m_project->change(foreignWords("change " + name), make);
 }
 
 /// Back and forth at random, every state is the one that was there before to the last bit.
@@ -185,37 +186,37 @@ void TestChangeJournal::whatFailsLeavesNoTrace()
 {
     QVERIFY(star(true));
     const QStringList before = rows();
-    const auto failed = m_project->change("tag", [&]() -> Result<void> {
+    const auto failed = m_project->change(foreignWords("tag"), [&]() -> Result<void> {
         if (auto tagged = m_project->trials().setTags(m_trial, {"late"}); !tagged)
             return tagged;
         return failing();
     });
     QCOMPARE(failed.error().message(), std::string("disk: the disk is full; make room"));
     QCOMPARE(rows(), before);
-    QCOMPARE(m_project->undoWords(), std::string("star"));
+    QCOMPARE(m_project->undoWords().english(), std::string("star"));
     QCOMPARE(m_project->changes()->size(), std::size_t(1));
     QVERIFY(star(false)); // and the next is one of its own
-    QCOMPARE(m_project->undoWords(), std::string("take the star off"));
+    QCOMPARE(m_project->undoWords().english(), std::string("take the star off"));
 }
 
 void TestChangeJournal::whatChangesNothingLeavesNoTrace()
 {
     QVERIFY(star(false));
-    QCOMPARE(m_project->undoWords(), std::string());
+    QCOMPARE(m_project->undoWords().english(), std::string());
     QVERIFY(m_project->changes()->empty());
 }
 
 void TestChangeJournal::aChangeInsideAnotherIsAPartOfIt()
 {
     const QStringList before = rows();
-    QVERIFY(m_project->change("star and tag", [&]() -> Result<void> {
+    QVERIFY(m_project->change(foreignWords("star and tag"), [&]() -> Result<void> {
         if (auto starred = star(true); !starred)
             return starred;
         return m_project->trials().setTags(m_trial, {"final"});
     }));
-    QCOMPARE(m_project->undo().value(), std::string("star and tag"));
+    QCOMPARE(m_project->undo().value().english(), std::string("star and tag"));
     QCOMPARE(rows(), before);
-    QCOMPARE(m_project->undoWords(), std::string());
+    QCOMPARE(m_project->undoWords().english(), std::string());
 }
 
 void TestChangeJournal::aNewChangeForgetsWhatWasUndone()
@@ -223,9 +224,10 @@ void TestChangeJournal::aNewChangeForgetsWhatWasUndone()
     QVERIFY(star(true));
     QVERIFY(m_project->undo());
     QVERIFY(m_project->setTitle("another")); // no change of the journal
-    QCOMPARE(m_project->redoWords(), std::string("star"));
-    QVERIFY(m_project->change("tag", [&] { return m_project->trials().setTags(m_trial, {"a"}); }));
-    QCOMPARE(m_project->redoWords(), std::string());
+    QCOMPARE(m_project->redoWords().english(), std::string("star"));
+    QVERIFY(
+        m_project->change(foreignWords("tag"), [&] { return m_project->trials().setTags(m_trial, {"a"}); }));
+    QCOMPARE(m_project->redoWords().english(), std::string());
 }
 
 void TestChangeJournal::aLaterChangeOutsideOfTheJournalIsKept()
@@ -238,14 +240,14 @@ void TestChangeJournal::aLaterChangeOutsideOfTheJournalIsKept()
                  "undo 'star': what it concerns has been changed or used since; take the later change back "
                  "first, or leave it"));
     QCOMPARE(rows(), before);
-    QCOMPARE(m_project->undoWords(), std::string("star")); // as it was
+    QCOMPARE(m_project->undoWords().english(), std::string("star")); // as it was
 }
 
 /// A team that a trial was given since cannot go.
 void TestChangeJournal::whatIsInUseStays()
 {
     RecordId team = 0;
-    QVERIFY(m_project->change("add team Otter", [&]() -> Result<void> {
+    QVERIFY(m_project->change(foreignWords("add team Otter"), [&]() -> Result<void> {
         const auto added = m_project->teams().add({0, "Otter", "9C"});
         if (!added)
             return tl::unexpected(added.error());
@@ -272,15 +274,15 @@ void TestChangeJournal::theOldestAreForgotten()
     TrialRepository trials(**connection);
     ChangeJournal journal(**connection, 50'000);
     const auto note = [&](char letter) {
-        return journal.make(std::string("note ") + letter,
+        return journal.make(foreignWords(std::string("note ") + letter),
                             [&] { return trials.setNotes(m_trial, std::string(15'000, letter)); });
     };
     for (char letter = 'a'; letter <= 'f'; ++letter)
         QVERIFY(note(letter));
     // A change holds the notes before and after.
-    QCOMPARE(journal.undo().value(), std::string("note f"));
+    QCOMPARE(journal.undo().value().english(), std::string("note f"));
     QCOMPARE(trials.get(m_trial)->notes, std::string(15'000, 'e'));
-    QCOMPARE(journal.undoWords(), std::string());
+    QCOMPARE(journal.undoWords().english(), std::string());
 }
 
 void TestChangeJournal::everyChangeIsTold()
@@ -292,7 +294,7 @@ void TestChangeJournal::everyChangeIsTold()
     QCOMPARE(changes.size(), std::size_t(3));
     QVERIFY(changes[0].kind == ChangeEntry::Kind::Redone && changes[1].kind == ChangeEntry::Kind::Undone &&
             changes[2].kind == ChangeEntry::Kind::Made);
-    QCOMPARE(changes[2].words, std::string("star"));
+    QCOMPARE(changes[2].words.english(), std::string("star"));
     const auto age = std::chrono::system_clock::now() - changes[0].made;
     QVERIFY(age >= 0ms && age < 10min);
 }
@@ -301,23 +303,24 @@ void TestChangeJournal::whatIsNotedIsToldAndStays()
 {
     QVERIFY(star(true));
     const auto tag = [&] { return m_project->trials().setTags(m_trial, {"measured"}); };
-    QVERIFY(m_project->note("track it", tag));
-    QCOMPARE(m_project->changes()->front().words, std::string("track it"));
-    QCOMPARE(m_project->undoWords(), std::string("star")); // what was noted is passed over
+    QVERIFY(m_project->note(foreignWords("track it"), tag));
+    QCOMPARE(m_project->changes()->front().words.english(), std::string("track it"));
+    QCOMPARE(m_project->undoWords().english(), std::string("star")); // what was noted is passed over
     QVERIFY(m_project->undo());
     QCOMPARE(m_project->trials().get(m_trial)->tags.size(), std::size_t(1));
     QVERIFY(!m_project->trials().get(m_trial)->starred);
 
     const std::size_t told = m_project->changes()->size();
     const QStringList before = rows();
-    QVERIFY(m_project->note("look", [&]() -> Result<void> { return {}; })); // changes nothing
-    QVERIFY(!m_project->note("fail", [&]() -> Result<void> {
+    QVERIFY(m_project->note(foreignWords("look"), [&]() -> Result<void> { return {}; })); // changes nothing
+    QVERIFY(!m_project->note(foreignWords("fail"), [&]() -> Result<void> {
         if (auto done = m_project->trials().setTags(m_trial, {"half"}); !done)
             return done;
         return failing();
     }));
-    QVERIFY(m_project->change("both", [&] {
-        return m_project->note("inner", [&] { return m_project->trials().setTags(m_trial, {"a"}); });
+    QVERIFY(m_project->change(foreignWords("both"), [&] {
+        return m_project->note(foreignWords("inner"),
+                               [&] { return m_project->trials().setTags(m_trial, {"a"}); });
     }));
     QCOMPARE(m_project->changes()->size(), told + 1); // the inner one is a part
     QVERIFY(m_project->undo());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Thousands of trials are checked quickly, and each file is read once, however many trials it belongs to.
+#include "core/base/subjects.h"
 #include "core/project/internal/analysis_digest.h"
 #include "core/project/internal/connection.h"
 #include "core/project/project.h"
@@ -166,8 +167,8 @@ private Q_SLOTS:
         for (const bool withHashes : {false, true}) {
             int read = 0;
             JobControl control;
-            control.progress = [&](double fraction, const std::string &text) {
-                read += text.starts_with("reading ");
+            control.progress = [&](double fraction, const Message &text) {
+                read += text.code() == "project.reading";
                 QVERIFY(fraction >= 0 && fraction <= 1);
             };
             QElapsedTimer clock;
@@ -179,8 +180,9 @@ private Q_SLOTS:
                   seconds);
             // the pictures and videos that sample records name were never there
             for (const ProjectProblem &problem : *problems)
-                QVERIFY2(problem.what.ends_with(" is missing") || problem.where == "trial 'run 1'",
-                         problem.what.c_str());
+                QVERIFY2(problem.what.code() == "project.is_missing" ||
+                             problem.where == trialSubject("run 1"),
+                         problem.what.english().c_str());
             QCOMPARE(read, withHashes ? 1 : 0);
             if (!withHashes && trialCount() >= manyTrials)
                 QVERIFY2(seconds < 5 * test::slowness, qPrintable(QString::number(seconds)));
@@ -196,8 +198,8 @@ private Q_SLOTS:
             QStringList words;
             const auto problems = (*project)->check(true);
             for (const ProjectProblem &problem : *problems) {
-                if (problem.where == video.toStdString())
-                    words << QString::fromStdString(problem.what);
+                if (problem.where == fileSubject(video.toStdString()))
+                    words << QString::fromStdString(problem.what.english());
             }
             return words;
         };

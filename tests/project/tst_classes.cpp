@@ -41,7 +41,7 @@ private Q_SLOTS:
     void aClassIsArchivedAndComesBack()
     {
         const RecordId id = m_project->classes().add("9B")->id;
-        QVERIFY(m_project->change("archive class 9B",
+        QVERIFY(m_project->change(foreignWords("archive class 9B"),
                                   [&] { return m_project->classes().setArchived(id, true); }));
         const auto since = m_project->classes().get(id)->archived;
         QVERIFY(since.has_value());
@@ -97,7 +97,8 @@ private Q_SLOTS:
         robot.heightM = 0.08;
         robot.name = "Blue";
         QCOMPARE(m_project->robots().set(robot).error().code, ErrorCode::AlreadyExists);
-        QCOMPARE(m_project->robots().remove(filled.robot).error().why, std::string("it drove in a trial"));
+        QCOMPARE(m_project->robots().remove(filled.robot).error().why.english(),
+                 std::string("it drove in a trial"));
         QVERIFY(m_project->robots().remove(added->id));
         QCOMPARE(m_project->robots().remove(added->id).error().code, ErrorCode::NotFound);
     }

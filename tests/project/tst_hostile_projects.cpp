@@ -149,7 +149,8 @@ private Q_SLOTS:
             for (const auto &way : {m_file, path("way")}) {
                 const auto opened = Project::open(way, Access::ReadWrite);
                 QVERIFY2(!opened, side);
-                QCOMPARE(opened.error().why, std::string("the journal beside it names another file"));
+                QCOMPARE(opened.error().why.english(),
+                         std::string("the journal beside it names another file"));
             }
             QCOMPARE(content(own), QByteArray("somebody's own"));
             std::filesystem::remove(path(side));

@@ -69,9 +69,9 @@ private Q_SLOTS:
             const auto made =
                 Project::create(m_folder->filePath(QStringLiteral("b.odo")).toStdString(), title);
             QVERIFY(!set && !made);
-            QCOMPARE(set.error().why, std::string(why));
+            QCOMPARE(set.error().why.english(), std::string(why));
             QCOMPARE(made.error().message(), set.error().message());
-            QCOMPARE(set.error().what, std::string("title of the project"));
+            QCOMPARE(set.error().what.english(), std::string("title of the project"));
             QCOMPARE(m_project->title().value(), std::string("Zoë"));
         }
         QVERIFY(!QFile::exists(m_folder->filePath(QStringLiteral("b.odo"))));
@@ -157,7 +157,7 @@ private Q_SLOTS:
         TrialRecord trial = *m_project->trials().get(1);
         for (const double value : {1e13, -1e300, std::nan(""), double(INFINITY)}) {
             trial.syncOffsetS = value;
-            QCOMPARE(m_project->trials().setSync(trial).error().why,
+            QCOMPARE(m_project->trials().setSync(trial).error().why.english(),
                      std::string("a value to be stored is not a number of ordinary size"));
         }
         RobotRecord large = robotNamed("large");
@@ -173,12 +173,13 @@ private Q_SLOTS:
                  std::string("layout 'far': marker 'U' is not on a floor of 1 km; check the numbers"));
         auto layout = *m_project->layouts().find("floor");
         layout.layout.markers[1].pointInWorld.x() = 1001;
-        QCOMPARE(m_project->layouts().setPlaces(layout).error().why,
+        QCOMPARE(m_project->layouts().setPlaces(layout).error().why.english(),
                  std::string("marker 'U' is not on a floor of 1 km"));
         MarkerLayout many{"many", {}};
         for (std::size_t i = 0; i <= mostMarkers; ++i)
             many.markers.push_back({std::to_string(i), {0, 0}});
-        QCOMPARE(m_project->layouts().add(many).error().why, std::string("it has more than 1000 markers"));
+        QCOMPARE(m_project->layouts().add(many).error().why.english(),
+                 std::string("it has more than 1000 markers"));
     }
 
     void countsAreBounded()
@@ -210,7 +211,7 @@ private Q_SLOTS:
         view.camera = 1;
         QCOMPARE(m_project->trials().add(other, std::vector(17, view)).error().message(),
                  std::string("trial 'other': it has 17 views; use at most 16"));
-        QCOMPARE(m_project->trials().setRobots(1, std::vector<RecordId>(33, 1)).error().why,
+        QCOMPARE(m_project->trials().setRobots(1, std::vector<RecordId>(33, 1)).error().why.english(),
                  std::string("it has 33 robots"));
     }
 
@@ -228,7 +229,7 @@ private Q_SLOTS:
         QCOMPARE(m_project->tasks().find("bad")->name, std::string("bad"));
         const auto problems = m_project->check(false);
         QCOMPARE(problems->size(), std::size_t(1));
-        QCOMPARE(problems->front().what,
+        QCOMPARE(problems->front().what.english(),
                  std::string("task 'bad': gate 'start': its ends are not on a floor of 1 km"));
     }
 
@@ -242,7 +243,7 @@ private Q_SLOTS:
         const auto problems = m_project->check(false);
         std::vector<std::string> found;
         for (const ProjectProblem &problem : *problems)
-            found.push_back(problem.what);
+            found.push_back(problem.what.english());
         QCOMPARE(found, (std::vector<std::string>{"robot.name: texts of more than 200 characters: 1",
                                                   "marker.x_m: numbers beyond 1000: 4",
                                                   "robot.height_m: numbers beyond 10: 1",

@@ -153,8 +153,7 @@ private Q_SLOTS:
         QVERIFY(lock.has_value());
         const auto refused = WindowLock::take(other.toStdString());
         QCOMPARE(refused.error().code, ErrorCode::AlreadyExists);
-        QVERIFY2(refused.error().why.starts_with("it is open in another window ("),
-                 refused.error().why.c_str());
+        QCOMPARE(refused.error().why.code(), std::string_view("project.open_elsewhere_by"));
         lock->reset();
         QVERIFY(WindowLock::take(other.toStdString()).has_value());
         QVERIFY(!QFile::exists(project + QStringLiteral(".lock")));

@@ -13,8 +13,9 @@ namespace {
 
 std::vector<Migration> twoSteps()
 {
-    return {sqlMigration("first", {"CREATE TABLE robot (name TEXT)", "INSERT INTO robot VALUES ('red')"}),
-            sqlMigration("colours", {"ALTER TABLE robot ADD COLUMN colour TEXT"})};
+    return {sqlMigration(foreignWords("first"),
+                         {"CREATE TABLE robot (name TEXT)", "INSERT INTO robot VALUES ('red')"}),
+            sqlMigration(foreignWords("colours"), {"ALTER TABLE robot ADD COLUMN colour TEXT"})};
 }
 
 } // namespace
@@ -54,8 +55,9 @@ private Q_SLOTS:
     void aFailingStepIsRolledBackWhole()
     {
         auto steps = twoSteps();
-        steps.push_back(sqlMigration("breaks", {"INSERT INTO robot VALUES ('blue', 'b')", "DROP TABLE robot",
-                                                "INSERT INTO nowhere VALUES (1)"}));
+        steps.push_back(
+            sqlMigration(foreignWords("breaks"), {"INSERT INTO robot VALUES ('blue', 'b')",
+                                                  "DROP TABLE robot", "INSERT INTO nowhere VALUES (1)"}));
         const auto connection = open();
         const auto migrated = Migrator(steps).migrate(*connection);
         QVERIFY(!migrated.has_value());
@@ -102,7 +104,7 @@ private Q_SLOTS:
             const auto inner = transact(*connection, [&]() -> Result<void> {
                 if (auto done = connection->execute(insert); !done)
                     return done;
-                return fail(ErrorCode::InvalidInput, "a", "b", "c");
+                return fail(ErrorCode::InvalidInput, foreignWords("a"), foreignWords("b"), foreignWords("c"));
             });
             return inner ? Result<void>() : connection->execute(insert);
         });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Projects of every older format, as tests/data keeps them: opened, brought to the newest format, and nothing
 // lost.
+#include "core/project/internal/analysis_digest.h"
 #include "core/project/internal/connection.h"
 #include "core/project/internal/migrator.h"
 #include "core/project/internal/schema.h"
@@ -137,7 +138,8 @@ private Q_SLOTS:
         steps[std::size_t(format)].apply = [published](ProjectConnection &connection) -> Result<void> {
             if (auto done = published(connection); !done)
                 return done;
-            return fail(ErrorCode::Io, "disk", "the disk is full", "make room");
+            return fail(ErrorCode::Io, foreignWords("disk"), foreignWords("the disk is full"),
+                        foreignWords("make room"));
         };
         const auto old = stored(format, QStringLiteral("fails %1.odo").arg(format));
         {
@@ -162,11 +164,48 @@ private Q_SLOTS:
         QVERIFY((*connection)->execute(QStringLiteral("UPDATE task SET template='spiral'")).has_value());
         const auto problems = (*project)->check(false).value();
         QCOMPARE(problems.size(), sound + 1);
-        QCOMPARE(problems.front().what,
+        QCOMPARE(problems.front().what.english(),
                  std::string("task 'Figure eight': its stored setting 'spiral' is unknown"));
     }
 
+    /// Sentences as format 15 had them, and the digests that go over them.
+    void sentencesBecomeMessages()
+    {
+        const auto old = stored(15, QStringLiteral("sentences.odo"));
+        const auto project = Project::open(old, Access::ReadWrite);
+        QVERIFY2(project, project ? "" : project.error().message().c_str());
+        const RecordId camera = (*project)->cameras().find("A")->id;
+        const auto lens = (*project)->cameras().currentIntrinsics(camera).value();
+        QVERIFY(lens->origin == said("workflow.calibrated_from_pictures", {14}));
+        QCOMPARE(lens->calibration.lensReason.code(), std::string_view("calibration.foretells_as_well"));
+        QCOMPARE(lens->calibration.verdict.code(), std::string_view("base.space"));
+        QCOMPARE(lens->calibration.rejected[1].reason.code(), std::string_view("base.colon"));
+        const auto registration = (*project)->cameras().currentRegistration(camera).value();
+        QCOMPARE(registration->registration.verdict.code(), std::string_view("base.space"));
+        QCOMPARE(registration->lastCheck->words.code(), std::string_view("base.space"));
+        const RecordId seen = (*project)->trials().find("run 1")->id,
+                       imported = (*project)->trials().find("run 2")->id;
+        QCOMPARE((*project)->trials().currentImportedTrack(imported, 1).value()->reading.code(),
+                 std::string_view("base.semicolon"));
+        const auto changes = (*project)->changes().value();
+        QVERIFY(changes[0].words == foreignWords("Stern an Lauf 1")); // in the language of the windows then
+        QVERIFY(changes[2].words == said("ui.rename_team", {Named::team("Falcon"), Named::team("Heron")}));
+
+        QVERIFY((*project)->analyses().current(seen)->front().proof == AnalysisRecord::Proof::Holds);
+        QVERIFY((*project)->analyses().current(imported)->front().proof == AnalysisRecord::Proof::Broken);
+        const auto connection = ProjectConnection::open(old, DatabaseAccess::QueryOnly);
+        AnalysisDigests digests(**connection);
+        QVERIFY(digests.compare(1, allDigestParts)->changed.empty());
+        // What had been changed by then is told of as before.
+        QVERIFY(digests.compare(2, allDigestParts)->changed == std::vector{DigestPart::Results});
+    }
+
 private:
+    /// A message whose words may be those of a part of the program that is not here.
+    static Message said(const char *code, std::vector<MessageArgument> with = {})
+    {
+        return {messageText(code), std::move(with)};
+    }
     static void testbedIsKept(Project &project)
     {
         const auto camera = project.cameras().find("A");
@@ -176,7 +215,7 @@ private:
         QVERIFY(intrinsics.has_value());
         QCOMPARE(intrinsics->calibration.intrinsics.fyPx, 961.25);
         QCOMPARE(intrinsics->calibration.intrinsics.distortion.size(), std::size_t(5));
-        QCOMPARE(intrinsics->calibration.rejected.front().reason, std::string("no board found"));
+        QVERIFY(intrinsics->calibration.rejected.front().reason == said("calibration.no_board_found"));
         const auto registration = project.cameras().currentRegistration(camera->id).value();
         QVERIFY(registration.has_value());
         QCOMPARE(registration->registration.worldFromCamera.translation.y(), -1.5);
@@ -234,7 +273,8 @@ private:
         QCOMPARE(analysis.profile.points.at(1).position.x(), 1.53125);
         QVERIFY(!analysis.profile.points.at(2).valid);
         QCOMPARE(analysis.profile.metrics.front().sigma.value(), 0.01);
-        QCOMPARE(analysis.profile.spikes.front().reason, std::string("jump of 40 mm"));
+        QVERIFY(analysis.profile.spikes.front().reason ==
+                said("trajectory.jump_of", {quantity(40, 0, "mm")}));
         QCOMPARE(analysis.options.overrules.size(), format >= 2 ? std::size_t(1) : std::size_t(0));
         QVERIFY(analysis.profile.passages.empty());
         QVERIFY(analysis.doubtfulNames.empty()); // nobody noted it

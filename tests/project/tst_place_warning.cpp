@@ -38,7 +38,7 @@ private Q_SLOTS:
     {
         const auto warning = placeWarning("/mnt/class/p.odo", mounts);
         QVERIFY(warning.has_value());
-        QCOMPARE(*warning,
+        QCOMPARE(warning->english(),
                  std::string(
                      "project 'p.odo': it lies on a network disk (nfs4), where a recording can stall and two "
                      "computers can damage it; keep it on a disk of this computer, and pack it to share it"));
@@ -76,7 +76,7 @@ private Q_SLOTS:
             return;
         }
         QVERIFY(warning.has_value());
-        QCOMPARE(QString::fromStdString(*warning),
+        QCOMPARE(QString::fromStdString(warning->english()),
                  QStringLiteral("project 'p.odo': it lies in a folder that %1 copies while it changes, so "
                                 "that a copy may have half "
                                 "a change; keep it on a disk of this computer, and pack it to share it")

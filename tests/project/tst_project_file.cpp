@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/subjects.h"
 #include "core/project/internal/connection.h"
 #include "core/project/internal/schema.h"
 #include "core/project/internal/write_turn.h"
@@ -41,7 +42,7 @@ private Q_SLOTS:
         const QByteArray bytes = content(m_file);
         QVERIFY(bytes.startsWith("SQLite format 3"));
         QCOMPARE(bytes.mid(68, 4), QByteArray("Odog"));
-        QCOMPARE(bytes.mid(60, 4), QByteArray("\0\0\0\17", 4));
+        QCOMPARE(bytes.mid(60, 4), QByteArray("\0\0\0\20", 4));
     }
 
     void ofTwoThatWriteOneWaitsForTheOther()
@@ -57,11 +58,14 @@ private Q_SLOTS:
         QVERIFY((*project)->inTransaction([&]() -> Result<void> {
             if (auto done = (*project)->setTitle("inside"); !done)
                 return done;
-            return isKeptWaiting() ? Result<void>() : fail(ErrorCode::Internal, "the turn", "it is free", "");
+            return isKeptWaiting()
+                       ? Result<void>()
+                       : fail(ErrorCode::Internal, foreignWords("the turn"), foreignWords("it is free"), {});
         }));
         QVERIFY(other.get());
-        QVERIFY(!(*project)->inTransaction(
-            [&]() -> Result<void> { return isKeptWaiting() ? cancelled("the change") : Result<void>(); }));
+        QVERIFY(!(*project)->inTransaction([&]() -> Result<void> {
+            return isKeptWaiting() ? cancelled(foreignWords("the change")) : Result<void>();
+        }));
         QVERIFY(other.get());
     }
 
@@ -123,7 +127,7 @@ private Q_SLOTS:
         }
         const auto inside = Project::create(media.toStdString() + "/inner.odo", "x");
         QCOMPARE(inside.error().code, ErrorCode::WrongCall);
-        QCOMPARE(inside.error().why,
+        QCOMPARE(inside.error().why.english(),
                  "it is in the media folder of project '" + m_file.filename().string() + "'");
         QVERIFY(QDir(media).isEmpty());
         QCOMPARE(files().size(), 1);
@@ -180,11 +184,11 @@ private Q_SLOTS:
         const QByteArray whole = content(m_file);
         QByteArray foreign = whole, newer = whole;
         foreign.replace(68, 4, "\0\0\0\0", 4);
-        newer.replace(60, 4, "\0\0\0\x10", 4);
+        newer.replace(60, 4, "\0\0\0\x11", 4);
         expectRefusal(foreign, ErrorCode::InvalidInput,
                       QStringLiteral("it is a database of another program"));
         expectRefusal(newer, ErrorCode::NewerFormat,
-                      QStringLiteral("it was written by a newer Odograph (format 16"));
+                      QStringLiteral("it was written by a newer Odograph (format 17"));
         for (int part : {1, 2, 3})
             expectRefusal(whole.left(whole.size() * part / 4), ErrorCode::InvalidInput,
                           QStringLiteral("cut off: it has"));
@@ -239,8 +243,8 @@ private Q_SLOTS:
         const auto project = Project::open(m_file, Access::ReadWrite);
         const auto failed = (*project)->inTransaction([&]() -> Result<void> {
             if (!(*project)->cameras().add({0, "C", ""}))
-                return fail(ErrorCode::Internal, "test", "no camera", "");
-            return fail(ErrorCode::Cancelled, "test", "stopped", "");
+                return fail(ErrorCode::Internal, foreignWords("test"), foreignWords("no camera"), {});
+            return fail(ErrorCode::Cancelled, foreignWords("test"), foreignWords("stopped"), {});
         });
         QCOMPARE(failed.error().code, ErrorCode::Cancelled);
         QCOMPARE((*project)->cameras().find("C").error().code, ErrorCode::NotFound);
@@ -393,8 +397,8 @@ private:
         QStringList found;
         const auto problems = project.check(withHashes);
         for (const ProjectProblem &problem : problems.value()) {
-            if (problem.where == where.string())
-                found += QString::fromStdString(problem.what);
+            if (problem.where.english() == where.string())
+                found += QString::fromStdString(problem.what.english());
         }
         return found;
     }

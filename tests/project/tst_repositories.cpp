@@ -255,8 +255,15 @@ private Q_SLOTS:
         trial.durationS = 760e-9;
         trial.id = (*m_project)->trials().add(trial, {})->id;
         QVERIFY(!(*m_project)->trials().currentImportedTrack(trial.id, robot)->has_value());
-        ImportedTrack wanted{trial.id,         robot, m_source.instant(), "lauf ß.txt", "00ff", 123, "tum",
-                             "metres, σ 5 mm", {}};
+        ImportedTrack wanted{trial.id,
+                             robot,
+                             m_source.instant(),
+                             "lauf ß.txt",
+                             "00ff",
+                             123,
+                             "tum",
+                             foreignWords("metres, σ 5 mm"),
+                             {}};
         for (int i = 0; i < 77; ++i) {
             Sample sample;
             sample.time = Nanoseconds(i * 10);
@@ -279,14 +286,15 @@ private Q_SLOTS:
         QVERIFY(track.bytes == wanted.bytes && track.format == "csv" && track.reading == wanted.reading);
         QVERIFY(std::equal(track.samples.begin(), track.samples.end(), wanted.samples.begin(),
                            wanted.samples.end(), sameSample));
-        QCOMPARE((*m_project)->robots().remove(robot).error().why, std::string("it drove in a trial"));
+        QCOMPARE((*m_project)->robots().remove(robot).error().why.english(),
+                 std::string("it drove in a trial"));
         QVERIFY((*m_project)->check(false)->empty());
 
         std::swap(wanted.samples[3], wanted.samples[4]);
         QCOMPARE((*m_project)->trials().addImportedTrack(wanted).error().message(),
                  std::string("track 'lauf ß.txt': its times do not rise; import another file"));
         wanted.samples.clear();
-        QCOMPARE((*m_project)->trials().addImportedTrack(wanted).error().why,
+        QCOMPARE((*m_project)->trials().addImportedTrack(wanted).error().why.english(),
                  std::string("it has no samples"));
     }
 

@@ -41,7 +41,7 @@ private Q_SLOTS:
         QFETCH(int, code);
         QFETCH(int, systemError);
         QFETCH(QString, why);
-        QCOMPARE(QString::fromUtf8(sqliteRefusal(code, systemError).why), why);
+        QCOMPARE(QString::fromStdString(sqliteRefusal(code, systemError).why.english()), why);
     }
 
     /// As `ulimit -f` limits them; docs/faults.md promises what a full disk gives.

@@ -79,8 +79,8 @@ void TestTaskChanges::measure(RecordId byTask, std::vector<Metric> metrics)
     analysis.profile.metrics = std::move(metrics);
     analysis.profile.passages = {{"Start", GateRole::Start, {}, 0.01, 0},
                                  {"Finish", GateRole::Finish, {}, 0.01, 0}};
-    analysis.profile.spikes = {{0, {}, flagBit(SampleFlag::Jump), "jump"},
-                               {1, {}, flagBit(SampleFlag::SpeedLimit), "fast"}};
+    analysis.profile.spikes = {{0, {}, flagBit(SampleFlag::Jump), foreignWords("jump")},
+                               {1, {}, flagBit(SampleFlag::SpeedLimit), foreignWords("fast")}};
     const auto added = m_project->analyses().add(analysis);
     QVERIFY2(added, added ? "" : added.error().message().c_str());
 }
@@ -148,7 +148,7 @@ void TestTaskChanges::changesAreTakenBack()
 {
     const TaskRecord before = task("Line");
     measure(before.id);
-    QVERIFY(m_project->change("move the finish", [&]() -> Result<void> {
+    QVERIFY(m_project->change(foreignWords("move the finish"), [&]() -> Result<void> {
         const auto done = tasks().change({before.id, "Line", line(3)});
         return done ? Result<void>() : tl::unexpected(done.error());
     }));
@@ -162,13 +162,15 @@ void TestTaskChanges::changesAreTakenBack()
 void TestTaskChanges::aTaskIsArchivedAndRestored()
 {
     const RecordId id = task("Line").id;
-    QVERIFY(m_project->change("archive task Line", [&] { return tasks().setArchived(id, true); }));
+    QVERIFY(
+        m_project->change(foreignWords("archive task Line"), [&] { return tasks().setArchived(id, true); }));
     QVERIFY(task("Line").archived.has_value());
     QCOMPARE(tasks().current()->size(), m_count - 1); // not among those to choose from
     QCOMPARE(m_project->trials().get(m_filled.trial)->task, std::string("Line"));
     QVERIFY(tasks().change({id, "Line", line(3)}));
     QVERIFY(task("Line").archived.has_value()); // another course leaves it where it is
-    QVERIFY(m_project->change("take it out", [&] { return tasks().setArchived(task("Line").id, false); }));
+    QVERIFY(m_project->change(foreignWords("take it out"),
+                              [&] { return tasks().setArchived(task("Line").id, false); }));
     QCOMPARE(tasks().current()->size(), m_count);
     QVERIFY(m_project->undo());
     QVERIFY(task("Line").archived.has_value());
@@ -204,7 +206,7 @@ void TestTaskChanges::whatIsUsedIsNotRemoved()
     QCOMPARE(QString::fromStdString(tasks().remove(id).error().message()),
              QStringLiteral("task 'Line': a trial has it; give them another task first"));
     QVERIFY(m_project->trials().setTask(m_filled.trial, ""));
-    QCOMPARE(tasks().remove(id).error().why, std::string("trials were measured by it"));
+    QCOMPARE(tasks().remove(id).error().why.english(), std::string("trials were measured by it"));
     const auto spare = tasks().add({0, "Spare", line(1)});
     QVERIFY(tasks().setScoring(spare->id, {{"laps", 3, 0, 10}}));
     QVERIFY(tasks().remove(spare->id));

@@ -72,7 +72,8 @@ private Q_SLOTS:
         QVERIFY(trials.currentObservations(m_filled.recordings.front(), m_filled.robot)->has_value());
 
         std::vector<std::string> paths;
-        ImportedTrack track{m_filled.trial, m_filled.robot, {}, "run.tum", "00ff", 9, "tum", "metres", {}};
+        ImportedTrack track{m_filled.trial, m_filled.robot,         {}, "run.tum", "00ff", 9,
+                            "tum",          foreignWords("metres"), {}};
         track.samples.emplace_back();
         QVERIFY(trials.addImportedTrack(track));
         const auto recordings = trials.recordings(m_filled.trial).value();
@@ -84,8 +85,8 @@ private Q_SLOTS:
         QCOMPARE(*removed, paths);
         QVERIFY(trials.all()->empty());
         for (const ProjectProblem &problem : m_project->check(false).value_or(std::vector<ProjectProblem>()))
-            QVERIFY2(problem.what.find("calibration picture") != std::string::npos,
-                     problem.what.c_str()); // never were
+            QVERIFY2(problem.what.english().find("calibration picture") != std::string::npos,
+                     problem.what.english().c_str()); // never were
         const auto connection = ProjectConnection::open(m_file, DatabaseAccess::ReadOnly);
         for (const char *table :
              {"observation_series", "observation_chunk", "raw_time_chunk", "frame_time_chunk", "recording",
@@ -99,7 +100,8 @@ private Q_SLOTS:
     /// Nobody deletes raw measurements by a statement of his own, not even of a trial in the bin.
     void rawMeasurementsOfATrialInTheBinAreKept()
     {
-        ImportedTrack track{m_filled.trial, m_filled.robot, {}, "run.tum", "00ff", 9, "tum", "metres", {}};
+        ImportedTrack track{m_filled.trial, m_filled.robot,         {}, "run.tum", "00ff", 9,
+                            "tum",          foreignWords("metres"), {}};
         track.samples.emplace_back();
         QVERIFY(m_project->trials().addImportedTrack(track));
         QVERIFY(m_project->trials().setBinned(m_filled.trial, true));

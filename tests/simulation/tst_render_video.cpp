@@ -41,7 +41,7 @@ private Q_SLOTS:
         const std::filesystem::path file = folder.filePath(QStringLiteral("a.mkv")).toStdString();
         const SimulatedScene scene = smallScene();
         double fraction = 0;
-        const JobControl control{{}, [&](double done, const std::string &) { fraction = done; }};
+        const JobControl control{{}, [&](double done, const Message &) { fraction = done; }};
         const auto rendered = renderVideo(scene, 0, file, lossless(), control);
         QVERIFY2(rendered.has_value(), rendered ? "" : rendered.error().message().c_str());
         QCOMPARE(fraction, 1.0);
@@ -69,7 +69,7 @@ private Q_SLOTS:
         const QTemporaryDir folder;
         const std::filesystem::path file = folder.filePath(QStringLiteral("a.mkv")).toStdString();
         JobControl control;
-        control.progress = [cancel = control.cancel](double done, const std::string &) {
+        control.progress = [cancel = control.cancel](double done, const Message &) {
             if (done > 0.3)
                 cancel.cancel();
         };

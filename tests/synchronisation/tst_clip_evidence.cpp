@@ -131,8 +131,8 @@ void TestClipEvidence::theFlashHelpsWhereTheMotionDoesNotTell()
     QVERIFY(found->fromFlash);
     QVERIFY(std::abs(found->clock.offsetS - 0.321) < 3 * found->clock.sigmaS);
     QCOMPARE(found->remarks.size(), std::size_t(1));
-    QVERIFY2(found->remarks[0].find("straight at constant speed") != std::string::npos,
-             found->remarks[0].c_str());
+    QVERIFY2(found->remarks[0].english().find("straight at constant speed") != std::string::npos,
+             found->remarks[0].english().c_str());
 }
 
 void TestClipEvidence::theFlashPicksAmongOffsetsThatFitAlike()
@@ -154,8 +154,10 @@ void TestClipEvidence::saysWhenTheyDisagree()
     QVERIFY2(found, found ? "" : found.error().message().c_str());
     QVERIFY(!found->fromFlash && std::abs(found->clock.offsetS - 0.321) < 0.002);
     QCOMPARE(found->remarks.size(), std::size_t(1));
-    QVERIFY2(found->remarks[0].find("the motion tells an offset of 0.3") == 0, found->remarks[0].c_str());
-    QVERIFY2(found->remarks[0].find("flash of light 0.1") != std::string::npos, found->remarks[0].c_str());
+    QVERIFY2(found->remarks[0].english().find("the motion tells an offset of 0.3") == 0,
+             found->remarks[0].english().c_str());
+    QVERIFY2(found->remarks[0].english().find("flash of light 0.1") != std::string::npos,
+             found->remarks[0].english().c_str());
 }
 
 void TestClipEvidence::saysWhenNothingTells()
@@ -164,11 +166,11 @@ void TestClipEvidence::saysWhenNothingTells()
     const auto found = filmed.find();
     QVERIFY(!found);
     QCOMPARE(found.error().code, ErrorCode::Undetermined);
-    QVERIFY2(
-        found.error().why.find("straight at constant speed, so every offset fits, and neither view shows") !=
-            std::string::npos,
-        found.error().why.c_str());
-    QCOMPARE(found.error().advice,
+    QVERIFY2(found.error().why.english().find(
+                 "straight at constant speed, so every offset fits, and neither view shows") !=
+                 std::string::npos,
+             found.error().why.english().c_str());
+    QCOMPARE(found.error().advice.english(),
              std::string("flash the room lights once while both cameras record, or give --sync SECONDS"));
 }
 
@@ -231,7 +233,7 @@ void TestClipEvidence::worksWithoutAnyRobot()
     LightFilm film;
     const std::vector<LightStep> steps{{4, 1.5}, {4.4, 1}};
     for (ClipEvidence &view : evidence) {
-        view.whyNoTracks = "the project has no robot to look for";
+        view.whyNoTracks = foreignWords("the project has no robot to look for");
         view.light = lightCourseOf(filmLight(steps, film, random));
         film.startS += 0.5;
     }
@@ -241,8 +243,9 @@ void TestClipEvidence::worksWithoutAnyRobot()
     evidence[1].light = {};
     const auto none = findClipOffset(evidence[0], evidence[1], tenSeconds);
     QVERIFY(!none);
-    QVERIFY2(none.error().why.find("no robot to look for, and only one of the views") != std::string::npos,
-             none.error().why.c_str());
+    QVERIFY2(none.error().why.english().find("no robot to look for, and only one of the views") !=
+                 std::string::npos,
+             none.error().why.english().c_str());
 }
 
 ODOGRAPH_TEST(TestClipEvidence, QCoreApplication)

@@ -133,7 +133,8 @@ private Q_SLOTS:
         };
         const auto found = estimateClipOffset(run(0, 9), run(0.2, 10), {0, 1});
         QVERIFY(!found.has_value());
-        QVERIFY2(found.error().why.find("straight") != std::string::npos, found.error().message().c_str());
+        QVERIFY2(found.error().why.english().find("straight") != std::string::npos,
+                 found.error().message().c_str());
     }
     void isNotFooledByGaps()
     {

@@ -197,8 +197,8 @@ void TestFlashSynchronisation::saysWhenFlashesFitAlike()
                                            lightCourseOf(filmLight(steps, b, random)));
     QVERIFY(!found);
     QCOMPARE(found.error().code, ErrorCode::Undetermined);
-    QVERIFY2(found.error().why.find("fit alike at offsets of") != std::string::npos,
-             found.error().why.c_str());
+    QVERIFY2(found.error().why.english().find("fit alike at offsets of") != std::string::npos,
+             found.error().why.english().c_str());
 }
 
 void TestFlashSynchronisation::saysWhenThereIsNoFlash()

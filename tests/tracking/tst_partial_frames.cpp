@@ -3,6 +3,7 @@
 #include "core/simulation/renderer.h"
 #include "core/tracking/colour_tracker.h"
 #include "tests/support/registered_test.h"
+#include "tests/support/said_error.h"
 
 #include <QtTest>
 #include <cstring>
@@ -24,7 +25,7 @@ public:
     {
         ++m_count;
         if (m_damaged)
-            return fail(ErrorCode::InvalidInput, "cannot decode", "damaged", "nothing");
+            return test::saidFailure(ErrorCode::InvalidInput, "cannot decode", "damaged", "nothing");
         return m_whole;
     }
 

@@ -342,7 +342,7 @@ private Q_SLOTS:
             options.smoother = static_cast<Smoother>(run % 4);
             const auto profile = analyse(run % 3 ? std::vector{a, b} : std::vector{a}, {}, options);
             if (!profile) {
-                QVERIFY(!profile.error().advice.empty());
+                QVERIFY(!profile.error().advice.english().empty());
                 continue;
             }
             for (const ProfilePoint &point : profile->points) {

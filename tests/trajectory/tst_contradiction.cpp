@@ -136,7 +136,7 @@ private Q_SLOTS:
         }
         const auto refused = checkAgreement(samples);
         QVERIFY(!refused);
-        QCOMPARE(QString::fromStdString(refused.error().why),
+        QCOMPARE(QString::fromStdString(refused.error().why.english()),
                  QStringLiteral("the views put it 208 mm apart: a camera was moved after it was registered, "
                                 "the videos belong to other cameras, or one view follows something else"));
         for (std::size_t i = 0; i < 20; ++i)

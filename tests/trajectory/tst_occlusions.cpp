@@ -75,7 +75,7 @@ class TestOcclusions : public QObject
         for (const auto &its : findOcclusions(views, all)) {
             std::string &words = sentences.emplace_back();
             for (const Occlusion &one : its)
-                words += (words.empty() ? "" : "; ") + occlusionSentence(one);
+                words += (words.empty() ? "" : "; ") + occlusionSentence(one).english();
         }
         return sentences;
     }
@@ -179,9 +179,9 @@ private Q_SLOTS:
     {
         const std::vector<Occlusion> occlusions{
             {{fromSeconds(1), fromSeconds(2)}, OcclusionCause::HiddenBehind, "A", "Blue 1"}};
-        QCOMPARE(reasonAmong(occlusions, {0, fromSeconds(1.5), 0, "jump of 84 mm"}),
+        QCOMPARE(reasonAmong(occlusions, {0, fromSeconds(1.5), 0, foreignWords("jump of 84 mm")}).english(),
                  std::string("jump of 84 mm; hidden behind Blue 1 in view A"));
-        QCOMPARE(reasonAmong(occlusions, {0, fromSeconds(2.5), 0, "jump of 84 mm"}),
+        QCOMPARE(reasonAmong(occlusions, {0, fromSeconds(2.5), 0, foreignWords("jump of 84 mm")}).english(),
                  std::string("jump of 84 mm"));
         QCOMPARE(std::string(occlusionCauseName(OcclusionCause::OutlineTooLarge)),
                  std::string("outline_too_large"));

@@ -48,7 +48,7 @@ std::string reasons(const Profile &profile)
 {
     std::string all;
     for (const Spike &spike : profile.spikes)
-        all += std::to_string(toSeconds(spike.time)) + " s: " + spike.reason + "\n";
+        all += std::to_string(toSeconds(spike.time)) + " s: " + spike.reason.english() + "\n";
     return all;
 }
 
@@ -113,9 +113,9 @@ private Q_SLOTS:
                     continue;
                 // The other view is used, so nothing is missing.
                 QVERIFY(hasFlag(sample.flags, SampleFlag::ViewsDisagree));
-                QVERIFY2(!isRejected(sample.flags), spike.reason.c_str());
+                QVERIFY2(!isRejected(sample.flags), spike.reason.english().c_str());
                 QCOMPARE(sample.views, 2u);
-                QVERIFY(spike.reason.find("views disagree by ") == 0);
+                QVERIFY(spike.reason.english().find("views disagree by ") == 0);
             }
         }
         qInfo("recall %.3f, precision %.3f, worst velocity %.1f mm/s", score.recall(), score.precision(),
@@ -226,7 +226,7 @@ private Q_SLOTS:
         const auto limited = analyse({a}, told, withTask({}, task));
         QVERIFY2(hasFlag(limited->samples[100].flags, SampleFlag::SpeedLimit), reasons(*limited).c_str());
         QCOMPARE(limited->spikes.size(), std::size_t(1));
-        QVERIFY(limited->spikes[0].reason.find("faster than the limit") != std::string::npos);
+        QVERIFY(limited->spikes[0].reason.english().find("faster than the limit") != std::string::npos);
     }
 
     void hampelsIdentifierIsAReasonOfItsOwn()
@@ -238,10 +238,11 @@ private Q_SLOTS:
         const auto profile = analyse({a}, told, {});
         QVERIFY(profile.has_value());
         QCOMPARE(profile->spikes.size(), std::size_t(2));
-        QVERIFY2(profile->spikes[0].reason.find("stands out in position and speed") != std::string::npos,
-                 profile->spikes[0].reason.c_str());
-        QVERIFY2(profile->spikes[1].reason.find("stands out in ") != std::string::npos,
-                 profile->spikes[1].reason.c_str());
+        QVERIFY2(profile->spikes[0].reason.english().find("stands out in position and speed") !=
+                     std::string::npos,
+                 profile->spikes[0].reason.english().c_str());
+        QVERIFY2(profile->spikes[1].reason.english().find("stands out in ") != std::string::npos,
+                 profile->spikes[1].reason.english().c_str());
         QVERIFY(flagNames(profile->spikes[1].flags).find("jump") == 0);
     }
 
@@ -258,11 +259,12 @@ private Q_SLOTS:
         const auto profile = analyse({a}, told, {});
         QVERIFY(profile.has_value());
         QCOMPARE(profile->spikes.size(), std::size_t(3));
-        QVERIFY2(profile->spikes[0].reason.find("jump of ") == 0, profile->spikes[0].reason.c_str());
+        QVERIFY2(profile->spikes[0].reason.english().find("jump of ") == 0,
+                 profile->spikes[0].reason.english().c_str());
         QVERIFY(hasFlag(profile->spikes[0].flags, SampleFlag::SpeedLimit));
         QVERIFY(hasFlag(profile->spikes[0].flags, SampleFlag::AccelerationLimit));
-        QCOMPARE(profile->spikes[1].reason, std::string("the tracker was not sure (score 5 %)"));
-        QCOMPARE(profile->spikes[2].reason, std::string("cut by the picture's edge"));
+        QCOMPARE(profile->spikes[1].reason.english(), std::string("the tracker was not sure (score 5 %)"));
+        QCOMPARE(profile->spikes[2].reason.english(), std::string("cut by the picture's edge"));
         QVERIFY(hasFlag(profile->samples[250].flags, SampleFlag::DuplicateFrame));
         QVERIFY(hasFlag(profile->samples[270].flags, SampleFlag::Lost));
         for (const std::size_t i : {100u, 150u, 200u, 250u, 270u}) {

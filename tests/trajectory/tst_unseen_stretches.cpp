@@ -28,7 +28,10 @@ class TestUnseenStretches : public QObject
     }
     static std::vector<std::string> sentences(const Result<Profile> &profile)
     {
-        return describeUnseenStretches(*profile, AnalysisOptions().longestBridgedGap);
+        std::vector<std::string> sentences;
+        for (const Message &each : describeUnseenStretches(*profile, AnalysisOptions().longestBridgedGap))
+            sentences.push_back(each.english());
+        return sentences;
     }
 
 private Q_SLOTS:

@@ -159,7 +159,8 @@ Readout TestDamagedPackets::readout(const std::string &bytes)
 QString TestDamagedPackets::problemOf(const Readout &found, std::optional<std::size_t> packet) const
 {
     if (found.refused) {
-        const bool isTold = found.refused->code == ErrorCode::InvalidInput && !found.refused->advice.empty();
+        const bool isTold =
+            found.refused->code == ErrorCode::InvalidInput && !found.refused->advice.english().empty();
         if (packet && m_eachByItself)
             return QStringLiteral("refused for one packet: ") +
                    QString::fromStdString(found.refused->message());
@@ -217,7 +218,7 @@ void TestDamagedPackets::cutOff()
             // The frame behind B frames is written before them: what is there may last longer than it has
             // frames.
             if (!found.refused && frames + std::size_t(bFrames) < count * 9 / 10 &&
-                found.info.warning.find("ends early at ") == std::string::npos)
+                found.info.warning.english().find("ends early at ") == std::string::npos)
                 problem = QStringLiteral("it does not say where it ends");
             if (frames < framesBefore)
                 problem = QStringLiteral("fewer frames than of a shorter file");

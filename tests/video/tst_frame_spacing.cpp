@@ -18,7 +18,7 @@ private Q_SLOTS:
         std::vector<Nanoseconds> times;
         for (int i = 0; i < 60; ++i)
             times.push_back(40ms * i + (i % 5 == 4 ? 25ms : 0ms));
-        QCOMPARE(unevenRateWords(times),
+        QCOMPARE(unevenRateWords(times).english(),
                  std::string(
                      "its frame rate varies, pictures are 15 to 65 ms apart; each counts at its own time"));
         QCOMPARE(spacingOf(times).usual, Nanoseconds(40ms));
@@ -28,11 +28,11 @@ private Q_SLOTS:
     void evenAndMissingPicturesHaveNone()
     {
         std::vector<Nanoseconds> times = evenTimes(100, 30);
-        QVERIFY(unevenRateWords(times).empty());
+        QVERIFY(unevenRateWords(times).isEmpty());
         QVERIFY(!spacingOf(times).isVariable);
         times.erase(times.begin() + 20, times.begin() + 23);
         times.erase(times.begin() + 60);
-        QVERIFY(unevenRateWords(times).empty());
+        QVERIFY(unevenRateWords(times).isEmpty());
         QVERIFY(spacingOf(times).isVariable);
     }
 
@@ -41,17 +41,17 @@ private Q_SLOTS:
     {
         std::vector<Nanoseconds> times = evenTimes(101, 50);
         times[50] += 8ms; // two intervals of a hundred
-        QVERIFY(unevenRateWords(times).empty());
+        QVERIFY(unevenRateWords(times).isEmpty());
         times[20] += 8ms;
         times[70] += 8ms; // six
-        QVERIFY(!unevenRateWords(times).empty());
+        QVERIFY(!unevenRateWords(times).isEmpty());
     }
 
     void tooFewPicturesHaveNoSpacing()
     {
         for (const std::vector<Nanoseconds> &times :
              std::vector<std::vector<Nanoseconds>>{{}, {5ms}, {5ms, 5ms}, {5ms, 12ms}})
-            QVERIFY(unevenRateWords(times).empty());
+            QVERIFY(unevenRateWords(times).isEmpty());
         QCOMPARE(spacingOf({}).usual, Nanoseconds(0));
         QCOMPARE(spacingOf({5ms, 12ms}).usual, Nanoseconds(7ms));
     }

@@ -127,7 +127,7 @@ private Q_SLOTS:
         const Frame frame = FrameBuffer::toFrame(std::move(buffer), 0, Nanoseconds(0));
         constexpr rlim_t rows = rlim_t{3} * 7000 * 7000;
         const MemoryLimit limit(2 * rows + 30'000'000);
-        const auto png = orShortage("png", [&] { return colourPng(frame); });
+        const auto png = orShortage(foreignWords("png"), [&] { return colourPng(frame); });
         QVERIFY2(png, png ? "" : png.error().message().c_str());
     }
 
@@ -194,7 +194,7 @@ private Q_SLOTS:
         for (int i = 0; i < 6; ++i) {
             const auto frame = (*reader)->next();
             QVERIFY(!frame);
-            QCOMPARE(frame.error().why, std::string("its data are damaged"));
+            QCOMPARE(frame.error().why.english(), std::string("its data are damaged"));
         }
     }
 

@@ -178,7 +178,7 @@ void TestVideoReader::truncated()
         const auto frames = static_cast<int>(info.frameTimes.size());
         QVERIFY(frames <= count);
         if (frames < count * 9 / 10)
-            QVERIFY2(info.warning.find("ends early at ") != std::string::npos,
+            QVERIFY2(info.warning.english().find("ends early at ") != std::string::npos,
                      qPrintable(QString::number(part)));
         int good = 0;
         for (int i = 0; i < frames; ++i)
@@ -312,7 +312,7 @@ void TestVideoReader::refusals()
     QVERIFY(!reader.has_value());
     QVERIFY2(reader.error().message().find(words.toStdString()) != std::string::npos,
              reader.error().message().c_str());
-    QVERIFY(!reader.error().advice.empty());
+    QVERIFY(!reader.error().advice.english().empty());
 }
 
 void TestVideoReader::playlistsOpenNothing_data()

@@ -78,7 +78,7 @@ void TestVideoWriter::roundTrip()
     const auto reader = VideoReader::open(file);
     QVERIFY2(reader.has_value(), reader ? "" : reader.error().message().c_str());
     const VideoInfo &info = (*reader)->info();
-    QCOMPARE(info.warning, std::string());
+    QCOMPARE(info.warning.english(), std::string());
     QCOMPARE(info.frameTimes.size(), times.size());
     QCOMPARE(info.variableRate, !even);
     if (even)

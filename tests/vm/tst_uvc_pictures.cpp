@@ -2,6 +2,7 @@
 // Runs in the emulated machine: the kernel's driver of USB webcams, fed by two played ones. What they are,
 // MJPEG, damaged pictures, controls.
 #include "core/video/jpeg.h"
+#include "tests/support/said_error.h"
 #include "tests/vm/played_cameras.h"
 
 #include <QTest>
@@ -25,10 +26,10 @@ private Q_SLOTS:
     void webcamsAreListed()
     {
         const auto cameras = usbCameras();
-        QVERIFY(cameras[0].name.find("Camera A") != std::string::npos);
+        QVERIFY(cameras[0].name.english().find("Camera A") != std::string::npos);
         QCOMPARE(cameras[0].serial, std::string("A1"));
         QCOMPARE(cameras[1].serial, std::string("B2"));
-        QCOMPARE(cameras[0].formats,
+        QCOMPARE(test::english(cameras[0].formats),
                  (std::vector<std::string>{"MJPG 640×480 at 30 frames/s", "YUYV 640×480 at 30 frames/s",
                                            "MJPG 320×240 at 30 frames/s", "YUYV 320×240 at 30 frames/s"}));
         const auto source = opened(cameras[0].uri);
@@ -117,7 +118,7 @@ private Q_SLOTS:
         QVERIFY(readOnly("exposure_time_absolute")); // as long as its automatic moves it
         QVERIFY(!source->set("exposure_time_absolute", 300));
         const auto stillOn = source->holdAutomatics();
-        QVERIFY2(stillOn.empty(), stillOn.empty() ? "" : stillOn.front().c_str());
+        QVERIFY2(stillOn.empty(), stillOn.empty() ? "" : stillOn.front().english().c_str());
         QVERIFY(!m_a->controls().isAnyAutomaticOn());
         QCOMPARE(m_a->controls().exposure(), 123); // where the automatic had it, not the 250 of before
         QCOMPARE(m_a->controls().whiteBalance(), 5200);

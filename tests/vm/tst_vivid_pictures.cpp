@@ -64,12 +64,12 @@ private Q_SLOTS:
         const auto cameras = usbCameras();
         QCOMPARE(cameras.size(), std::size_t(2));
         QCOMPARE(cameras[0].uri, std::string("v4l2:/dev/video0"));
-        QCOMPARE(cameras[0].name, std::string("vivid"));
+        QCOMPARE(cameras[0].name.english(), std::string("vivid"));
         QCOMPARE(cameras[0].widthPx, 640); // 30 frames/s or more, nearest to 1280×720
         QCOMPARE(cameras[0].heightPx, 360);
         // the best comes first
-        QCOMPARE(cameras[1].formats.front(), std::string("YUYV 640×360 at 40 frames/s"));
-        QVERIFY(std::ranges::find(cameras[1].formats, "YUYV 640×480 at 25 frames/s") !=
+        QCOMPARE(cameras[1].formats.front().english(), std::string("YUYV 640×360 at 40 frames/s"));
+        QVERIFY(std::ranges::find(cameras[1].formats, foreignWords("YUYV 640×480 at 25 frames/s")) !=
                 cameras[1].formats.end());
     }
 
@@ -183,7 +183,7 @@ private Q_SLOTS:
         QVERIFY(source.error().message().ends_with(
             "you may not use it; join the group video (sudo usermod -aG video YOUR-NAME) and log in again"));
         QCOMPARE(cameras.size(), std::size_t(2));
-        QVERIFY(cameras[0].formats.at(0).find("join the group video") != std::string::npos);
+        QVERIFY(cameras[0].formats.at(0).english().find("join the group video") != std::string::npos);
     }
 
     void withoutCamerasThereAreNone()

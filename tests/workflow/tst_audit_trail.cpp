@@ -27,7 +27,7 @@ private Q_SLOTS:
         QVERIFY(told().empty()); // nothing is stored yet
         QVERIFY(job.keep(*m_project));
         QCOMPARE(told(), std::vector<std::string>{"measure Trial 1 again"});
-        QCOMPARE(m_project->undoWords(), std::string()); // it is told, and stays
+        QCOMPARE(m_project->undoWords().english(), std::string()); // it is told, and stays
     }
     void registeringIsTold()
     {
@@ -69,7 +69,7 @@ private:
         std::vector<std::string> words;
         const auto changes = m_project->changes().value();
         for (const ChangeEntry &entry : changes)
-            words.push_back(entry.words);
+            words.push_back(entry.words.english());
         return words;
     }
     QTemporaryDir m_folder;

@@ -91,7 +91,7 @@ std::string rejectionOf(const std::function<void(BoardView &)> &change)
     std::vector<BoardView> of = views(10);
     change(of[4]);
     const auto result = calibrateIntrinsics(of, widthPx, heightPx, LensModel::Standard, JobControl());
-    return result && result->rejected.size() == 1 ? result->rejected[0].reason : "accepted";
+    return result && result->rejected.size() == 1 ? result->rejected[0].reason.english() : "accepted";
 }
 
 std::string offered(BoardCollector &collector, const Frame &frame)
@@ -149,8 +149,9 @@ class TestCalibrateJob : public QObject
         const auto done = runToEnd(job, *m_project, {});
         if (!done)
             return last ? "failed: " + done.error().message() : done.error().message();
-        return last && !job.calibration().rejected.empty() ? job.calibration().rejected.back().reason
-                                                           : "accepted";
+        return last && !job.calibration().rejected.empty()
+                   ? job.calibration().rejected.back().reason.english()
+                   : "accepted";
     }
 
 private Q_SLOTS:
@@ -174,7 +175,7 @@ private Q_SLOTS:
         QVERIFY(record.board.pattern == BoardPattern::Checkerboard && record.board.columns == 9 &&
                 record.board.rows == 6);
         QCOMPARE(record.board.squareM, 0.025);
-        QVERIFY(!record.calibration.lensReason.empty());
+        QVERIFY(!record.calibration.lensReason.isEmpty());
         QCOMPARE(record.files.size(), job.calibration().pictures.size());
         for (const StoredPicture &picture : record.files) {
             QVERIFY2(picture.path.starts_with("run.media/calibration/Cam-1_board_"), picture.path.c_str());
@@ -210,10 +211,10 @@ private Q_SLOTS:
         changed.close();
         const auto problems = m_project->check(true);
         QCOMPARE(problems->size(), std::size_t(2));
-        QCOMPARE(problems->at(0).what,
+        QCOMPARE(problems->at(0).what.english(),
                  std::string("the calibration picture 'board 0.png' of camera 'Cam/1' is missing"));
         QCOMPARE(
-            problems->at(1).what,
+            problems->at(1).what.english(),
             std::string(
                 "the calibration picture 'board 1.png' of camera 'Cam/1' was changed since it was made"));
     }
@@ -221,7 +222,7 @@ private Q_SLOTS:
     {
         const auto files = pictures(8);
         JobControl control;
-        control.progress = [&](double fraction, const std::string &) {
+        control.progress = [&](double fraction, const Message &) {
             if (fraction > 0.5)
                 control.cancel.cancel();
         };

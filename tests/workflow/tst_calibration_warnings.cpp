@@ -3,6 +3,7 @@
 #include "core/project/repositories.h"
 #include "core/workflow/calibrate/revisions.h"
 #include "tests/support/registered_test.h"
+#include "tests/support/said_error.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -20,7 +21,7 @@ IntrinsicsRecord lensOf(RecordId camera, Instant made)
     IntrinsicsRecord record;
     record.camera = camera;
     record.made = made;
-    record.origin = "imported from A.yaml";
+    record.origin = foreignWords("imported from A.yaml");
     record.calibration.intrinsics = CameraModel::assumed(640, 360).intrinsics();
     return record;
 }
@@ -57,7 +58,7 @@ class TestCalibrationWarnings : public QObject
     std::vector<std::string> warned(Instant now)
     {
         const auto warnings = calibrationWarnings(*m_project, m_camera, now);
-        return warnings ? *warnings : std::vector<std::string>{warnings.error().message()};
+        return warnings ? test::english(*warnings) : std::vector<std::string>{warnings.error().message()};
     }
 
 private Q_SLOTS:

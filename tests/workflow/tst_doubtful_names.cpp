@@ -63,8 +63,8 @@ private Q_SLOTS:
         QCOMPARE(kept.size(), std::size_t(1));
         QVERIFY(kept.front().from == 500ms && kept.front().to == 700ms);
         QVERIFY((kept.front().otherNames == std::vector<std::string>{"Blue 1"}));
-        QVERIFY(std::ranges::any_of(again.warnings, [](const std::string &warning) {
-            return warning.find("doubtful whether this is Red 2 or Blue 1") != std::string::npos;
+        QVERIFY(std::ranges::any_of(again.warnings, [](const Message &warning) {
+            return warning.english().find("doubtful whether this is Red 2 or Blue 1") != std::string::npos;
         }));
 
         const TrackOutcome anew = track(false);

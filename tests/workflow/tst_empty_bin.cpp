@@ -37,7 +37,7 @@ private Q_SLOTS:
         QVERIFY2(done, done ? "" : done.error().message().c_str());
         QVERIFY(job.left().empty());
         QCOMPARE(job.removedCount(), 1);
-        QCOMPARE(m_project->changes()->front().words, std::string("remove one for good"));
+        QCOMPARE(m_project->changes()->front().words.english(), std::string("remove one for good"));
         QVERIFY(!std::filesystem::exists(path("year.media/own.mkv")));
         QVERIFY(std::filesystem::exists(path("year.media/shared.mkv")));
         QVERIFY(std::filesystem::exists(path("elsewhere.mkv")));
@@ -89,7 +89,7 @@ private Q_SLOTS:
             QVERIFY(m_project->trials().setBinned(addTrial(name, {}), true));
         EmptyBinJob job(binContent(*m_project).value());
         JobControl control;
-        control.progress = [&](double fraction, const std::string &) {
+        control.progress = [&](double fraction, const Message &) {
             if (fraction > 0.5)
                 control.cancel.cancel();
         };

@@ -83,8 +83,8 @@ void TestImportInStep::findsAFlash()
     QCOMPARE((*views)[1].syncMethod, std::string("flash"));
     QCOMPARE((*views)[1].startOffsetS, trial->syncOffsetS);
     QCOMPARE((*views)[1].startOffsetSigmaS, trial->syncOffsetSigmaS);
-    QVERIFY2(job.warnings().front().find("'B': from a flash of light, to ") != std::string::npos,
-             job.warnings().front().c_str());
+    QVERIFY2(job.warnings().front().english().find("'B': from a flash of light, to ") != std::string::npos,
+             job.warnings().front().english().c_str());
 }
 
 void TestImportInStep::eachViewInItsOwnWay()
@@ -112,7 +112,7 @@ void TestImportInStep::saysWhatToDoWithoutAFlash()
     QVERIFY2(done, done ? "" : done.error().message().c_str());
     QCOMPARE(m_project->trials().find("dull")->syncMethod, std::string("none"));
     QCOMPARE(
-        job.warnings().front(),
+        job.warnings().front().english(),
         std::string(
             "synchronisation of view 'B': camera 'A' is not registered to the floor, and only one of the "
             "views shows a flash of light, so it is taken as begun together; flash the room lights once "

@@ -31,7 +31,7 @@ private Q_SLOTS:
         QVERIFY(outcome->added == 1 && outcome->changed == 1 && outcome->unchanged == 1);
         QVERIFY(team("Falcon").className == "9B" && team("Falcon").pseudonym == "Team 4");
         QVERIFY(team("Heron").className == "9B" && team("Heron").pseudonym == "Team 1"); // nothing told: kept
-        QCOMPARE(m_project->undo().value(), std::string("import the roster roster.csv"));
+        QCOMPARE(m_project->undo().value().english(), std::string("import the roster roster.csv"));
         QCOMPARE(m_project->teams().all()->size(), std::size_t(2));
         QCOMPARE(team("Heron").className, std::string("9A"));
     }
@@ -86,7 +86,8 @@ private Q_SLOTS:
         const auto outcome = import(text);
         QVERIFY(!outcome);
         QCOMPARE(outcome.error().code, ErrorCode::InvalidInput);
-        QVERIFY2(QString::fromStdString(outcome.error().why).contains(why), outcome.error().why.c_str());
+        QVERIFY2(QString::fromStdString(outcome.error().why.english()).contains(why),
+                 outcome.error().why.english().c_str());
         QVERIFY(m_project->teams().all()->empty());
         QVERIFY(m_project->changes()->empty());
     }

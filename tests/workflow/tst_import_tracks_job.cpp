@@ -10,6 +10,7 @@
 #include "core/workflow/track/track_job.h"
 #include "core/workflow/trial_sources.h"
 #include "tests/support/registered_test.h"
+#include "tests/support/said_error.h"
 #include "tests/ui/support/project_content.h"
 
 #include <QCryptographicHash>
@@ -90,7 +91,7 @@ private Q_SLOTS:
         ImportTracksJob job(settings);
         const auto done = runToEnd(job, *m_project, JobControl());
         QVERIFY2(done, done ? "" : done.error().message().c_str());
-        QCOMPARE(job.warnings(),
+        QCOMPARE(test::english(job.warnings()),
                  std::vector<std::string>{"robot 'red' is new: it was added with the colour #0072b2"});
 
         const TrialRecord trial = m_project->trials().find("lap").value();
@@ -115,9 +116,9 @@ private Q_SLOTS:
         QCOMPARE(source.format, std::string("csv"));
         const double noiseM = source.noiseM;
         QVERIFY2(noiseM > 0.0001 && noiseM < 0.001, qPrintable(QString::number(noiseM)));
-        QCOMPARE(source.reading,
+        QCOMPARE(source.reading.english(),
                  "positions to " + formatNumber(1e3 * noiseM, 2) + " mm, as estimated from them");
-        QCOMPARE(m_project->changes()->front().words, std::string("import trial lap"));
+        QCOMPARE(m_project->changes()->front().words.english(), std::string("import trial lap"));
         QVERIFY(m_project->check(true)->empty());
     }
     /// To the last bit, whatever is made of them.
@@ -214,7 +215,7 @@ private Q_SLOTS:
                 QVERIFY(isMetres ? is == was : (is - was).norm() <= 4e-16 * was.norm());
             }
             const ImportedTrack source = importedTracksOf(*m_project, *m_project->trials().find(name))->at(0);
-            QCOMPARE(source.reading.ends_with("as the file says"), !isMetres);
+            QCOMPARE(source.reading.english().ends_with("as the file says"), !isMetres);
         }
     }
     void severalRobotsShareAClock()
@@ -231,8 +232,9 @@ private Q_SLOTS:
         QCOMPARE(analyses->at(1).profile.samples[1].time, Nanoseconds(100000000));
         QVERIFY(!analyses->at(1).profile.samples[0].position);
         const auto source = importedTracksOf(*m_project, *m_project->trials().find("two"))->at(1);
-        QVERIFY2(source.reading.ends_with("; the file's track 'blue_1'; its times count from 5000.000 s"),
-                 source.reading.c_str());
+        QVERIFY2(source.reading.english().ends_with(
+                     "; the file's track 'blue_1'; its times count from 5000.000 s"),
+                 source.reading.english().c_str());
         settings.trial = "third";
         settings.tracks[0].first = "green";
         QCOMPARE(errorOf(settings), "file '" + both.string() +

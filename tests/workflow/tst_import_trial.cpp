@@ -3,6 +3,7 @@
 #include "core/project/repositories.h"
 #include "core/workflow/import/import_trial_job.h"
 #include "tests/support/registered_test.h"
+#include "tests/support/said_error.h"
 #include "tests/video/coded_frames.h"
 
 #include <QTemporaryDir>
@@ -73,7 +74,7 @@ private:
         settings.videos = {{"A", path(trial + ".mkv")}};
         ImportTrialJob job(std::move(settings));
         const auto done = runToEnd(job, *m_project, {});
-        return done ? job.warnings() : std::vector<std::string>{done.error().message()};
+        return done ? test::english(job.warnings()) : std::vector<std::string>{done.error().message()};
     }
 
     QTemporaryDir m_folder;

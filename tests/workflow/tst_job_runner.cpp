@@ -3,6 +3,7 @@
 #include "core/workflow/job.h"
 #include "core/workflow/job_runner.h"
 #include "tests/support/registered_test.h"
+#include "tests/support/said_error.h"
 
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -23,18 +24,18 @@ public:
     {
         preparedOn = QThread::currentThreadId();
         if (failsToPrepare)
-            return fail(ErrorCode::NotFound, "job", "nothing there", "look again");
+            return test::saidFailure(ErrorCode::NotFound, "job", "nothing there", "look again");
         return {};
     }
     Result<void> run(const JobControl &control) override
     {
         ranOn = QThread::currentThreadId();
-        control.report(0.5, "half way");
+        control.report(0.5, foreignWords("half way"));
         std::unique_lock lock(m_mutex);
         while (!m_released && !control.isCancelled())
             m_wake.wait_for(lock, std::chrono::milliseconds(1));
         if (control.isCancelled())
-            return cancelled("job");
+            return cancelled(foreignWords("job"));
         return {};
     }
     Result<void> commit(Project &) override
@@ -83,7 +84,7 @@ private Q_SLOTS:
         QVERIFY(runner.isRunning());
         QVERIFY(!runner.start(std::make_shared<WaitingJob>())); // one at a time
         QTRY_COMPARE(progress.count(), 1);
-        QCOMPARE(progress.first().at(1).toString(), QStringLiteral("half way"));
+        QCOMPARE(progress.first().at(1).value<odo::Message>().english(), std::string("half way"));
         job->release();
         QTRY_COMPARE(finished.count(), 1);
         QVERIFY(!finished.first().at(1).value<std::optional<Error>>().has_value());

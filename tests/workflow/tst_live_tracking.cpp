@@ -189,8 +189,10 @@ void TestLiveTracking::noRobotSeenAndNoneKnown()
         QVERIFY(!drive.moments.empty());
         for (const LiveMoment &moment : drive.moments)
             QVERIFY(!moment.position.sample.position && !moment.position.point.valid);
-        QVERIFY(analyseRun(runs.front(), {}, std::nullopt).error().why.find("was not found in any picture") !=
-                std::string::npos);
+        QVERIFY(analyseRun(runs.front(), {}, std::nullopt)
+                    .error()
+                    .why.english()
+                    .find("was not found in any picture") != std::string::npos);
     }
     Drive none("circle");
     none.robots.clear();
@@ -247,9 +249,10 @@ void TestLiveTracking::whatIsTooFastIsDroppedAndCounted()
 
 void TestLiveTracking::saysHowFarBehindTheMapIs()
 {
-    QCOMPARE(liveWords({}), std::string());
-    QCOMPARE(liveWords({60, 0, 0.0384, 0.06}), std::string("the map is 38 ms behind, none skipped"));
-    QCOMPARE(liveWords({60, 12, 0.051, 0.06}), std::string("the map is 51 ms behind, 12 skipped"));
+    QCOMPARE(liveWords({}).english(), std::string());
+    QCOMPARE(liveWords({60, 0, 0.0384, 0.06}).english(),
+             std::string("the map is 38 ms behind, none skipped"));
+    QCOMPARE(liveWords({60, 12, 0.051, 0.06}).english(), std::string("the map is 51 ms behind, 12 skipped"));
 }
 
 ODOGRAPH_TEST(TestLiveTracking, QCoreApplication)

@@ -8,6 +8,7 @@
 #include "core/workflow/record/live_trial.h"
 #include "tests/capture/played_camera.h"
 #include "tests/support/registered_test.h"
+#include "tests/support/said_error.h"
 
 #include <QDir>
 #include <QTemporaryDir>
@@ -117,7 +118,8 @@ void TestLiveTrial::standsInTheProjectFromItsBeginning()
     QCOMPARE(sitting.project->trials().recordings(trial.id)->back().frameTimes.size(), std::size_t(2 * lot));
     QCOMPARE(sitting.rawTimes("B").pictures.front().device, Nanoseconds(3600s + 7ms));
     QVERIFY(sitting.project->check(true)->empty());
-    QCOMPARE((*live)->commit(*sitting.project).error().why, std::string("its recording has ended already"));
+    QCOMPARE((*live)->commit(*sitting.project).error().why.english(),
+             std::string("its recording has ended already"));
     QVERIFY(!sitting.project->trials().removeUnfinished(trial.id));
 }
 
@@ -129,7 +131,7 @@ void TestLiveTrial::aCameraThatTookTooFewPicturesIsTold()
     sitting.b->pace(100ms);
     sitting.record(**live, 1);
     QVERIFY(runToEnd(**live, *sitting.project, {}));
-    QCOMPARE((*live)->warnings(),
+    QCOMPARE(test::english((*live)->warnings()),
              std::vector<std::string>{
                  "view 'B': camera play:: it takes only 10 pictures a second of the 30 it was asked "
                  "for; give it more light or a shorter exposure, or ask for a lower rate"});
@@ -176,7 +178,7 @@ void TestLiveTrial::viewsNeverShareAFile()
                     sitting.project->trials().rawTimes(recording.id)->pictures.size() == lot);
     QVERIFY(runToEnd(**live, *sitting.project, {}));
     QVERIFY2((*live)->warnings().empty(),
-             (*live)->warnings().empty() ? "" : (*live)->warnings().front().c_str());
+             (*live)->warnings().empty() ? "" : (*live)->warnings().front().english().c_str());
     QCOMPARE(sitting.media().size(), 2);
 }
 
@@ -188,7 +190,7 @@ void TestLiveTrial::aViewWithoutPicturesIsLeftOut()
     QTRY_COMPARE(sitting.session->health().views[1].delivered, 10u);
     QVERIFY(runToEnd(**live, *sitting.project, {}));
     QCOMPARE((*live)->warnings().size(), std::size_t(1));
-    QVERIFY((*live)->warnings().front().starts_with(
+    QVERIFY((*live)->warnings().front().english().starts_with(
         "view 'A': it is left out, because nothing was recorded of it"));
     const auto recordings = sitting.project->trials().recordings(sitting.trial().id);
     QCOMPARE(recordings->size(), std::size_t(1));
@@ -219,8 +221,9 @@ void TestLiveTrial::whatWasCutOffIsRecovered()
     QCOMPARE(sitting.project->check(false)->size(), std::size_t(1));
     const auto told = recoverTrials(*sitting.project, {});
     QVERIFY(told);
-    QCOMPARE(*told, std::vector<std::string>{"trial 'run': its recording was cut off; 1.0 s of 2 views are "
-                                             "kept, all but the last second at most"});
+    QCOMPARE(test::english(*told),
+             std::vector<std::string>{"trial 'run': its recording was cut off; 1.0 s of 2 views are "
+                                      "kept, all but the last second at most"});
     const TrialRecord trial = sitting.trial();
     QVERIFY(!trial.unfinished);
     QVERIFY(std::abs(trial.syncOffsetS - 0.007) < 1e-6);
@@ -240,7 +243,7 @@ void TestLiveTrial::whatIsBeingRecordedIsLeftAlone()
     QVERIFY(sitting.trial().unfinished);
     TrialRecord second;
     second.name = "second";
-    QCOMPARE(LiveTrial::begin(*sitting.project, second, {"A", "B"}, *sitting.session).error().why,
+    QCOMPARE(LiveTrial::begin(*sitting.project, second, {"A", "B"}, *sitting.session).error().why.english(),
              std::string("a trial is being recorded into it just now"));
 }
 
@@ -255,7 +258,7 @@ void TestLiveTrial::aMissingFileIsWaitedFor()
     std::filesystem::rename(folder / "run_B.mkv", folder / "away");
     const auto told = recoverTrials(*sitting.project, {});
     QVERIFY(told && told->size() == 1 &&
-            told->front().find("run_B.mkv is missing: put the file back") != std::string::npos);
+            told->front().english().find("run_B.mkv is missing: put the file back") != std::string::npos);
     QVERIFY(sitting.trial().unfinished);
     std::filesystem::rename(folder / "away", folder / "run_B.mkv");
     QVERIFY(recoverTrials(*sitting.project, {}));
@@ -323,7 +326,7 @@ void TestLiveTrial::aFileThatMayHoldAPictureStays()
     std::ofstream(sitting.project->mediaFolder() / "run_B.mkv")
         << "damaged, but \xff\xd8\xff begins a picture";
     const auto told = recoverTrials(*sitting.project, {});
-    QVERIFY(told && told->front().find("nothing of it had reached the disk") != std::string::npos);
+    QVERIFY(told && told->front().english().find("nothing of it had reached the disk") != std::string::npos);
     QVERIFY(sitting.project->trials().all()->empty());
     QCOMPARE(sitting.media(), QStringList{QStringLiteral("run_B.mkv")});
 }

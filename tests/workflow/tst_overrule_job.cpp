@@ -32,7 +32,7 @@ private Q_SLOTS:
         OverruleJob job(request);
         const auto done = runToEnd(job, *project, JobControl());
         QVERIFY2(done, done ? "" : done.error().message().c_str());
-        QCOMPARE(project->undoWords(), std::string("mark frame 12 of Trial 1 as a spike"));
+        QCOMPARE(project->undoWords().english(), std::string("mark frame 12 of Trial 1 as a spike"));
         QCOMPARE(words(), std::size_t(1));
         const QStringList after = contentOf(*project);
         QVERIFY(after != before); // an analysis of its own
@@ -96,7 +96,7 @@ private Q_SLOTS:
             const auto analyses = project->analyses().current(project->trials().find("Trial 1")->id);
             AnalysisRecord other = analyses->front();
             other.trial = project->trials().find("Trial 2")->id;
-            QVERIFY(project->note("measure another trial",
+            QVERIFY(project->note(foreignWords("measure another trial"),
                                   [&] { return withoutValue(project->analyses().add(other)); }));
             QVERIFY(project->undo());
         }

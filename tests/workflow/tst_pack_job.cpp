@@ -7,6 +7,7 @@
 #include "core/workflow/media_repair.h"
 #include "core/workflow/project_copy.h"
 #include "tests/support/registered_test.h"
+#include "tests/support/said_error.h"
 
 #include <QDir>
 #include <QFile>
@@ -22,8 +23,9 @@ namespace {
 int damagedFiles(Project &project)
 {
     const auto problems = project.check(true).value();
-    return static_cast<int>(std::ranges::count_if(
-        problems, [](const ProjectProblem &problem) { return !problem.what.ends_with("uses this file"); }));
+    return static_cast<int>(std::ranges::count_if(problems, [](const ProjectProblem &problem) {
+        return !problem.what.english().ends_with("uses this file");
+    }));
 }
 
 } // namespace
@@ -166,7 +168,7 @@ void TestPackJob::whatIsLostIsNamed()
     QVERIFY(QFile::remove(path("elsewhere/run.mkv")));
     PackJob job(file("lesson.zip"));
     QVERIFY(runToEnd(job, *m_project, {}));
-    QCOMPARE(job.warnings(),
+    QCOMPARE(test::english(job.warnings()),
              std::vector<std::string>{
                  "the video of camera A in trial 'run' is lost, and not in the packed project"});
 }
@@ -185,7 +187,7 @@ void TestPackJob::aPathThatNoFileCanHaveIsLost()
     RelinkJob nowhere("/" + std::string(6000, 'A'));
     QCOMPARE(runToEnd(nowhere, *m_project, {}).error().code, ErrorCode::NotFound); // nothing is lost any more
     QVERIFY(m_project->trials().setFile(recordings[1].id, "/nowhere"));
-    QCOMPARE(runToEnd(nowhere, *m_project, {}).error().why, std::string("File name too long"));
+    QCOMPARE(runToEnd(nowhere, *m_project, {}).error().why.english(), std::string("File name too long"));
 }
 
 void TestPackJob::aVideoElsewhereThatIsAnotherFileIsLeftOut_data()
@@ -209,7 +211,7 @@ void TestPackJob::aVideoElsewhereThatIsAnotherFileIsLeftOut()
     write("elsewhere/run.mkv", content);
     PackJob job(file("lesson.zip"));
     QVERIFY(runToEnd(job, *m_project, {}));
-    QCOMPARE(job.warnings(),
+    QCOMPARE(test::english(job.warnings()),
              std::vector<std::string>{
                  "the video of camera A in trial 'run' lies elsewhere and is another file than it was, "
                  "and not in the packed project"});
@@ -274,7 +276,7 @@ void TestPackJob::lostVideosAreFoundByTheirContent()
     QCOMPARE(job.lostCount(), std::size_t(1));
     QCOMPARE(job.foundCount(), std::size_t(1));
     QCOMPARE(damagedFiles(*m_project), 0);
-    QCOMPARE(m_project->undo().value(), std::string("link a lost video"));
+    QCOMPARE(m_project->undo().value().english(), std::string("link a lost video"));
     QCOMPARE(damagedFiles(*m_project), 1);
 }
 

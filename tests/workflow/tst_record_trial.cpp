@@ -52,10 +52,10 @@ private Q_SLOTS:
             .cameras = {{"A", "sim:A"}},
             .seconds = 1,
             .robots = {},
-            .warn = [&](const std::string &words) { told << QString::fromStdString(words); }};
+            .warn = [&](const Message &words) { told << QString::fromStdString(words.english()); }};
         JobControl control;
-        control.progress = [&](double, const std::string &text) {
-            if (text == "recording")
+        control.progress = [&](double, const Message &text) {
+            if (text.english() == "recording")
                 std::filesystem::remove(file);
         };
         const auto recorded = recordTrial(*m_project, settings, control);
@@ -65,7 +65,7 @@ private Q_SLOTS:
                                             "goes on, and what is in it is rescued at the end")));
         const std::filesystem::path rescued = file.parent_path() / "p (rescued).odo";
         QCOMPARE(
-            (*recorded)->warnings().back(),
+            (*recorded)->warnings().back().english(),
             "the project's file was deleted, renamed or replaced meanwhile; what was in it is rescued in '" +
                 rescued.string() + "', which is the project from now on");
         const auto project = Project::open(rescued, Project::Access::ReadOnly);
@@ -154,7 +154,7 @@ private Q_SLOTS:
                                       .robots = {}};
         const auto recorded = recordTrial(*m_project, settings, {});
         QVERIFY(!recorded);
-        QCOMPARE(recorded.error().why, why.toStdString());
+        QCOMPARE(recorded.error().why.english(), why.toStdString());
         QVERIFY(m_project->trials().all()->empty());
     }
 

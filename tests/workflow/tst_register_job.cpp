@@ -94,12 +94,13 @@ private Q_SLOTS:
         QVERIFY(file.open(QIODevice::ReadWrite) && file.seek(qint64(bytes) / 2) &&
                 file.write("changed") == 7);
         file.close();
-        QCOMPARE(m_project->check(true)->front().what,
+        QCOMPARE(m_project->check(true)->front().what.english(),
                  std::string("the picture of registration 1 of camera 'A/1' was changed since it was made"));
         std::filesystem::remove(kept);
         const ProjectProblem problem = m_project->check(false)->front();
-        QCOMPARE(problem.what, std::string("the picture of registration 1 of camera 'A/1' is missing"));
-        QCOMPARE(problem.advice,
+        QCOMPARE(problem.what.english(),
+                 std::string("the picture of registration 1 of camera 'A/1' is missing"));
+        QCOMPARE(problem.advice.english(),
                  std::string("put the file back in its place; the registration is kept without it"));
     }
 

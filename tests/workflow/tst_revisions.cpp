@@ -8,6 +8,7 @@
 #include "core/workflow/track/reanalysis.h"
 #include "tests/support/contains.h"
 #include "tests/support/registered_test.h"
+#include "tests/support/said_error.h"
 #include "tests/ui/support/stored_example.h"
 
 #include <QDir>
@@ -45,7 +46,7 @@ class TestRevisions : public QObject
         for (const CameraRecord &camera : *cameras) {
             RegistrationRecord record = *m_project->cameras().currentRegistration(camera.id).value();
             record.registration.worldFromCamera.translation.x() += byM;
-            record.registration.verdict = "moved";
+            record.registration.verdict = foreignWords("moved");
             QVERIFY(m_project->cameras().addRegistration(record));
         }
     }
@@ -75,7 +76,7 @@ private Q_SLOTS:
         QVERIFY(!older.isCurrent);
         QCOMPARE(older.trials, (std::vector<std::string>{"Trial 1", "Trial 2"}));
         QCOMPARE(calibration.trials, older.trials); // it was made with that lens
-        QVERIFY(contains(older.origin, "layout 'floor', lens of calibration "));
+        QVERIFY(contains(older.origin.english(), "layout 'floor', lens of calibration "));
         QVERIFY(contains(revisionsOf(*m_project, "Q").error().message(), "'Q'"));
     }
 
@@ -104,9 +105,9 @@ private Q_SLOTS:
         QVERIFY(m_project->cameras().addIntrinsics(record));
         QVERIFY(m_project->cameras().currentIntrinsics(camera).value()->id != first);
         const auto cameraRecord = *m_project->cameras().get(camera);
-        const std::vector<std::string> warnings = *calibrationWarnings(*m_project, cameraRecord, record.made);
-        QVERIFY(std::ranges::any_of(warnings, [](const std::string &each) {
-            return each.find("another calibration of its lens") != std::string::npos;
+        const auto warnings = *calibrationWarnings(*m_project, cameraRecord, record.made);
+        QVERIFY(std::ranges::any_of(warnings, [](const Message &each) {
+            return each.english().find("another calibration of its lens") != std::string::npos;
         }));
         QVERIFY(chooseRevision(*m_project, "A", Revision::Kind::Calibration, first));
         QCOMPARE(m_project->cameras().currentIntrinsics(camera).value()->id, first);
@@ -124,7 +125,7 @@ private Q_SLOTS:
         lens.calibration.intrinsics.fyPx *= 1.01;
         const auto newer = m_project->cameras().addIntrinsics(lens);
         QVERIFY(m_project->cameras().addCheck(
-            before, {lens.made, RegistrationCheck::Outcome::CameraMoved, 6, 0.014, "moved"}));
+            before, {lens.made, RegistrationCheck::Outcome::CameraMoved, 6, 0.014, foreignWords("moved")}));
         const auto registered = registerWithLensInForce(*m_project, "A");
         QVERIFY2(registered.has_value(), registered ? "" : registered.error().message().c_str());
         QCOMPARE(current("A"), registered->id);
@@ -170,12 +171,12 @@ private Q_SLOTS:
         QVERIFY(change.compared > 10);
         // The same world, moved: every place by as much, and lengths and speeds by nothing. What is left are
         // rounding and, where the smoother weighs by σ, its last digits.
-        QVERIFY2(std::abs(change.largestShiftM - 0.01) < 1e-5, change.words.c_str());
-        QVERIFY2(std::abs(change.rmsShiftM - 0.01) < 1e-5, change.words.c_str());
+        QVERIFY2(std::abs(change.largestShiftM - 0.01) < 1e-5, change.words.english().c_str());
+        QVERIFY2(std::abs(change.rmsShiftM - 0.01) < 1e-5, change.words.english().c_str());
         for (const MetricChange &metric : change.metrics)
             if (metric.name == "path_length")
                 QVERIFY(metric.before && metric.after && std::abs(*metric.before - *metric.after) < 1e-4);
-        QVERIFY(contains(change.words, "Positions change by 10.0 mm RMS, at most by 10.0 mm"));
+        QVERIFY(contains(change.words.english(), "Positions change by 10.0 mm RMS, at most by 10.0 mm"));
         QVERIFY(job.keep(*m_project));
         QVERIFY(m_project->analyses().current(trial)->front().id != before);
         QCOMPARE(*outdatedTrials(*m_project), std::vector<std::string>{"Trial 2"});
@@ -218,19 +219,20 @@ private Q_SLOTS:
         QCOMPARE(change.metrics[0].after.value(), 4.0);
         QCOMPARE(change.metrics[0].sigma.value(), 0.1);
         QVERIFY(!change.metrics[1].after && !change.metrics[2].before);
-        QVERIFY(contains(changeBetween({}, {}).words, "No place was measured by both"));
+        QVERIFY(contains(changeBetween({}, {}).words.english(), "No place was measured by both"));
     }
 
     void checksAreKeptWithTheRegistrationTheyWereMadeOf()
     {
         const RecordId registration = current("A");
-        QVERIFY(m_project->cameras().addCheck(
-            registration,
-            {Instant(std::chrono::milliseconds(5)), RegistrationCheck::Outcome::Still, 0.2, 0.001, "still"}));
-        QVERIFY(keepNotTold(*m_project, "A", {ErrorCode::Undetermined, "whether", "none was found", "look"}));
+        QVERIFY(m_project->cameras().addCheck(registration, {Instant(std::chrono::milliseconds(5)),
+                                                             RegistrationCheck::Outcome::Still, 0.2, 0.001,
+                                                             foreignWords("still")}));
+        QVERIFY(keepNotTold(*m_project, "A",
+                            test::saidError(ErrorCode::Undetermined, "whether", "none was found", "look")));
         const auto last = m_project->cameras().registration(registration)->lastCheck;
         QVERIFY(last && last->outcome == RegistrationCheck::Outcome::NotTold); // the newest
-        QVERIFY(contains(last->words, "none was found"));
+        QVERIFY(contains(last->words.english(), "none was found"));
         registerMoved(0.01);
         QVERIFY2(!m_project->cameras().registration(current("A"))->lastCheck,
                  "a new registration was not checked");

@@ -45,10 +45,10 @@ private Q_SLOTS:
         std::ofstream(path("p.media/recording.lock"));
         const auto problems = m_project->check(false).value();
         QCOMPARE(problems.size(), std::size_t(1));
-        QCOMPARE(problems[0].what,
+        QCOMPARE(problems[0].what.english(),
                  std::string("no trial, lens calibration or floor registration uses this file"));
-        QCOMPARE(problems[0].where, path("p.media/calibration/A_floor.png").string());
-        QVERIFY(problems[0].advice.find("--adopt") != std::string::npos);
+        QCOMPARE(problems[0].where.english(), path("p.media/calibration/A_floor.png").string());
+        QVERIFY(problems[0].advice.english().find("--adopt") != std::string::npos);
     }
 
     /// A copy of a project uses the first one's videos.
@@ -63,9 +63,9 @@ private Q_SLOTS:
         std::filesystem::resize_file(path("copy.odo"), 8192);
         const auto unknown = strays(); // nobody can tell
         QVERIFY(!unknown);
-        QVERIFY2(
-            unknown.error().why.starts_with("project 'copy.odo' beside it may use them, and cannot be read"),
-            unknown.error().why.c_str());
+        QVERIFY2(unknown.error().why.english().starts_with(
+                     "project 'copy.odo' beside it may use them, and cannot be read"),
+                 unknown.error().why.english().c_str());
         std::ofstream(path("copy.odo"), std::ios::binary | std::ios::trunc) << "no project";
         QCOMPARE(strays()->size(), std::size_t(1));
     }
@@ -91,8 +91,8 @@ private Q_SLOTS:
         QCOMPARE(find()->others(), std::vector<std::filesystem::path>{path("p.media/old/elsewhere.mkv")});
         const auto problems = m_project->check(false).value();
         QVERIFY(std::ranges::any_of(problems, [](const ProjectProblem &problem) {
-            return problem.what == "this is a missing recording" &&
-                   problem.advice.find("--find") != std::string::npos;
+            return problem.what.english() == "this is a missing recording" &&
+                   problem.advice.english().find("--find") != std::string::npos;
         }));
     }
 
@@ -129,7 +129,8 @@ private Q_SLOTS:
         QVERIFY(strays()->empty());
         const auto problems = m_project->check(false).value();
         QCOMPARE(problems.size(), std::size_t(1));
-        QCOMPARE(problems[0].what, std::string("a project lies in the media folder of another one"));
+        QCOMPARE(problems[0].what.english(),
+                 std::string("a project lies in the media folder of another one"));
     }
 
     /// Where it lies, once.

@@ -108,7 +108,7 @@ private Q_SLOTS:
         const auto sentences = stepWarnings("t", views);
         QCOMPARE(sentences.size(), std::size_t(said.isEmpty() ? 0 : 1));
         if (!said.isEmpty())
-            QCOMPARE(QString::fromStdString(sentences.front()), said);
+            QCOMPARE(QString::fromStdString(sentences.front().english()), said);
     }
 
     void whoItMayBeIsSaid_data()
@@ -152,7 +152,7 @@ private Q_SLOTS:
         const auto sentences = analysisWarnings(analysis, "t");
         QCOMPARE(sentences.size(), std::size_t(said.isEmpty() ? 0 : 1));
         if (!said.isEmpty())
-            QCOMPARE(QString::fromStdString(sentences.front()), said);
+            QCOMPARE(QString::fromStdString(sentences.front().english()), said);
     }
 
     void viewsThatSeeDifferentThingsAreSaid()
@@ -171,7 +171,7 @@ private Q_SLOTS:
         const auto sentences = analysisWarnings(analysis, "t");
         QCOMPARE(sentences.size(), std::size_t(1));
         QCOMPARE(
-            QString::fromStdString(sentences.front()),
+            QString::fromStdString(sentences.front().english()),
             QStringLiteral("robot 'Blue 1' in trial 't': in 11 of 100 pictures the views have it at places "
                            "far apart: one of them follows something else, or is not where it was "
                            "registered; look at the outlines, and tell the robot's colour or keep others out "
@@ -190,7 +190,7 @@ private Q_SLOTS:
         }
         const auto sentences = analysisWarnings(analysis, "t");
         QCOMPARE(sentences.size(), std::size_t(1));
-        QCOMPARE(QString::fromStdString(sentences.front()),
+        QCOMPARE(QString::fromStdString(sentences.front().english()),
                  QStringLiteral("robot 'Blue 1' in trial 't': in 50 of 100 pictures the views contradict one "
                                 "another: they put it 20.5 mm apart; a camera was moved after it was "
                                 "registered, the views are out of step, or the robot's height is not what "

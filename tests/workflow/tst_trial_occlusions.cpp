@@ -46,7 +46,7 @@ private Q_SLOTS:
         QCOMPARE(found().front().size(), std::size_t(0));
         hideIt(*project);
         QCOMPARE(found().front().size(), std::size_t(1));
-        QCOMPARE(occlusionSentence(found().front().front()),
+        QCOMPARE(occlusionSentence(found().front().front()).english(),
                  std::string("not visible in view B (0.33 s to 0.67 s)"));
 
         const auto scene = loadTrialScene(*project, "Trial 1");
@@ -82,7 +82,7 @@ private Q_SLOTS:
             }
             red.profile.samples[frame].flags = flags;
             red.profile.spikes = {{std::int64_t(frame), red.profile.samples[frame].time, flags,
-                                   "the tracker was not sure (score 10 %)"}};
+                                   foreignWords("the tracker was not sure (score 10 %)")}};
             const StoredRobot other{blue,
                                     {tracked[0].series[1].observations, tracked[1].series[1].observations}};
             const auto all = isBlueTracked ? trackedOcclusions(views, tracked, {&red, &blue})

@@ -3,8 +3,8 @@
 
 #include "ui/compare/internal/compare_map.h"
 #include "ui/models/comparison_scene.h"
-#include "ui/models/core_words.h"
 #include "ui/models/figure_text.h"
+#include "ui/models/shown_message.h"
 #include "ui/models/timeline.h"
 #include "ui/models/trial_scene.h"
 #include "ui/views/charts/chart_bubbles.h"

@@ -8,7 +8,7 @@
 #include "ui/compare/internal/compare_map.h"
 #include "ui/compare/internal/run_chooser.h"
 #include "ui/models/background_task.h"
-#include "ui/models/core_words.h"
+#include "ui/models/shown_message.h"
 #include "ui/models/shown_names.h"
 #include "ui/models/timeline.h"
 #include "ui/views/charts/timeline_bar.h"

@@ -4,7 +4,7 @@
 #include "core/base/error.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "ui/models/core_words.h"
+#include "ui/models/shown_message.h"
 #include "ui/models/shown_names.h"
 #include "ui/views/widgets/command_keys.h"
 #include "ui/views/widgets/form_fields.h"
@@ -256,34 +256,36 @@ void ClassesDialog::addClass()
     if (name.isNull())
         return;
     m_wanted = name;
-    apply(tr("add class %1").arg(name),
+    apply(ODO_TEXT("ui.add_class", "add class %1")(Named::schoolClass(name.toStdString())),
           [&] { return withoutValue(m_project.classes().add(name.toStdString())); });
 }
 
 void ClassesDialog::renameClass()
 {
     const ClassRecord chosen = *currentClass();
-    const QString before = QString::fromStdString(chosen.name), name = askName(tr("Rename class"), before);
+    const QString name = askName(tr("Rename class"), QString::fromStdString(chosen.name));
     if (name.isNull())
         return;
     m_wanted = name;
-    apply(tr("rename class %1 to %2").arg(before, name),
+    apply(ODO_TEXT("ui.rename_class", "rename class %1 to %2")(Named::schoolClass(chosen.name),
+                                                               Named::schoolClass(name.toStdString())),
           [&] { return m_project.classes().rename(chosen.id, name.toStdString()); });
 }
 
 void ClassesDialog::archiveClass()
 {
     const ClassRecord chosen = *currentClass();
-    const QString name = QString::fromStdString(chosen.name);
-    apply(chosen.archived ? tr("take class %1 out of the archive").arg(name)
-                          : tr("archive class %1").arg(name),
+    const MessageText &words = chosen.archived
+                                   ? ODO_TEXT("ui.unarchive_class", "take class %1 out of the archive")
+                                   : ODO_TEXT("ui.archive_class", "archive class %1");
+    apply(words(Named::schoolClass(chosen.name)),
           [&] { return m_project.classes().setArchived(chosen.id, !chosen.archived); });
 }
 
 void ClassesDialog::removeClass()
 {
     const ClassRecord chosen = *currentClass();
-    apply(tr("delete class %1").arg(QString::fromStdString(chosen.name)),
+    apply(ODO_TEXT("ui.delete_class", "delete class %1")(Named::schoolClass(chosen.name)),
           [&] { return m_project.classes().remove(chosen.id); });
 }
 
@@ -293,7 +295,7 @@ void ClassesDialog::addTeam()
     if (name.isNull())
         return;
     const std::string className = currentClass() ? currentClass()->name : std::string();
-    apply(tr("add team %1").arg(name), [&] {
+    apply(ODO_TEXT("ui.add_team", "add team %1")(Named::team(name.toStdString())), [&] {
         return withoutValue(m_project.teams().add({0, name.toStdString(), className}));
     });
 }
@@ -302,16 +304,17 @@ void ClassesDialog::moveTeam(const std::string &className)
 {
     TeamRecord team = *currentTeam();
     team.className = className;
-    const QString name = QString::fromStdString(team.name);
-    apply(className.empty() ? tr("take team %1 out of its class").arg(name)
-                            : tr("move team %1 to class %2").arg(name, QString::fromStdString(className)),
+    apply(className.empty()
+              ? ODO_TEXT("ui.take_team_out", "take team %1 out of its class")(Named::team(team.name))
+              : ODO_TEXT("ui.move_team", "move team %1 to class %2")(Named::team(team.name),
+                                                                     Named::schoolClass(className)),
           [&] { return m_project.teams().set(team); });
 }
 
 void ClassesDialog::removeTeam()
 {
     const TeamRecord team = *currentTeam();
-    apply(tr("delete team %1").arg(QString::fromStdString(team.name)),
+    apply(ODO_TEXT("ui.delete_team", "delete team %1")(Named::team(team.name)),
           [&] { return m_project.teams().remove(team.id); });
 }
 
@@ -326,7 +329,7 @@ void ClassesDialog::editTeam()
     const TeamRecord team = dialog.team();
     if (team.members == before.members && team.robots == before.robots)
         return;
-    apply(tr("change members and robots of team %1").arg(QString::fromStdString(team.name)),
+    apply(ODO_TEXT("ui.change_team", "change members and robots of team %1")(Named::team(team.name)),
           [&] { return m_project.teams().set(team); });
 }
 
@@ -340,13 +343,14 @@ void ClassesDialog::readCell(int row, int column)
     (column == NameColumn ? team.name : team.pseudonym) = text.toStdString();
     if (team.name == before.name && team.pseudonym == before.pseudonym)
         return showTeams();
-    const QString name = QString::fromStdString(before.name);
-    apply(column == NameColumn ? tr("rename team %1 to %2").arg(name, text)
-                               : tr("change the pseudonym of team %1").arg(name),
+    apply(column == NameColumn
+              ? ODO_TEXT("ui.rename_team", "rename team %1 to %2")(Named::team(before.name),
+                                                                   Named::team(team.name))
+              : ODO_TEXT("ui.change_pseudonym", "change the pseudonym of team %1")(Named::team(before.name)),
           [&] { return m_project.teams().set(team); });
 }
 
-void ClassesDialog::apply(const QString &words, const std::function<Result<void>()> &work)
+void ClassesDialog::apply(const Message &words, const std::function<Result<void>()> &work)
 {
     tell(m_changes.make(words, work));
 }

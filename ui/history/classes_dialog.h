@@ -54,7 +54,7 @@ private:
     void editTeam();
     void readCell(int row, int column);
     QString askName(const QString &title, const QString &name);
-    void apply(const QString &words, const std::function<Result<void>()> &work);
+    void apply(const Message &words, const std::function<Result<void>()> &work);
     void tell(const Result<QString> &outcome);
 
     Project &m_project;

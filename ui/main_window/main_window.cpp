@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/main_window/main_window.h"
 
+#include "core/base/subjects.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "ui/compare/compare_desk.h"
@@ -17,6 +18,7 @@
 #include "ui/main_window/preferences/command_keys.h"
 #include "ui/main_window/preferences/preferences_dialog.h"
 #include "ui/main_window/workspace.h"
+#include "ui/models/shared_messages.h"
 #include "ui/models/shown_names.h"
 #include "ui/record/record_page.h"
 #include "ui/review/corrections.h"
@@ -39,10 +41,10 @@ namespace {
 const QString geometryKey = QStringLiteral("window/geometry");
 constexpr QSize usualSize(1440, 900);
 
-tl::unexpected<Error> noProject(const std::string &what)
+tl::unexpected<Error> noProject(Message what)
 {
-    return fail(ErrorCode::NotFound, what, MainWindow::tr("no project is open").toStdString(),
-                MainWindow::tr("open the project that it belongs to").toStdString());
+    return fail(ErrorCode::NotFound, std::move(what), noProjectIsOpen(),
+                ODO_TEXT("ui.open_its_project", "open the project that it belongs to"));
 }
 
 } // namespace
@@ -266,6 +268,7 @@ void MainWindow::makePages()
     m_reports->setPages(m_pages.get());
     m_modeBar->setModesEnabled(true);
     m_messages->hide();
+    knowTeams();
     m_pages->review();
     m_pages->makeSoon();
     showTitle();
@@ -333,8 +336,16 @@ void MainWindow::showDesk(Mode mode)
     m_views->setDesk(desk, m_pages->review().desk().viewActions());
 }
 
+void MainWindow::knowTeams()
+{
+    Project *project = m_workspace->project();
+    knowPseudonyms(project ? project->teams().all().value_or(std::vector<TeamRecord>())
+                           : std::vector<TeamRecord>());
+}
+
 void MainWindow::refreshPages()
 {
+    knowTeams();
     if (m_pages)
         m_pages->refresh();
 }
@@ -397,12 +408,12 @@ void MainWindow::showMode(Mode mode)
 
 Result<void> MainWindow::showTrial(const std::string &name)
 {
-    return m_pages ? m_pages->showTrial(name) : noProject("trial '" + name + "'");
+    return m_pages ? m_pages->showTrial(name) : noProject(trialSubject(name));
 }
 
 Result<void> MainWindow::compareTrials(const QStringList &names)
 {
-    return m_pages ? m_pages->compareTrials(names) : noProject("comparison");
+    return m_pages ? m_pages->compareTrials(names) : noProject(ODO_TEXT("ui.comparison", "comparison"));
 }
 
 void MainWindow::finishRecording()
@@ -431,12 +442,11 @@ void MainWindow::showState()
     m_status->showState(*m_workspace, m_pages ? m_pages->scene() : nullptr);
 }
 
-/// The core knows teams by their names only: it is told as it may be shown.
+/// The core knows teams by their names only.
 void MainWindow::tellFailure(const Error &error)
 {
-    Project *project = m_workspace->project();
-    m_messages->showError(
-        project ? shownError(error, project->teams().all().value_or(std::vector<TeamRecord>())) : error);
+    knowTeams();
+    m_messages->showError(error);
 }
 
 bool MainWindow::event(QEvent *event)

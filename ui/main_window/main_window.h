@@ -82,6 +82,8 @@ private:
     void connectPages();
     void addPage(Mode mode);
     void refreshPages();
+    /// Messages of core are shown with the pseudonyms of the project as it is now.
+    void knowTeams();
     void showPreferences(PreferencesDialog::Page page);
     void remakePages();
     void openTrial(const QString &trial);

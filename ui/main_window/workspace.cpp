@@ -13,7 +13,8 @@
 #include "core/workflow/record/completed_recordings.h"
 #include "ui/main_window/internal/project_watch.h"
 #include "ui/models/background_task.h"
-#include "ui/models/core_words.h"
+#include "ui/models/shared_messages.h"
+#include "ui/models/shown_message.h"
 
 #include <QDateTime>
 #include <QFileInfo>
@@ -23,11 +24,9 @@
 namespace odo {
 namespace {
 
-tl::unexpected<Error> busy(const QString &what)
+tl::unexpected<Error> busy(Message what)
 {
-    return fail(ErrorCode::InvalidInput, what.toStdString(),
-                Workspace::tr("another job is running").toStdString(),
-                Workspace::tr("wait until it is done, or cancel it").toStdString());
+    return fail(ErrorCode::InvalidInput, std::move(what), anotherJobRuns(), waitOrCancel());
 }
 
 } // namespace
@@ -67,7 +66,7 @@ struct Workspace::Made
 Result<void> Workspace::open(const std::filesystem::path &file)
 {
     if (isBusy())
-        return busy(tr("cannot open another project"));
+        return busy(ODO_TEXT("ui.cannot_open_another", "cannot open another project"));
     auto ready = makeReady(file, openHere());
     return ready ? show(std::move(*ready)) : tl::unexpected(ready.error());
 }
@@ -75,7 +74,7 @@ Result<void> Workspace::open(const std::filesystem::path &file)
 Result<void> Workspace::beginOpening(const std::filesystem::path &file, Done whenOpen)
 {
     return begin([file](const JobControl &, Made &) -> Result<std::filesystem::path> { return file; },
-                 tr("Opening %1").arg(QString::fromStdString(file.filename().string())), std::move(whenOpen));
+                 ODO_TEXT("ui.opening", "Opening %1")(Named::file(file.filename())), std::move(whenOpen));
 }
 
 /// The file that is open for writing; empty: none.
@@ -144,14 +143,15 @@ Result<void> Workspace::show(Ready ready)
 void Workspace::recoverTrials()
 {
     const auto job = std::make_shared<RecoverJob>();
-    const Result<void> started = start(job, tr("Completing a recording that was cut off"), [this, job] {
-        QStringList words;
-        for (const std::string &sentence : job->told())
-            words << shownWords(sentence);
-        if (!words.isEmpty())
-            Q_EMIT told(words.join(u'\n'));
-        makeHashes();
-    });
+    const Result<void> started = start(
+        job, ODO_TEXT("ui.completing_recording", "Completing a recording that was cut off"), [this, job] {
+            QStringList words;
+            for (const Message &sentence : job->told())
+                words << shownWords(sentence);
+            if (!words.isEmpty())
+                Q_EMIT told(words.join(u'\n'));
+            makeHashes();
+        });
     if (!started)
         Q_EMIT jobFailed(started.error());
 }
@@ -163,7 +163,8 @@ void Workspace::makeHashes()
     if (!look.prepare(*m_project) || !look.isNeeded())
         return;
     if (const Result<void> started =
-            start(std::make_shared<HashJob>(), tr("Making the hashes of new recordings"), nullptr);
+            start(std::make_shared<HashJob>(),
+                  ODO_TEXT("ui.making_hashes", "Making the hashes of new recordings"), nullptr);
         !started)
         Q_EMIT jobFailed(started.error());
 }
@@ -171,7 +172,7 @@ void Workspace::makeHashes()
 Result<void> Workspace::create(const std::filesystem::path &file, const QString &title)
 {
     if (isBusy())
-        return busy(tr("cannot make another project"));
+        return busy(ODO_TEXT("ui.cannot_make_another", "cannot make another project"));
     Result<std::unique_ptr<Project>> project = Project::create(file, title.toStdString());
     if (!project)
         return tl::unexpected(project.error());
@@ -197,7 +198,9 @@ void Workspace::adopt(std::unique_ptr<Project> project, std::unique_ptr<WindowLo
     connect(m_watch.get(), &ProjectWatch::lost, this, &Workspace::lost, Qt::QueuedConnection);
     connect(m_watch.get(), &ProjectWatch::overwritten, this, &Workspace::overwritten, Qt::QueuedConnection);
     m_runner = std::make_unique<JobRunner>(*m_project);
-    connect(m_runner.get(), &JobRunner::progressed, this, &Workspace::jobProgressed);
+    connect(m_runner.get(), &JobRunner::progressed, this, [this](double fraction, const Message &text) {
+        Q_EMIT jobProgressed(fraction, shownWords(text));
+    });
     connect(m_runner.get(), &JobRunner::finished, this,
             [this](const std::shared_ptr<Job> &, const std::optional<Error> &error) {
                 if (!error)
@@ -248,21 +251,22 @@ void Workspace::finishJob(const std::optional<Error> &error)
         done();
 }
 
-Result<void> Workspace::start(std::shared_ptr<Job> job, const QString &words, Done done)
+Result<void> Workspace::start(std::shared_ptr<Job> job, const Message &words, Done done)
 {
     if (!m_project)
-        return fail(ErrorCode::InvalidInput, words.toStdString(), tr("no project is open").toStdString(),
-                    tr("open or make a project first").toStdString());
+        return fail(ErrorCode::InvalidInput, words, noProjectIsOpen(),
+                    ODO_TEXT("ui.open_project_first", "open or make a project first"));
     if (isBusy())
         return busy(words);
     m_done = std::move(done);
     m_runner->start(std::move(job));
-    Q_EMIT jobStarted(words); // now that isBusy() says so; whatever the job reports is queued behind
+    Q_EMIT jobStarted(
+        shownWords(words)); // now that isBusy() says so; whatever the job reports is queued behind
     return {};
 }
 
 Result<void> Workspace::makeAndOpen(std::function<Result<std::filesystem::path>(const JobControl &)> make,
-                                    const QString &words, Done whenOpen)
+                                    const Message &words, Done whenOpen)
 {
     const auto noting = [make = std::move(make)](const JobControl &control, Made &made) {
         auto file = make(control);
@@ -274,7 +278,7 @@ Result<void> Workspace::makeAndOpen(std::function<Result<std::filesystem::path>(
 }
 
 Result<void> Workspace::begin(std::function<Result<std::filesystem::path>(const JobControl &, Made &)> find,
-                              const QString &words, Done whenOpen)
+                              const Message &words, Done whenOpen)
 {
     if (isBusy())
         return busy(words);
@@ -287,7 +291,7 @@ Result<void> Workspace::begin(std::function<Result<std::filesystem::path>(const 
                 // Asked here, not on the task's thread: what is cancelled after that has ended does not open
                 // either.
                 const std::optional<Error> outcome =
-                    !error && m_making->isCancelled() ? cancelled(words.toStdString()).value() : error;
+                    !error && m_making->isCancelled() ? cancelled(words).value() : error;
                 finishJob(outcome);
                 if (outcome) {
                     if (!made->damaged.empty())
@@ -316,7 +320,7 @@ Result<void> Workspace::begin(std::function<Result<std::filesystem::path>(const 
             made->ready = std::move(*looked);
             return {};
         });
-    Q_EMIT jobStarted(words);
+    Q_EMIT jobStarted(shownWords(words));
     return {};
 }
 
@@ -330,9 +334,9 @@ Error Workspace::offeringABackup(Error error, const std::filesystem::path &file,
         return error;
     made.damaged = file;
     const QDateTime written = QFileInfo(QString::fromStdString(backup->string())).lastModified();
-    error.advice = tr("its backup of %1 is sound; what was done since is not in it")
-                       .arg(QLocale().toString(written, QLocale::ShortFormat))
-                       .toStdString();
+    error.advice =
+        ODO_TEXT("ui.backup_is_sound", "its backup of %1 is sound; what was done since is not in it")(
+            QLocale().toString(written, QLocale::ShortFormat).toStdString());
     return error;
 }
 
@@ -349,12 +353,14 @@ Result<void> Workspace::beginRestoring(const std::filesystem::path &file, Done w
         *restored = std::move(*done);
         return file;
     };
-    return makeAndOpen(make, tr("Restoring the backup"), [this, restored, whenOpen = std::move(whenOpen)] {
-        Q_EMIT told(tr("The backup was restored. The damaged file is kept as “%1”.")
-                        .arg(QString::fromStdString(restored->damaged.filename().string())));
-        if (whenOpen)
-            whenOpen();
-    });
+    return makeAndOpen(make, ODO_TEXT("ui.restoring_backup", "Restoring the backup"),
+                       [this, restored, whenOpen = std::move(whenOpen)] {
+                           Q_EMIT told(
+                               tr("The backup was restored. The damaged file is kept as “%1”.")
+                                   .arg(QString::fromStdString(restored->damaged.filename().string())));
+                           if (whenOpen)
+                               whenOpen();
+                       });
 }
 
 void Workspace::cancel()

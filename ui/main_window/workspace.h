@@ -47,13 +47,13 @@ public:
     Result<void> create(const std::filesystem::path &file, const QString &title);
 
     /// Starts a job on the open project. Refused while another one runs.
-    Result<void> start(std::shared_ptr<Job> job, const QString &words, Done done);
+    Result<void> start(std::shared_ptr<Job> job, const Message &words, Done done);
     /// Makes a project, on a thread of its own, and opens it when it is done; then whenOpen is called. The
     /// project that is open stays until then, or when it fails. Refused while a job runs. Trials of the
     /// opened project whose recording was cut off are completed by a job, and hashes that are missing are
     /// made.
     Result<void> makeAndOpen(std::function<Result<std::filesystem::path>(const JobControl &)> make,
-                             const QString &words, Done whenOpen = {});
+                             const Message &words, Done whenOpen = {});
     /// Puts a copy of its newest sound backup in the place of a damaged project, which is kept beside it, and
     /// opens that. As makeAndOpen.
     Result<void> beginRestoring(const std::filesystem::path &file, Done whenOpen);
@@ -92,7 +92,7 @@ private:
     struct Made;
     /// Finds or makes a project on a thread of its own, and opens it.
     Result<void> begin(std::function<Result<std::filesystem::path>(const JobControl &, Made &)> find,
-                       const QString &words, Done whenOpen);
+                       const Message &words, Done whenOpen);
     static Result<Ready> makeReady(const std::filesystem::path &file, const std::filesystem::path &openHere);
     std::filesystem::path openHere() const;
     static Error offeringABackup(Error error, const std::filesystem::path &file, Made &made);

@@ -4,7 +4,7 @@
 #include "core/base/shortage.h"
 #include "core/project/project.h"
 #include "core/workflow/job_runner.h"
-#include "ui/models/core_words.h"
+#include "ui/models/shown_message.h"
 
 #include <utility>
 
@@ -23,7 +23,7 @@ bool BackgroundTask::start(Work work)
         return false;
     m_running = true;
     m_cancel = CancelToken();
-    const JobControl control{m_cancel, [this](double fraction, const std::string &text) {
+    const JobControl control{m_cancel, [this](double fraction, const Message &text) {
                                  const QString words = shownWords(text);
                                  callLater(this,
                                            [this, fraction, words] { Q_EMIT progressed(fraction, words); });
@@ -36,8 +36,8 @@ bool BackgroundTask::start(Work work)
             Q_EMIT finished(result ? std::nullopt : std::optional<Error>(result.error()));
         });
     };
-    auto thread = startThread(cannotDoThis, [control, finishLater, work = std::move(work)] {
-        finishLater(orShortage(cannotDoThis, [&] {
+    auto thread = startThread(cannotDoThis(), [control, finishLater, work = std::move(work)] {
+        finishLater(orShortage(cannotDoThis(), [&] {
             const CancelScope scope(&control.cancel);
             return work(control);
         }));

@@ -5,8 +5,8 @@
 #include "core/project/records.h"
 #include "core/project/repositories.h"
 #include "core/workflow/calibrate/revisions.h"
-#include "ui/models/core_words.h"
 #include "ui/models/figure_text.h"
+#include "ui/models/shown_message.h"
 
 namespace odo {
 
@@ -127,12 +127,6 @@ void LiveCameras::look()
         },
         Qt::SingleShotConnection);
     Q_EMIT changed();
-}
-
-QString shownDeviceName(const CameraDescription &camera)
-{
-    const QString name = QString::fromStdString(camera.name);
-    return camera.kind == "simulated" ? shownWords(name) : name;
 }
 
 } // namespace odo

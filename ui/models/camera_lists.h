@@ -21,7 +21,7 @@ struct CameraRow
     CameraRecord camera;
     std::optional<IntrinsicsRecord> intrinsics;     ///< in force
     std::optional<RegistrationRecord> registration; ///< in force
-    std::vector<std::string> warnings;              ///< of age and resolution, whole sentences
+    std::vector<Message> warnings;                  ///< of age and resolution, whole sentences
 };
 
 /// On the project's thread.
@@ -76,9 +76,5 @@ private:
     std::vector<CameraDescription> m_cameras;
     BackgroundTask m_task;
 };
-
-/// What a camera that is connected is called: a simulated one in the language of the windows, others as their
-/// makers call them.
-QString shownDeviceName(const CameraDescription &camera);
 
 } // namespace odo

@@ -3,8 +3,8 @@
 
 #include "core/analysis/task_metrics.h"
 #include "core/video/frame_times.h"
-#include "ui/models/core_words.h"
 #include "ui/models/figure_text.h"
+#include "ui/models/shown_message.h"
 
 #include <QCoreApplication>
 #include <QLocale>

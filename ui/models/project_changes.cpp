@@ -2,7 +2,8 @@
 #include "ui/models/project_changes.h"
 
 #include "core/project/project.h"
-#include "ui/models/core_words.h"
+#include "ui/models/shared_messages.h"
+#include "ui/models/shown_message.h"
 
 #include <QCoreApplication>
 #include <QDateTime>
@@ -87,32 +88,31 @@ std::size_t countOf(const Project &project)
     return changes ? changes->size() : 0;
 }
 
-tl::unexpected<Error> nothing(const QString &what)
+tl::unexpected<Error> nothing(Message what)
 {
     return fail(
-        ErrorCode::NotFound, what.toStdString(),
-        OwnChangesWords::tr("nothing was changed here").toStdString(),
-        OwnChangesWords::tr("what was changed before is taken back in the window's menu Edit").toStdString());
+        ErrorCode::NotFound, std::move(what), ODO_TEXT("ui.nothing_changed_here", "nothing was changed here"),
+        ODO_TEXT("ui.undo_in_menu", "what was changed before is taken back in the window's menu Edit"));
 }
 
 } // namespace
 
-Result<QString> OwnChanges::make(const QString &words, const std::function<Result<void>()> &work)
+Result<QString> OwnChanges::make(const Message &words, const std::function<Result<void>()> &work)
 {
     const std::size_t before = countOf(m_project);
-    if (const auto done = m_project.change(words.toStdString(), work); !done)
+    if (const auto done = m_project.change(words, work); !done)
         return tl::unexpected(done.error());
     if (countOf(m_project) == before)
         return QString(); // nothing is another now
     ++m_made;
     m_takenBack = 0;
-    return OwnChangesWords::tr("Done: %1. Ctrl+Z takes it back.").arg(words);
+    return OwnChangesWords::tr("Done: %1. Ctrl+Z takes it back.").arg(shownWords(words));
 }
 
 Result<QString> OwnChanges::undo()
 {
     if (m_made == 0)
-        return nothing(OwnChangesWords::tr("undo"));
+        return nothing(undoSubject());
     const auto words = m_project.undo();
     if (!words)
         return tl::unexpected(words.error());
@@ -124,7 +124,7 @@ Result<QString> OwnChanges::undo()
 Result<QString> OwnChanges::redo()
 {
     if (m_takenBack == 0)
-        return nothing(OwnChangesWords::tr("redo"));
+        return nothing(ODO_TEXT("ui.redo", "redo"));
     const auto words = m_project.redo();
     if (!words)
         return tl::unexpected(words.error());

@@ -39,7 +39,7 @@ class OwnChanges
 public:
     explicit OwnChanges(Project &project) : m_project(project) {}
     /// Project::change. The sentence says what was done; empty: it changed nothing.
-    Result<QString> make(const QString &words, const std::function<Result<void>()> &work);
+    Result<QString> make(const Message &words, const std::function<Result<void>()> &work);
     /// Of the last one that was made here. NotFound where there is none left.
     Result<QString> undo();
     Result<QString> redo();

@@ -2,8 +2,8 @@
 #include "ui/models/scene_doubts.h"
 
 #include "core/workflow/track/track_warnings.h"
-#include "ui/models/core_words.h"
 #include "ui/models/figure_text.h"
+#include "ui/models/shown_message.h"
 
 #include <QCoreApplication>
 #include <QStringList>

@@ -8,6 +8,8 @@
 #include <QStringList>
 #include <algorithm>
 #include <atomic>
+#include <map>
+#include <mutex>
 
 namespace odo {
 
@@ -110,19 +112,17 @@ const QString pseudonymsKey = QStringLiteral("history/pseudonyms");
 /// read once.
 std::atomic<int> known = -1;
 
-QString veiled(QString sentence, const std::vector<TeamRecord> &teams)
+/// The pseudonyms of the teams that have one, by name.
+struct Pseudonyms
 {
-    const auto quoted = [](const std::string &name) {
-        return QStringLiteral("'%1'").arg(QString::fromStdString(name));
-    };
-    for (const TeamRecord &team : teams) {
-        if (team.pseudonym.empty())
-            continue;
-        sentence.replace(quoted(team.name), quoted(team.pseudonym));
-        for (const std::string &member : team.members)
-            sentence.replace(quoted(member), QStringLiteral("'…'"));
-    }
-    return sentence;
+    std::mutex mutex;
+    std::map<std::string, std::string> ofTeam;
+};
+
+Pseudonyms &pseudonyms()
+{
+    static Pseudonyms all;
+    return all;
 }
 
 } // namespace
@@ -155,13 +155,23 @@ QString shownTeam(const TeamRecord &team)
     return shownTeam(team.name, team.pseudonym);
 }
 
-Error shownError(Error error, const std::vector<TeamRecord> &teams)
+QString shownTeam(const std::string &name)
 {
-    if (!arePseudonymsShown())
-        return error;
-    for (std::string *part : {&error.what, &error.why, &error.advice})
-        *part = veiled(QString::fromStdString(*part), teams).toStdString();
-    return error;
+    Pseudonyms &all = pseudonyms();
+    const std::lock_guard lock(all.mutex);
+    const auto found = all.ofTeam.find(name);
+    return shownTeam(name, found == all.ofTeam.end() ? std::string() : found->second);
+}
+
+void knowPseudonyms(std::span<const TeamRecord> teams)
+{
+    std::map<std::string, std::string> ofTeam;
+    for (const TeamRecord &team : teams)
+        if (!team.pseudonym.empty())
+            ofTeam[team.name] = team.pseudonym;
+    Pseudonyms &all = pseudonyms();
+    const std::lock_guard lock(all.mutex);
+    all.ofTeam = std::move(ofTeam);
 }
 
 } // namespace odo

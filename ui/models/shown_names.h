@@ -65,8 +65,9 @@ QString shownTeam(const std::string &name, const std::string &pseudonym);
 QString shownTeam(const TrialRecord &trial); ///< empty without a team
 QString shownTeam(const TeamRecord &team);
 
-/// An error of the core ("team 'Anna and Ben': …") with the pseudonyms of teams in the place of their quoted
-/// names, and without the quoted names of their members, where pseudonyms are shown.
-Error shownError(Error error, const std::vector<TeamRecord> &teams);
+/// A team of the open project, by name alone; one that is not known is shown by its name.
+QString shownTeam(const std::string &name);
+/// The teams of the open project: messages of core tell names only. Any thread.
+void knowPseudonyms(std::span<const TeamRecord> teams);
 
 } // namespace odo

@@ -2,6 +2,8 @@
 #include "ui/report/annotated_video.h"
 
 #include "core/base/file_system.h"
+#include "core/base/subjects.h"
+#include "core/files/file_words.h"
 #include "core/project/project.h"
 #include "core/video/frame_stream.h"
 #include "core/video/picture.h"
@@ -91,9 +93,9 @@ AnnotatedVideoJob::AnnotatedVideoJob(std::string trial, AnnotatedVideoSettings s
 {
 }
 
-std::string AnnotatedVideoJob::what() const
+Message AnnotatedVideoJob::what() const
 {
-    return "annotated video of '" + m_trial + "'";
+    return ODO_TEXT("ui.annotated_video", "annotated video of '%1'")(Named::trial(m_trial));
 }
 
 Result<void> AnnotatedVideoJob::prepare(Project &project)
@@ -101,28 +103,32 @@ Result<void> AnnotatedVideoJob::prepare(Project &project)
     const QSize size = m_settings.sizePx;
     if (!AnnotatedVideoSettings::isSize(size))
         return fail(ErrorCode::InvalidInput, what(),
-                    "its size of " + std::to_string(size.width()) + "x" + std::to_string(size.height()) +
-                        " is odd, or not from 320x180 to 3840x2160",
-                    "choose another, such as 1920x1080");
+                    ODO_TEXT("ui.video_size_wrong",
+                             "its size of %1x%2 is odd, or not from 320x180 to 3840x2160")(size.width(),
+                                                                                           size.height()),
+                    ODO_TEXT("ui.choose_video_size", "choose another, such as 1920x1080"));
     if (!AnnotatedVideoSettings::isSpeed(m_settings.speed))
-        return fail(ErrorCode::InvalidInput, what(), "its speed is not from 0.1 to 1",
-                    "choose another, such as 0.25");
+        return fail(ErrorCode::InvalidInput, what(),
+                    ODO_TEXT("ui.video_speed_wrong", "its speed is not from 0.1 to 1"),
+                    ODO_TEXT("ui.choose_video_speed", "choose another, such as 0.25"));
     auto scene = loadTrialScene(project, m_trial);
     if (!scene)
         return tl::unexpected(scene.error());
     m_scene = std::move(*scene);
     if (m_scene->frameTimes().empty())
-        return fail(ErrorCode::NotFound, what(), "the trial has no recording",
-                    "choose one that was recorded");
+        return fail(ErrorCode::NotFound, what(),
+                    ODO_TEXT("ui.trial_without_recording", "the trial has no recording"),
+                    ODO_TEXT("ui.choose_recorded", "choose one that was recorded"));
     for (const SceneView &view : m_scene->views) {
         std::error_code problem;
         if (files::kindOf(view.file, problem) == files::Kind::Missing && !problem)
             return fail(ErrorCode::NotFound, what(),
-                        "the recording of camera " + view.camera + " is not at '" + view.file.string() + "'",
-                        "bring the file back to its place");
+                        ODO_TEXT("ui.recording_not_there", "the recording of camera %1 is not at '%2'")(
+                            Named::camera(view.camera), Named::file(view.file)),
+                        ODO_TEXT("ui.bring_file_back", "bring the file back to its place"));
         if (problem)
-            return fail(ErrorCode::Io, "file '" + view.file.string() + "'",
-                        "it cannot be read (" + problem.message() + ")", "check that you may read the file");
+            return fail(ErrorCode::Io, quotedFileSubject(view.file), cannotBeRead(problem.message()),
+                        checkFileMayBeRead());
         m_inputs.add(view.file);
     }
     m_font = QGuiApplication::font();
@@ -132,12 +138,12 @@ Result<void> AnnotatedVideoJob::prepare(Project &project)
 Result<void> AnnotatedVideoJob::run(const JobControl &control)
 {
     constexpr double floorPart = 0.05;
-    control.report(0, "painting the floor");
+    control.report(0, ODO_TEXT("ui.painting_floor", "painting the floor"));
     AnnotatedPicture painter(m_scene, {m_settings.sizePx, m_settings.isDark ? darkPalette() : lightPalette(),
                                        m_font, m_settings.speed});
     if (const int side = painter.floorSidePx(); side > 0)
         painter.setFloor(makeFloorPicture(*m_scene, painter.floorExtent(), side, control.cancel));
-    const JobControl rest{control.cancel, [&](double fraction, const std::string &text) {
+    const JobControl rest{control.cancel, [&](double fraction, const Message &text) {
                               control.report(floorPart + (1 - floorPart) * fraction, text);
                           }};
     return writePictures(rest, painter);
@@ -179,7 +185,7 @@ Result<void> AnnotatedVideoJob::writePictures(const JobControl &control, Annotat
         if (auto written = (*writer)->write(frame); !written)
             return written;
         control.report(double(i + 1) / double(times.size()),
-                       "picture " + std::to_string(i + 1) + " of " + std::to_string(times.size()));
+                       ODO_TEXT("ui.picture_of", "picture %1 of %2")(i + 1, times.size()));
     }
     m_pictureCount = static_cast<int>(times.size());
     m_durationS = double(times.size()) / options.nominalFramesPerSecond;

@@ -46,7 +46,7 @@ public:
     double durationS() const { return m_durationS; }    ///< of the video; after run
 
 private:
-    std::string what() const;
+    Message what() const;
     Result<void> writePictures(const JobControl &control, AnnotatedPicture &painter);
 
     std::string m_trial;

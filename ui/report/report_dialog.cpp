@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/report_dialog.h"
 
-#include "ui/models/core_words.h"
 #include "ui/models/figure_text.h"
+#include "ui/models/shown_message.h"
 #include "ui/views/widgets/theme.h"
 
 #include <QCheckBox>
@@ -266,7 +266,7 @@ Result<ReportPreview::Made> ReportPreview::make(Project &project, const ReportMa
     const auto taken = maker(project, {cancel, {}}, [&](const ReportPage &page) -> Result<void> {
         made.isAll = made.pictures.size() < qsizetype(mostPages);
         if (!made.isAll || cancel.isCancelled())
-            return cancelled("preview"); // it has enough
+            return cancelled(ODO_TEXT("ui.preview", "preview")); // it has enough
         made.pictures << pagePicture(page, widthPx);
         return {};
     });

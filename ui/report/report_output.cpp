@@ -21,6 +21,12 @@ QPageLayout layoutOf(const PageFormat &format)
             format.isLandscape ? QPageLayout::Landscape : QPageLayout::Portrait, QMarginsF(0, 0, 0, 0)};
 }
 
+tl::unexpected<Error> noPage(Message what)
+{
+    return fail(ErrorCode::InvalidInput, std::move(what), ODO_TEXT("ui.no_page", "it has no page"),
+                ODO_TEXT("ui.choose_trial_or_class", "choose a trial or a class"));
+}
+
 } // namespace
 
 PdfFile::PdfFile(OutputTarget target, const QString &title) : m_target(std::move(target)), m_title(title) {}
@@ -66,8 +72,7 @@ Result<void> PdfFile::add(const ReportPage &page)
 Result<void> PdfFile::finish()
 {
     if (!m_writer)
-        return fail(ErrorCode::InvalidInput, "report '" + m_target.file.string() + "'", "it has no page",
-                    "choose a trial or a class");
+        return noPage(ODO_TEXT("ui.report_file", "report '%1'")(Named::file(m_target.file)));
     m_painter->end();
     m_painter.reset();
     m_writer.reset();
@@ -79,10 +84,12 @@ Result<void> PdfFile::finish()
 
 namespace {
 
-tl::unexpected<Error> failure(const QPrinter &printer, const char *why)
+tl::unexpected<Error> failure(const QPrinter &printer, Message why)
 {
-    return fail(ErrorCode::Io, "printing on '" + printer.printerName().toStdString() + "'", why,
-                "look at the printer and its queue, or save the report as PDF");
+    return fail(
+        ErrorCode::Io, ODO_TEXT("ui.printing_on", "printing on '%1'")(printer.printerName().toStdString()),
+        std::move(why),
+        ODO_TEXT("ui.look_at_printer", "look at the printer and its queue, or save the report as PDF"));
 }
 
 } // namespace
@@ -100,12 +107,12 @@ Result<void> PrintedPages::add(const ReportPage &page)
     m_printer->setPageOrientation(page.format.isLandscape ? QPageLayout::Landscape : QPageLayout::Portrait);
     if (m_painter) {
         if (!m_printer->newPage())
-            return failure(*m_printer, "it takes no further page");
+            return failure(*m_printer, ODO_TEXT("ui.no_further_page", "it takes no further page"));
     } else {
         m_painter = std::make_unique<QPainter>();
         if (!m_painter->begin(m_printer.get())) {
             m_painter.reset();
-            return failure(*m_printer, "it cannot be reached");
+            return failure(*m_printer, ODO_TEXT("ui.printer_not_reached", "it cannot be reached"));
         }
     }
     // The margins of the page are wider than those of printers: sheet lies on sheet where it has room.
@@ -125,10 +132,11 @@ Result<void> PrintedPages::add(const ReportPage &page)
 Result<void> PrintedPages::finish()
 {
     if (!m_painter)
-        return fail(ErrorCode::InvalidInput, "report", "it has no page", "choose a trial or a class");
+        return noPage(reportSubject());
     const bool isPrinted = m_painter->end();
     m_painter.reset();
-    return isPrinted ? Result<void>() : failure(*m_printer, "it did not take the pages");
+    return isPrinted ? Result<void>()
+                     : failure(*m_printer, ODO_TEXT("ui.pages_not_taken", "it did not take the pages"));
 }
 
 ReportJob::ReportJob(ReportMaker maker, std::unique_ptr<PageOutput> output)
@@ -156,7 +164,7 @@ Result<void> ReportJob::run(const JobControl &control)
     if (!made)
         return made;
     if (control.isCancelled())
-        return cancelled("report");
+        return cancelled(reportSubject());
     return output->finish();
 }
 

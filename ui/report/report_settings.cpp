@@ -14,20 +14,22 @@ Result<QImage> readLogo(const std::filesystem::path &file)
 {
     constexpr qint64 mostPixels = 100'000'000;
     constexpr QSize shown(1400, 400); // ten times what a page shows: sharp in print
-    const std::string what = "logo '" + file.string() + "'";
-    const char *advice = "choose a PNG, JPEG or SVG picture";
+    const Message what = ODO_TEXT("ui.logo", "logo '%1'")(Named::file(file));
     if (auto may = checkMayBeRead(file, what); !may)
         return tl::unexpected(may.error());
     QImageReader reader(QString::fromStdString(file.string()));
     reader.setAutoTransform(true);
     const QSize size = reader.size();
     if (size.isValid() && qint64(size.width()) * size.height() > mostPixels)
-        return fail(ErrorCode::Io, what, "it is larger than a hundred megapixels", "make it smaller");
+        return fail(ErrorCode::Io, what,
+                    ODO_TEXT("ui.logo_too_large", "it is larger than a hundred megapixels"),
+                    ODO_TEXT("ui.make_smaller", "make it smaller"));
     if (size.isValid() && (size.width() > shown.width() || size.height() > shown.height()))
         reader.setScaledSize(size.scaled(shown, Qt::KeepAspectRatio));
     QImage picture = reader.read();
     if (picture.isNull())
-        return fail(ErrorCode::Io, what, reader.errorString().toStdString(), advice);
+        return fail(ErrorCode::Io, what, foreignWords(reader.errorString().toStdString()),
+                    ODO_TEXT("ui.choose_logo", "choose a PNG, JPEG or SVG picture"));
     return picture;
 }
 

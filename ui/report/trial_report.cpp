@@ -4,10 +4,10 @@
 #include "core/analysis/gate_passages.h"
 #include "core/workflow/compare/trial_figures.h"
 #include "core/workflow/track/track_warnings.h"
-#include "ui/models/core_words.h"
 #include "ui/models/explanation.h"
 #include "ui/models/results.h"
 #include "ui/models/scene_doubts.h"
+#include "ui/models/shown_message.h"
 #include "ui/models/shown_names.h"
 #include "ui/report/internal/report_painting.h"
 #include "ui/report/internal/run_painting.h"
@@ -25,19 +25,28 @@ namespace odo {
 
 namespace {
 
-QString flagWords(SampleFlags flags)
-{
-    QStringList words;
-    for (const QString &name :
-         QString::fromStdString(flagNames(flags)).replace(u'_', u' ').split(u'|', Qt::SkipEmptyParts))
-        words << shownWords(name);
-    return words.join(QStringLiteral(", "));
-}
-
 class ReportMethodWords
 {
     Q_DECLARE_TR_FUNCTIONS(ReportMethod)
 };
+
+QString flagWords(SampleFlags flags)
+{
+    QStringList words;
+    for (const auto &[flag, word] :
+         {std::pair(SampleFlag::Jump, ReportMethodWords::tr("jump")),
+          std::pair(SampleFlag::SpeedLimit, ReportMethodWords::tr("speed limit")),
+          std::pair(SampleFlag::AccelerationLimit, ReportMethodWords::tr("acceleration limit")),
+          std::pair(SampleFlag::ViewsDisagree, ReportMethodWords::tr("views disagree")),
+          std::pair(SampleFlag::LowScore, ReportMethodWords::tr("low score")),
+          std::pair(SampleFlag::Lost, ReportMethodWords::tr("lost")),
+          std::pair(SampleFlag::DuplicateFrame, ReportMethodWords::tr("duplicate frame")),
+          std::pair(SampleFlag::Interpolated, ReportMethodWords::tr("interpolated")),
+          std::pair(SampleFlag::ByHand, ReportMethodWords::tr("by hand"))})
+        if (hasFlag(flags, flag))
+            words << word;
+    return words.join(QStringLiteral(", "));
+}
 
 QString decimals(double value, int count)
 {

@@ -5,7 +5,7 @@
 #include "core/project/repositories.h"
 #include "core/workflow/trial_sources.h"
 #include "ui/models/camera_lists.h"
-#include "ui/models/core_words.h"
+#include "ui/models/shown_message.h"
 #include "ui/models/timeline.h"
 #include "ui/testbed/check/expected_accuracy.h"
 #include "ui/testbed/internal/known_cameras.h"

@@ -2,6 +2,7 @@
 #include "core/analysis/internal/run_comparison.h"
 
 #include "core/analysis/internal/run_alignment.h"
+#include "core/base/subjects.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +17,11 @@ constexpr double mostStations = 5000;
 constexpr double leastCommonM = 0.05; // runs that share less have nothing to compare
 constexpr double pastBeginM = 0.05;
 constexpr double reachShare = 0.25, leastReachM = 0.1, mostReachM = 0.5; // of the path's extent
+
+Message chooseRunWithMotion()
+{
+    return ODO_TEXT("analysis.choose_motion", "choose a run with motion");
+}
 
 StationTime stationTime(const Arrival &arrival, const AlignedMoment &aligned)
 {
@@ -71,28 +77,31 @@ public:
     }
 
 private:
-    tl::unexpected<Error> failure(ErrorCode code, std::string why, std::string advice) const
+    tl::unexpected<Error> failure(ErrorCode code, Message why, Message advice) const
     {
-        std::string names;
-        for (const ComparedRun &run : m_runs)
-            names += (names.empty() ? "'" : &run == &m_runs.back() ? " and '" : ", '") + run.name + "'";
-        return fail(code, "comparison of " + names, std::move(why), std::move(advice));
+        std::vector<Message> names;
+        for (std::size_t run = 0; run < m_runs.size(); ++run)
+            names.push_back(quoted(run));
+        return fail(code, ODO_TEXT("analysis.comparison_of", "comparison of %1")(listed(std::move(names))),
+                    std::move(why), std::move(advice));
     }
 
     const std::vector<Sample> &samples(std::size_t run) const { return m_runs[run].profile->samples; }
     const std::vector<ProfilePoint> &points(std::size_t run) const { return m_runs[run].profile->points; }
-    std::string quoted(std::size_t run) const { return "'" + m_runs[run].name + "'"; }
+    Message quoted(std::size_t run) const { return quotedName(m_runs[run].name); }
 
     Result<void> checkRuns()
     {
         if (m_runs.size() < 2)
-            return fail(ErrorCode::InvalidInput, "comparison", "it takes two runs",
-                        "choose another run as well");
+            return fail(ErrorCode::InvalidInput, ODO_TEXT("analysis.comparison", "comparison"),
+                        ODO_TEXT("analysis.takes_two_runs", "it takes two runs"),
+                        ODO_TEXT("analysis.choose_another_run", "choose another run as well"));
         for (std::size_t run = 0; run < m_runs.size(); ++run) {
             const auto begin = firstMotionS(samples(run), points(run));
             if (!begin)
-                return failure(ErrorCode::Undetermined, "the robot does not move in " + quoted(run),
-                               "choose a run with motion");
+                return failure(ErrorCode::Undetermined,
+                               ODO_TEXT("analysis.no_motion", "the robot does not move in %1")(quoted(run)),
+                               chooseRunWithMotion());
             m_beginsS.push_back(*begin);
         }
         return {};
@@ -104,8 +113,9 @@ private:
         m_comparison.path =
             m_comparison.isTasksPath ? m_options.task->path : pathOfRun(samples(0), points(0));
         if (m_comparison.path.points.empty())
-            return failure(ErrorCode::Undetermined, "the robot hardly moves in " + quoted(0),
-                           "choose a run with motion");
+            return failure(ErrorCode::Undetermined,
+                           ODO_TEXT("analysis.little_motion", "the robot hardly moves in %1")(quoted(0)),
+                           chooseRunWithMotion());
         m_lengthM = lengthOf(m_comparison.path);
         return {};
     }
@@ -127,9 +137,11 @@ private:
         const bool forward = goesForward(m_comparison.runs[0].progress);
         for (std::size_t run = 1; run < m_runs.size(); ++run)
             if (goesForward(m_comparison.runs[run].progress) != forward)
-                return failure(ErrorCode::Undetermined,
-                               quoted(run) + " drives the way in the other direction than " + quoted(0),
-                               "choose runs in the same direction");
+                return failure(
+                    ErrorCode::Undetermined,
+                    ODO_TEXT("analysis.other_direction",
+                             "%1 drives the way in the other direction than %2")(quoted(run), quoted(0)),
+                    ODO_TEXT("analysis.choose_same_direction", "choose runs in the same direction"));
         if (!forward) {
             m_comparison.path = reversed(m_comparison.path);
             measureProgress();
@@ -139,10 +151,14 @@ private:
 
     tl::unexpected<Error> noCommonStretch(std::size_t run) const
     {
-        return failure(ErrorCode::Undetermined,
-                       quoted(run) + " has no stretch of the way in common with " +
-                           (m_comparison.isTasksPath ? "the task's path" : quoted(0)),
-                       "choose runs of the same task");
+        return failure(
+            ErrorCode::Undetermined,
+            m_comparison.isTasksPath
+                ? ODO_TEXT("analysis.not_on_tasks_path",
+                           "%1 has no stretch of the way in common with the task's path")(quoted(run))
+                : ODO_TEXT("analysis.nothing_in_common",
+                           "%1 has no stretch of the way in common with %2")(quoted(run), quoted(0)),
+            ODO_TEXT("analysis.choose_same_task", "choose runs of the same task"));
     }
 
     /// The moments of all runs; the name of the first one without.
@@ -177,17 +193,21 @@ private:
         if (by == AlignBy::StartGate) {
             const auto without = takeGates();
             if (without && m_options.alignBy)
-                return failure(ErrorCode::Undetermined, quoted(*without) + " does not pass a start gate",
-                               "align by motion onset or distance");
+                return failure(
+                    ErrorCode::Undetermined,
+                    ODO_TEXT("analysis.no_start_gate", "%1 does not pass a start gate")(quoted(*without)),
+                    ODO_TEXT("analysis.align_otherwise", "align by motion onset or distance"));
             if (without)
                 by = AlignBy::MotionOnset;
         }
         if (by == AlignBy::MotionOnset) {
             const auto without = takeOnsets();
             if (without && m_options.alignBy)
-                return failure(ErrorCode::Undetermined,
-                               "the robot of " + quoted(*without) + " drives already when it is first seen",
-                               "align by distance");
+                return failure(
+                    ErrorCode::Undetermined,
+                    ODO_TEXT("analysis.no_onset",
+                             "the robot of %1 drives already when it is first seen")(quoted(*without)),
+                    ODO_TEXT("analysis.align_by_distance", "align by distance"));
             if (without)
                 by = AlignBy::Distance;
         }
@@ -198,15 +218,19 @@ private:
     Result<void> takeHandMoments()
     {
         if (m_options.handTimesS.size() != m_runs.size())
-            return failure(ErrorCode::InvalidInput, "a moment of each run is needed to align them by hand",
-                           "tell one for each");
+            return failure(
+                ErrorCode::InvalidInput,
+                ODO_TEXT("analysis.moments_missing", "a moment of each run is needed to align them by hand"),
+                ODO_TEXT("analysis.tell_moments", "tell one for each"));
         for (std::size_t run = 0; run < m_runs.size(); ++run) {
             const double timeS = m_options.handTimesS[run];
             if (!(timeS >= toSeconds(samples(run).front().time) &&
                   timeS <= toSeconds(samples(run).back().time)))
-                return failure(ErrorCode::InvalidInput,
-                               "the moment told for " + quoted(run) + " lies outside of it",
-                               "tell one between its first and last frame");
+                return failure(
+                    ErrorCode::InvalidInput,
+                    ODO_TEXT("analysis.moment_outside",
+                             "the moment told for %1 lies outside of it")(quoted(run)),
+                    ODO_TEXT("analysis.tell_moment_inside", "tell one between its first and last frame"));
             m_comparison.runs[run].aligned = handMoment(timeS, samples(run));
         }
         return {};
@@ -254,9 +278,11 @@ private:
             if (!arrival && !m_options.placeM)
                 return noCommonStretch(run);
             if (!arrival)
-                return failure(ErrorCode::Undetermined,
-                               quoted(run) + " was not seen at the place to align by",
-                               "choose a place that both runs pass");
+                return failure(
+                    ErrorCode::Undetermined,
+                    ODO_TEXT("analysis.not_seen_there",
+                             "%1 was not seen at the place to align by")(quoted(run)),
+                    ODO_TEXT("analysis.choose_common_place", "choose a place that both runs pass"));
             m_comparison.runs[run].aligned = {arrival->timeS, arrival->ownSigmaS, arrival->commonSigmaS};
         }
         return {};

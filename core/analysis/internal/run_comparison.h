@@ -5,7 +5,6 @@
 #include "core/base/error.h"
 
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace odo {
@@ -13,7 +12,7 @@ namespace odo {
 /// One run that is to be compared. The profile must outlive the comparison's making.
 struct ComparedRun
 {
-    std::string name; ///< for the words of errors
+    Message name; ///< in errors
     const Profile *profile = nullptr;
 };
 

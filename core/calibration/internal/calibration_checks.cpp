@@ -85,7 +85,12 @@ constexpr double leastBox = 0.15; // of the picture, that the board must have be
 constexpr std::size_t leastGroup = 3;
 constexpr double suspiciousGain = 1.5, groupGain = 2; // of the sum of squares
 constexpr double leastZoom = 0.02;                    // of the focal length
-constexpr const char *tiltAdvice = "take pictures with the board tilted by 30 to 45 degrees, to each side";
+
+Message tiltAdvice()
+{
+    return ODO_TEXT("calibration.tilt_board",
+                    "take pictures with the board tilted by 30 to 45 degrees, to each side");
+}
 
 /// The largest angle between the board's normals of any two pictures, degrees.
 double largestTurn(const LensFit &fit)
@@ -200,20 +205,27 @@ Result<void> checkOneCamera(const std::vector<BoardView> &views, const LensFit &
     if (together < groupGain * (lower->squares + upper->squares) || std::abs(other / one - 1) < leastZoom)
         return {};
     return refuseCalibration(
-        "the pictures ask for two focal lengths: " + std::to_string(split) + " for about " +
-            formatNumber(one, 0) + " px, " + std::to_string(focals.size() - split) + " (such as " +
-            views[focals[split].view].source + ") for about " + formatNumber(other, 0) + " px",
-        "use pictures of one camera at one zoom and focus");
+        joined({ODO_TEXT("calibration.two_focal_lengths", "the pictures ask for two focal lengths"),
+                ODO_TEXT("calibration.focal_length_groups", "%1 for about %2, %3 (such as %4) for about %5")(
+                    split, quantity(one, 0, "px"), focals.size() - split, views[focals[split].view].source,
+                    quantity(other, 0, "px"))},
+               Join::Colon),
+        ODO_TEXT("calibration.use_one_camera", "use pictures of one camera at one zoom and focus"));
 }
 
-tl::unexpected<Error> refuseCalibration(std::string why, std::string advice)
+Message cannotBeCalibrated()
 {
-    return fail(ErrorCode::Undetermined, calibrationWhat, std::move(why), std::move(advice));
+    return ODO_TEXT("calibration.cannot_be_calibrated", "the camera cannot be calibrated");
 }
 
-std::string percentWords(double part)
+tl::unexpected<Error> refuseCalibration(Message why, Message advice)
 {
-    return formatNumber(100 * part, part < 0.01 ? 2 : 1) + " %";
+    return fail(ErrorCode::Undetermined, cannotBeCalibrated(), std::move(why), std::move(advice));
+}
+
+MessageArgument percentOf(double part)
+{
+    return quantity(100 * part, part < 0.01 ? 2 : 1, "%");
 }
 
 double boxOfCorners(const std::vector<BoardView> &views, int widthPx, int heightPx)
@@ -222,17 +234,23 @@ double boxOfCorners(const std::vector<BoardView> &views, int widthPx, int height
     return box.isEmpty() ? 0 : box.volume() / (static_cast<double>(widthPx) * heightPx);
 }
 
-std::string placeOfCorners(const std::vector<BoardView> &views, int widthPx, int heightPx)
+Message placeOfCorners(const std::vector<BoardView> &views, int widthPx, int heightPx)
 {
+    const MessageText *const places[3][3] = {{&ODO_TEXT("calibration.place_upper_left", "upper left"),
+                                              &ODO_TEXT("calibration.place_upper", "upper"),
+                                              &ODO_TEXT("calibration.place_upper_right", "upper right")},
+                                             {&ODO_TEXT("calibration.place_left", "left"),
+                                              &ODO_TEXT("calibration.place_middle", "middle"),
+                                              &ODO_TEXT("calibration.place_right", "right")},
+                                             {&ODO_TEXT("calibration.place_lower_left", "lower left"),
+                                              &ODO_TEXT("calibration.place_lower", "lower"),
+                                              &ODO_TEXT("calibration.place_lower_right", "lower right")}};
     const Eigen::AlignedBox2d box = boxOf(views);
     if (box.isEmpty())
-        return "middle";
+        return *places[1][1];
     const Eigen::Vector2d middle = box.center().cwiseQuotient(Eigen::Vector2d(widthPx, heightPx));
-    const std::string row = middle.y() < 0.4 ? "upper" : middle.y() > 0.6 ? "lower" : "";
-    const std::string column = middle.x() < 0.4 ? "left" : middle.x() > 0.6 ? "right" : "";
-    if (row.empty() && column.empty())
-        return "middle";
-    return row + (row.empty() || column.empty() ? "" : " ") + column;
+    const auto third = [](double share) { return share < 0.4 ? 0 : share > 0.6 ? 2 : 1; };
+    return *places[third(middle.y())][third(middle.x())];
 }
 
 Result<void> checkPlaces(const std::vector<BoardView> &views, int widthPx, int heightPx)
@@ -240,32 +258,39 @@ Result<void> checkPlaces(const std::vector<BoardView> &views, int widthPx, int h
     const double box = boxOfCorners(views, widthPx, heightPx);
     if (box >= leastBox)
         return {};
-    return refuseCalibration("all " + std::to_string(views.size()) +
-                                 " pictures show the board in one place, the " +
-                                 placeOfCorners(views, widthPx, heightPx) + " " + formatNumber(100 * box, 0) +
-                                 " % of the picture: how the lens bends elsewhere stays unknown",
-                             "show the board in the middle and near each corner of the picture, and closer");
+    return refuseCalibration(
+        joined({ODO_TEXT("calibration.board_in_one_place",
+                         "all %1 pictures show the board in one place, the %2 %3 of the picture")(
+                    views.size(), placeOfCorners(views, widthPx, heightPx), quantity(100 * box, 0, "%")),
+                ODO_TEXT("calibration.lens_unknown_elsewhere", "how the lens bends elsewhere stays unknown")},
+               Join::Colon),
+        ODO_TEXT("calibration.show_everywhere",
+                 "show the board in the middle and near each corner of the picture, and closer"));
 }
 
 Result<double> checkDetermined(const std::vector<BoardView> &views, const LensFit &fit,
                                const std::optional<HeldOut> &halves, const JobControl &control)
 {
-    const std::string all = "all " + std::to_string(views.size()) + " pictures";
     if (largestTurn(fit) < leastTurn)
-        return refuseCalibration(
-            all + " show the board in nearly the same attitude, which does not determine the focal length",
-            tiltAdvice);
+        return refuseCalibration(ODO_TEXT("calibration.same_attitude",
+                                          "all %1 pictures show the board in nearly the same attitude, which "
+                                          "does not determine the focal length")(views.size()),
+                                 tiltAdvice());
     const double sigma = focalSigma(views, fit, control);
     if (control.isCancelled())
-        return cancelled(calibrationWhat);
+        return cancelled(cannotBeCalibrated());
     if (!(sigma < doubtfulFocalSigma))
-        return refuseCalibration("the pictures determine the focal length only to " + percentWords(sigma) +
-                                     ": the board is seen too nearly frontal",
-                                 tiltAdvice);
+        return refuseCalibration(
+            joined({ODO_TEXT("calibration.focal_length_unsure",
+                             "the pictures determine the focal length only to %1")(percentOf(sigma)),
+                    ODO_TEXT("calibration.too_frontal", "the board is seen too nearly frontal")},
+                   Join::Colon),
+            tiltAdvice());
     if (halves && halves->focalDifference() > 3 * doubtfulFocalSigma)
-        return refuseCalibration("two halves of the pictures give focal lengths that differ by " +
-                                     percentWords(halves->focalDifference()),
-                                 tiltAdvice);
+        return refuseCalibration(ODO_TEXT("calibration.halves_contradict",
+                                          "two halves of the pictures give focal lengths that differ by %1")(
+                                     percentOf(halves->focalDifference())),
+                                 tiltAdvice());
     return sigma;
 }
 

@@ -25,19 +25,19 @@ struct HeldOut
 std::optional<HeldOut> holdOut(const std::vector<BoardView> &views, const LensFit &all,
                                const JobControl &control);
 
-/// What the messages of a calibration begin with.
-inline constexpr const char *calibrationWhat = "the camera cannot be calibrated";
+/// What the errors of a calibration are about.
+Message cannotBeCalibrated();
 
-tl::unexpected<Error> refuseCalibration(std::string why, std::string advice);
+tl::unexpected<Error> refuseCalibration(Message why, Message advice);
 
 /// "0.20 %"
-std::string percentWords(double part);
+MessageArgument percentOf(double part);
 
 /// The part of the picture that the box about all corners covers.
 double boxOfCorners(const std::vector<BoardView> &views, int widthPx, int heightPx);
 
 /// Where in the picture the middle of all corners lies: "upper left", "middle".
-std::string placeOfCorners(const std::vector<BoardView> &views, int widthPx, int heightPx);
+Message placeOfCorners(const std::vector<BoardView> &views, int widthPx, int heightPx);
 
 /// Refuses pictures that show the board always in the same part of the picture.
 Result<void> checkPlaces(const std::vector<BoardView> &views, int widthPx, int heightPx);

@@ -2,7 +2,6 @@
 #include "core/calibration/internal/lens_choice.h"
 
 #include "core/base/percentile.h"
-#include "core/base/units.h"
 #include "core/calibration/internal/calibration_checks.h"
 
 #include <algorithm>
@@ -196,34 +195,40 @@ bool isClearlyWorse(const LensCandidate &simpler, const LensCandidate &best)
     return mean > marginErrors * std::sqrt(squares / (count - 1) / count);
 }
 
-std::string pixelsOf(const LensCandidate &candidate)
+MessageArgument pixelsOf(const LensCandidate &candidate)
 {
-    return std::isfinite(candidate.heldOutPx()) ? formatNumber(candidate.heldOutPx(), decimals) + " px"
-                                                : "not all";
+    if (!std::isfinite(candidate.heldOutPx()))
+        return Message(ODO_TEXT("calibration.not_all_foretold", "not all"));
+    return quantity(candidate.heldOutPx(), decimals, "px");
 }
 
-std::string reasonOf(const LensCandidate &chosen, const std::vector<LensCandidate> &candidates)
+Message reasonOf(const LensCandidate &chosen, const std::vector<LensCandidate> &candidates)
 {
     const auto other = std::ranges::min_element(candidates, {}, [&](const LensCandidate &candidate) {
         return &candidate == &chosen ? std::numeric_limits<double>::infinity() : candidate.heldOutPx();
     });
     if (&*other == &chosen)
-        return "no other model fits";
-    const std::string own = "it foretells pictures held out to " + pixelsOf(chosen) + ", the ";
+        return ODO_TEXT("calibration.no_other_lens", "no other model fits");
     const bool simplest = &chosen == &candidates.front();
     const LensCandidate &against = simplest ? *other : candidates.front();
-    const std::string name = lensModelName(against.model());
-    if (simplest && against.heldOutPx() < chosen.heldOutPx())
-        return own + name + " one to " + pixelsOf(against) + ", which may be chance";
-    return own + name + " one " + (simplest ? "no better (" : "only to ") + pixelsOf(against) +
-           (simplest ? ")" : "");
+    const MessageText &words =
+        !simplest ? ODO_TEXT("calibration.foretells_better",
+                             "it foretells pictures held out to %1, the %2 one only to %3")
+        : against.heldOutPx() < chosen.heldOutPx()
+            ? ODO_TEXT("calibration.foretells_by_chance",
+                       "it foretells pictures held out to %1, the %2 one to %3, which may be chance")
+            : ODO_TEXT("calibration.foretells_as_well",
+                       "it foretells pictures held out to %1, the %2 one no better (%3)");
+    return words(pixelsOf(chosen), lensModelName(against.model()), pixelsOf(against));
 }
 
 } // namespace
 
-std::string lensModelName(LensModel model)
+Message lensModelName(LensModel model)
 {
-    return model == LensModel::Standard ? "standard" : model == LensModel::Rational ? "rational" : "fisheye";
+    return model == LensModel::Standard   ? ODO_TEXT("calibration.standard", "standard")
+           : model == LensModel::Rational ? ODO_TEXT("calibration.rational", "rational")
+                                          : ODO_TEXT("calibration.fisheye", "fisheye");
 }
 
 std::optional<LensChoice> chooseLens(const std::vector<BoardView> &views,
@@ -240,8 +245,10 @@ std::optional<LensChoice> chooseLens(const std::vector<BoardView> &views,
     if (candidates.empty() || control.isCancelled())
         return std::nullopt;
     if (starts.size() == 1)
-        return LensChoice{
-            std::move(candidates.front().fit), std::move(candidates.front().outliers), {}, "told"};
+        return LensChoice{std::move(candidates.front().fit),
+                          std::move(candidates.front().outliers),
+                          {},
+                          ODO_TEXT("calibration.lens_told", "told")};
 
     const std::vector<BoardView> sound =
         withoutCorners(views, singleCorners(views, candidates.front().fit, common(candidates)));
@@ -255,7 +262,7 @@ std::optional<LensChoice> chooseLens(const std::vector<BoardView> &views,
     const LensCandidate &best = *std::ranges::min_element(candidates, {}, &LensCandidate::heldOutPx);
     LensCandidate &chosen = *std::ranges::find_if(
         candidates, [&](const LensCandidate &candidate) { return !isClearlyWorse(candidate, best); });
-    std::string reason = reasonOf(chosen, candidates);
+    Message reason = reasonOf(chosen, candidates);
     return LensChoice{std::move(chosen.fit), std::move(chosen.outliers), std::move(trials),
                       std::move(reason)};
 }

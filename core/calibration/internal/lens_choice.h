@@ -32,11 +32,11 @@ struct LensChoice
     LensFit fit;
     CornerMarks outliers;          ///< that stand out from that fit
     std::vector<LensTrial> trials; ///< empty where there was one start only
-    std::string reason;            ///< as IntrinsicCalibration::lensReason
+    Message reason;                ///< as IntrinsicCalibration::lensReason
 };
 
 /// "standard", "rational", "fisheye"
-std::string lensModelName(LensModel model);
+Message lensModelName(LensModel model);
 
 /// Fits each start's model and takes the first that foretells held-out pictures about as well as the best one
 /// does, as calibrateIntrinsics says. starts: the plainest model first. Corners that stand out from every

@@ -390,12 +390,13 @@ namespace {
 
 using Solution = AssignmentSearch::Solution;
 
-constexpr const char *assignment = "the markers cannot be told apart";
 constexpr double clearlyBetter = 3, leastDifferencePx = 0.7;
 
-tl::unexpected<Error> refuseAssignment(std::string why, std::string advice)
+tl::unexpected<Error> refuseAssignment(Message why, Message advice)
 {
-    return fail(ErrorCode::Undetermined, assignment, std::move(why), std::move(advice));
+    return fail(ErrorCode::Undetermined,
+                ODO_TEXT("calibration.markers_not_told_apart", "the markers cannot be told apart"),
+                std::move(why), std::move(advice));
 }
 
 std::vector<MarkerPixel> pixelsOf(const AssignmentSearch &search, const Solution &solution,
@@ -437,9 +438,10 @@ tl::unexpected<Error> askForOne(const MarkerLayout &layout, const std::vector<So
         }
     }
     return refuseAssignment(
-        "in " + std::to_string(equal.size()) +
-            " ways they fit the layout equally well, which looks the same from several sides",
-        "tell by hand which of them is " + best);
+        ODO_TEXT("calibration.markers_fit_many_ways",
+                 "in %1 ways they fit the layout equally well, which looks the same from several sides")(
+            equal.size()),
+        ODO_TEXT("calibration.tell_by_hand", "tell by hand which of them is %1")(Named::marker(best)));
 }
 
 } // namespace
@@ -474,11 +476,17 @@ Result<std::vector<MarkerPixel>> assignMarkers(const std::vector<RoundMarker> &s
     if (best)
         return *best;
     if (shapes.size() + hints.size() < 4)
-        return refuseAssignment(std::to_string(shapes.size()) + " rings or dots were found, four are needed",
-                                "show more of them, larger or in better light, or mark the markers by hand");
+        return refuseAssignment(
+            ODO_TEXT("calibration.too_few_shapes",
+                     "%1 rings or dots were found, four are needed")(shapes.size()),
+            ODO_TEXT("calibration.show_more_shapes",
+                     "show more of them, larger or in better light, or mark the markers by hand"));
     return refuseAssignment(
-        "none of the ways to name the " + std::to_string(shapes.size()) + " rings and dots fits the layout",
-        "check the layout's places and their unit, cover other round things, or mark the markers by hand");
+        ODO_TEXT("calibration.shapes_fit_nowhere",
+                 "none of the ways to name the %1 rings and dots fits the layout")(shapes.size()),
+        ODO_TEXT("calibration.check_layout_places",
+                 "check the layout's places and their unit, cover other round things, or "
+                 "mark the markers by hand"));
 }
 
 } // namespace odo

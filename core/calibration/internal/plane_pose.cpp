@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/internal/plane_pose.h"
 
-#include "core/base/units.h"
+#include "core/calibration/internal/wording.h"
 #include "core/geometry/least_squares.h"
 
 #include <Eigen/LU>
@@ -109,6 +109,12 @@ std::optional<double> focalScaleOf(const Homography &raysFromPlane)
     return 1 / std::sqrt(inverseSquare);
 }
 
+tl::unexpected<Error> noPose(Message why, Message advice)
+{
+    return fail(ErrorCode::Undetermined, ODO_TEXT("calibration.no_pose", "no pose"), std::move(why),
+                std::move(advice));
+}
+
 Result<Homography> raysFromPlane(std::span<const PointPair> pairs, const CameraModel &camera)
 {
     std::vector<PointPair> rays;
@@ -116,9 +122,10 @@ Result<Homography> raysFromPlane(std::span<const PointPair> pairs, const CameraM
         const auto ray = camera.unproject(pair.target);
         const double cosine = ray ? ray->normalized().z() : 0;
         if (!(cosine > std::cos(mostDegreesFromAxis * EIGEN_PI / 180)))
-            return fail(ErrorCode::Undetermined, "no pose",
-                        pair.label + " lies where this camera's lens cannot have put it",
-                        "check its pixel and the camera's intrinsics");
+            return noPose(
+                ODO_TEXT("calibration.marker_against_lens",
+                         "%1 lies where this camera's lens cannot have put it")(Named::marker(pair.label)),
+                ODO_TEXT("calibration.check_pixel_and_lens", "check its pixel and the camera's intrinsics"));
         rays.push_back({pair.source, ray->hnormalized(), pair.label});
     }
     return Homography::estimate(rays);
@@ -194,8 +201,8 @@ Result<PlanePose> fitPlanePose(std::span<const PointPair> pairs, const CameraMod
     }
     if (const auto pose = refined(pairs, camera, FocalLength::Known, {startOf(*rays, 1), 1}, weights))
         return *pose;
-    return fail(ErrorCode::Undetermined, "no pose", "the points do not determine where the camera stands",
-                "spread the points over the floor, not along a line");
+    return noPose(pointsUndetermined(), ODO_TEXT("calibration.spread_points",
+                                                 "spread the points over the floor, not along a line"));
 }
 
 std::optional<PlanePose> refinePlanePose(std::span<const PointPair> pairs, const CameraModel &camera,
@@ -235,43 +242,47 @@ std::vector<Order> exchanges(std::size_t count)
     return orders;
 }
 
-std::string describe(std::span<const PointPair> pairs, const Order &order, double rmsPx)
+Message describe(std::span<const PointPair> pairs, const Order &order, double rmsPx)
 {
     std::vector<std::size_t> moved;
     for (std::size_t i = 0; i < order.size(); ++i) {
         if (order[i] != i)
             moved.push_back(i);
     }
-    const std::string fit = formatNumber(rmsPx, 1);
+    const MessageArgument fit = quantity(rmsPx, 1, "px");
     if (moved.size() == 2)
-        return "with " + pairs[moved[0]].label + " and " + pairs[moved[1]].label + " exchanged they fit to " +
-               fit + " px";
-    std::string told, meant;
+        return ODO_TEXT("calibration.labels_exchanged", "with %1 and %2 exchanged they fit to %3")(
+            Named::marker(pairs[moved[0]].label), Named::marker(pairs[moved[1]].label), fit);
+    std::vector<std::string> told, meant;
     for (std::size_t i : moved) {
-        told += (told.empty() ? "" : ", ") + pairs[order[i]].label;
-        meant += (meant.empty() ? "" : ", ") + pairs[i].label;
+        told.push_back(pairs[order[i]].label);
+        meant.push_back(pairs[i].label);
     }
-    return "with " + told + " called " + meant + " they fit to " + fit + " px";
+    const auto inOrder = [](const std::vector<std::string> &labels) {
+        return listed(labels, MessageArgument::Kind::Marker, MessageArgument::Joint::Comma);
+    };
+    return ODO_TEXT("calibration.labels_called", "with %1 called %2 they fit to %3")(inOrder(told),
+                                                                                     inOrder(meant), fit);
 }
 
 } // namespace
 
-std::string betterOrder(std::span<const PointPair> pairs, const CameraModel &camera, FocalLength focal,
-                        double fitPx)
+Message betterOrder(std::span<const PointPair> pairs, const CameraModel &camera, FocalLength focal,
+                    double fitPx)
 {
-    std::string words;
+    std::vector<Message> better;
     const auto consider = [&](const Order &order) {
         if (const auto rmsPx = misfit(pairs, order, camera, focal); rmsPx && *rmsPx <= fitPx)
-            words += (words.empty() ? "" : "; ") + describe(pairs, order, *rmsPx);
+            better.push_back(describe(pairs, order, *rmsPx));
     };
     for (const Order &order : exchanges(pairs.size()))
         consider(order);
-    if (words.empty() && pairs.size() == 4) {
+    if (better.empty() && pairs.size() == 4) {
         Order order{0, 1, 2, 3};
-        while (words.empty() && std::ranges::next_permutation(order).found)
+        while (better.empty() && std::ranges::next_permutation(order).found)
             consider(order);
     }
-    return words;
+    return joined(std::move(better), Join::Semicolon);
 }
 
 } // namespace odo

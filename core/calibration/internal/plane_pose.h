@@ -8,7 +8,6 @@
 
 #include <optional>
 #include <span>
-#include <string>
 
 namespace odo {
 
@@ -49,10 +48,10 @@ std::optional<PlanePose> refinePlanePose(std::span<const PointPair> pairs, const
                                          FocalLength focal, const RigidTransform &worldFromCamera);
 
 /// Looks for the mistake in labels that do not fit: each exchange of two labels, and for four markers each
-/// order, is fitted. Returns words such as "with U and V exchanged they fit to 0.3 px", for every exchange
+/// order, is fitted. Returns clauses such as "with U and V exchanged they fit to 0.3 px", for every exchange
 /// that fits to within fitPx, with semicolons between them; empty where nothing helps. The camera is taken to
 /// be above the floor.
-std::string betterOrder(std::span<const PointPair> pairs, const CameraModel &camera, FocalLength focal,
-                        double fitPx);
+Message betterOrder(std::span<const PointPair> pairs, const CameraModel &camera, FocalLength focal,
+                    double fitPx);
 
 } // namespace odo

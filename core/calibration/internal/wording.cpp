@@ -7,27 +7,74 @@
 
 namespace odo {
 
-std::string listed(const std::vector<std::string> &names)
+MessageArgument millimetres(double metres)
 {
-    std::string text;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        if (i > 0)
-            text += i + 1 == names.size() ? " and " : ", ";
-        text += names[i];
-    }
-    return names.empty() ? "none" : text;
+    return quantity(toMillimetres(metres), 1, "mm");
 }
 
-std::string millimetres(double metres)
+Message sentence(Message clauses)
 {
-    return formatNumber(toMillimetres(metres), 1) + " mm";
+    return ODO_TEXT("calibration.sentence", "%1.")(std::move(clauses));
 }
 
-std::string registrationGrade(double worseM, double extentM)
+Message goodVerdict(Message clauses)
 {
-    return worseM <= std::max(0.005, 0.0025 * extentM)   ? "Good: "
-           : worseM <= std::max(0.015, 0.0075 * extentM) ? "Usable: "
-                                                         : "Poor, measure the markers again: ";
+    return ODO_TEXT("calibration.good", "Good: %1.")(std::move(clauses));
+}
+
+Message usableVerdict(Message clauses)
+{
+    return ODO_TEXT("calibration.usable", "Usable: %1.")(std::move(clauses));
+}
+
+Message registrationVerdict(double worseM, double extentM, Message clauses)
+{
+    if (worseM <= std::max(0.005, 0.0025 * extentM))
+        return goodVerdict(std::move(clauses));
+    if (worseM <= std::max(0.015, 0.0075 * extentM))
+        return usableVerdict(std::move(clauses));
+    return ODO_TEXT("calibration.poor_measure_again",
+                    "Poor, measure the markers again: %1.")(std::move(clauses));
+}
+
+Message edgesAreWide(double widthPx)
+{
+    return ODO_TEXT("calibration.edges_wide", "its edges are %1 pixels wide")(quantity(widthPx, 0));
+}
+
+Message pointsUndetermined()
+{
+    return ODO_TEXT("calibration.points_undetermined", "the points do not determine where the camera stands");
+}
+
+Message hardlyChecked(Message four)
+{
+    return joined({std::move(four), ODO_TEXT("calibration.fifth_would", "a fifth would.")}, Join::Semicolon);
+}
+
+Message calibrateToRely()
+{
+    return ODO_TEXT("calibration.calibrate_to_rely", "Calibrate it for positions to rely on.");
+}
+
+Message useCameraPicture()
+{
+    return ODO_TEXT("calibration.use_camera_picture", "use a picture of the camera");
+}
+
+Message correctPixels()
+{
+    return ODO_TEXT("calibration.correct_pixels", "correct the pixels");
+}
+
+Message markWhereSeen()
+{
+    return ODO_TEXT("calibration.mark_where_seen", "mark each of them where it is seen");
+}
+
+Message spreadMarkers()
+{
+    return ODO_TEXT("calibration.spread_markers", "spread the markers over the floor");
 }
 
 } // namespace odo

@@ -1,19 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <string>
-#include <vector>
+#include "core/base/message.h"
 
 namespace odo {
 
-/// "O, U and V", for messages; "none" of none.
-std::string listed(const std::vector<std::string> &names);
-
 /// "12.3 mm".
-std::string millimetres(double metres);
+MessageArgument millimetres(double metres);
 
+/// Clauses, joined or not, as one sentence with its full stop.
+Message sentence(Message clauses);
+
+/// The first sentence of a verdict, of clauses without a full stop: "Good: 4 markers fit ...".
+Message goodVerdict(Message clauses);
+Message usableVerdict(Message clauses);
 /// How a registration is judged by the larger of its misfit and its σ, both in metres, against the extent of
-/// its points: the verdict's first words, such as "Good: ".
-std::string registrationGrade(double worseM, double extentM);
+/// its points.
+Message registrationVerdict(double worseM, double extentM, Message clauses);
+
+// What several checks say.
+Message edgesAreWide(double widthPx); ///< of a board that is not sharp
+Message pointsUndetermined();         ///< they do not tell where the camera stands
+Message hardlyChecked(Message four);  ///< a sentence of the clause that four check one another little
+Message calibrateToRely();            ///< a sentence, where no lens is known
+
+// What several of them advise.
+Message useCameraPicture();
+Message correctPixels();
+Message markWhereSeen();
+Message spreadMarkers();
 
 } // namespace odo

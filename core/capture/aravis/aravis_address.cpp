@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/aravis/aravis_address.h"
 
+#include "core/capture/camera_errors.h"
 #include "core/capture/camera_source.h"
 
 #include <cmath>
@@ -91,14 +92,19 @@ Result<AravisAddress> parseAravisAddress(const std::string &uri)
     address.uri = uri;
     address.place = std::move(split.place);
     if (address.place.empty())
-        return fail(ErrorCode::InvalidInput, "camera " + uri,
-                    "it says neither an address nor a serial number",
-                    "give one as aravis:192.168.1.20 or aravis:SERIAL; odograph cameras lists them");
+        return fail(
+            ErrorCode::InvalidInput, cameraAtAddress(uri),
+            ODO_TEXT("capture.aravis_place_missing", "it says neither an address nor a serial number"),
+            joined({ODO_TEXT("capture.give_aravis_place", "give one as aravis:192.168.1.20 or aravis:SERIAL"),
+                    ODO_TEXT("capture.cameras_are_listed", "odograph cameras lists them")},
+                   Join::Semicolon));
     for (const CameraWish &wish : split.wishes) {
         if (!setWish(address, wish.name, wish.value))
-            return fail(ErrorCode::InvalidInput, "camera " + uri, "'" + wish.text + "' is not understood",
-                        "take rate, exposure_ms, gain, format, size, trigger=software, packet_size or "
-                        "packet_delay_us, as in ?rate=30&size=640x480");
+            return notUnderstood(
+                uri, wish.text,
+                ODO_TEXT("capture.aravis_wishes",
+                         "take rate, exposure_ms, gain, format, size, trigger=software, packet_size or "
+                         "packet_delay_us, as in ?rate=30&size=640x480"));
     }
     return address;
 }

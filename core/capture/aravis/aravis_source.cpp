@@ -5,6 +5,7 @@
 #include "core/capture/aravis/internal/aravis_library.h"
 #include "core/capture/aravis/internal/aravis_worker.h"
 #include "core/capture/aravis/internal/gvcp.h"
+#include "core/capture/camera_errors.h"
 
 #include <thread>
 
@@ -16,11 +17,6 @@ using namespace std::chrono_literals;
 
 constexpr Nanoseconds pictureWithin = 500ms, answerWithin = 2s, openWithin = 8s, endWithin = 300ms;
 constexpr auto listingPatience = 100ms;
-
-tl::unexpected<Error> noAnswer(const std::string &uri)
-{
-    return fail(ErrorCode::Unavailable, "camera " + uri, "it does not answer", "check its power and cable");
-}
 
 class AravisSource : public CameraSource
 {
@@ -65,12 +61,12 @@ public:
         };
         return onCamera<Result<void>>(setIt, noAnswer(m_description.uri));
     }
-    std::vector<std::string> holdAutomatics() override
+    std::vector<Message> holdAutomatics() override
     {
         const auto hold = [](AravisDevice *device, AravisWorker &worker) {
             return worker.holdAutomatics(device);
         };
-        return onCamera<std::vector<std::string>>(hold, {"Exposure and gain"});
+        return onCamera<std::vector<Message>>(hold, {exposureAndGain()});
     }
     void releaseAutomatics() override
     {
@@ -108,7 +104,7 @@ CameraDescription describeFound(const std::string &place, const std::string &ven
     CameraDescription camera;
     camera.uri = "aravis:" + (serial.empty() ? place : serial);
     camera.kind = "aravis";
-    camera.name = vendor + " " + model;
+    camera.name = foreignWords(vendor + " " + model);
     camera.serial = serial;
     camera.busy = busy;
     return camera;

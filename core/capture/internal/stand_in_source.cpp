@@ -2,6 +2,7 @@
 #include "core/capture/internal/stand_in_source.h"
 
 #include "core/base/steady_now.h"
+#include "core/base/subjects.h"
 #include "core/simulation/demo_testbed.h"
 #include "core/video/video_reader.h"
 
@@ -54,7 +55,7 @@ public:
     {
         double timeS = timeOf(m_sequence);
         if (!m_pace.waitUntil(fromSeconds(timeS)))
-            return cancelled(m_description.uri);
+            return cancelled(nameAlone(m_description.uri));
         // Who asks too late has lost what the camera took meanwhile, as with a real one.
         const double lateS = toSeconds(m_pace.lateness(fromSeconds(timeS)));
         m_sequence += static_cast<std::uint64_t>(std::max(0.0, lateS) * m_description.framesPerSecond);
@@ -186,10 +187,11 @@ public:
         if (!frame)
             return tl::unexpected(frame.error());
         if (!*frame)
-            return fail(ErrorCode::Io, m_description.uri, "the video has ended",
-                        "open it again to see it from the start");
+            return fail(ErrorCode::Io, nameAlone(m_description.uri),
+                        ODO_TEXT("capture.video_has_ended", "the video has ended"),
+                        ODO_TEXT("capture.open_video_again", "open it again to see it from the start"));
         if (!m_pace.waitUntil((*frame)->time))
-            return cancelled(m_description.uri);
+            return cancelled(nameAlone(m_description.uri));
         CapturedFrame captured{std::move(**frame), 0, steadyNow()};
         captured.sequence = static_cast<std::uint64_t>(captured.frame.index);
         return captured;
@@ -209,9 +211,9 @@ Result<std::unique_ptr<CameraSource>> openFileSource(const std::filesystem::path
     if (!reader)
         return tl::unexpected(reader.error());
     const VideoInfo &info = (*reader)->info();
-    CameraDescription description{"file:" + file.string(),  "file",
-                                  file.filename().string(), info.format.width,
-                                  info.format.height,       info.framesPerSecond};
+    CameraDescription description{"file:" + file.string(),      "file",
+                                  fileSubject(file.filename()), info.format.width,
+                                  info.format.height,           info.framesPerSecond};
     return std::make_unique<FileSource>(std::move(*reader), std::move(description), pace);
 }
 

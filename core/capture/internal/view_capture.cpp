@@ -4,10 +4,10 @@
 #include "core/base/percentile.h"
 #include "core/base/shortage.h"
 #include "core/base/steady_now.h"
+#include "core/capture/camera_errors.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace odo {
 
@@ -25,7 +25,7 @@ constexpr double slowShare = 0.75; // of the rate; with a pause of half a second
 ViewCapture::ViewCapture(std::unique_ptr<CameraSource> camera, std::size_t view, Nanoseconds preRoll,
                          std::shared_ptr<FramePairing> pairing)
     : m_camera(std::move(camera)), m_view(view), m_pairing(std::move(pairing)),
-      m_coder("camera " + description().uri, preRoll), m_slept(machineSlept())
+      m_coder(description().uri, preRoll), m_slept(machineSlept())
 {
 }
 
@@ -34,15 +34,15 @@ ViewCapture::~ViewCapture() = default;
 void ViewCapture::start()
 {
     m_begun = steadyNow();
-    const std::string what = "camera " + description().uri;
     if (auto started = m_coder.start(); !started)
         return cannotRun(started.error());
     std::promise<void> ended;
     m_takerEnded = ended.get_future();
-    auto taker = startThread(what, [self = shared_from_this(), ended = std::move(ended)]() mutable {
-        self->takePictures();
-        ended.set_value();
-    });
+    auto taker = startThread(cameraAtAddress(description().uri),
+                             [self = shared_from_this(), ended = std::move(ended)]() mutable {
+                                 self->takePictures();
+                                 ended.set_value();
+                             });
     if (!taker)
         return cannotRun(taker.error());
     m_taker = std::move(*taker);
@@ -84,7 +84,7 @@ void ViewCapture::takePictures()
 {
     for (;;) {
         settleAutomatics();
-        auto captured = orShortage("camera " + description().uri, [this] { return m_camera->next(); });
+        auto captured = orShortage(cameraAtAddress(description().uri), [this] { return m_camera->next(); });
         if (captured) {
             take(std::move(*captured));
             continue;
@@ -127,7 +127,7 @@ void ViewCapture::settleAutomatics()
     }
     if (!hold)
         return m_camera->releaseAutomatics();
-    std::vector<std::string> notHeld = m_camera->holdAutomatics();
+    std::vector<Message> notHeld = m_camera->holdAutomatics();
     const std::lock_guard lock(m_mutex);
     m_health.automaticsHeld = notHeld.empty();
     m_health.notHeld = std::move(notHeld);
@@ -240,12 +240,14 @@ std::optional<Trouble> ViewCapture::silence(Nanoseconds now) const
     const Nanoseconds last = (began ? m_lastArrival : m_begun) + (machineSlept() - m_slept);
     if (now - last <= allowed)
         return std::nullopt;
-    char seconds[32];
-    std::snprintf(seconds, sizeof seconds, "%lld s", static_cast<long long>((now - last) / 1s));
-    return Trouble{{ErrorCode::Unavailable, "camera " + description().uri,
-                    std::string("no picture has come for ") + seconds,
-                    "look at its cable; take it off and put it on again if it stays so"},
-                   last};
+    return Trouble{
+        {ErrorCode::Unavailable, cameraAtAddress(description().uri),
+         ODO_TEXT("capture.no_picture_for",
+                  "no picture has come for %1")(quantity(std::floor(toSeconds(now - last)), 0, "s")),
+         joined({ODO_TEXT("capture.look_at_cable", "look at its cable"),
+                 ODO_TEXT("capture.take_off_and_on", "take it off and put it on again if it stays so")},
+                Join::Semicolon)},
+        last};
 }
 
 ViewHealth ViewCapture::health(Nanoseconds now) const

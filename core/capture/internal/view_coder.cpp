@@ -2,6 +2,7 @@
 #include "core/capture/internal/view_coder.h"
 
 #include "core/base/shortage.h"
+#include "core/capture/camera_errors.h"
 #include "core/video/jpeg.h"
 
 #include <deque>
@@ -84,8 +85,8 @@ struct ViewCoder::Coding
     }
 };
 
-ViewCoder::ViewCoder(std::string camera, Nanoseconds preRoll)
-    : m_camera(std::move(camera)), m_preRoll(preRoll), m_work(mostUncoded)
+ViewCoder::ViewCoder(std::string uri, Nanoseconds preRoll)
+    : m_uri(std::move(uri)), m_preRoll(preRoll), m_work(mostUncoded)
 {
 }
 
@@ -93,7 +94,7 @@ ViewCoder::~ViewCoder() = default;
 
 Result<void> ViewCoder::start()
 {
-    auto thread = startThread(m_camera, [this] { run(); });
+    auto thread = startThread(cameraAtAddress(m_uri), [this] { run(); });
     if (!thread)
         return tl::unexpected(thread.error());
     m_thread = std::move(*thread);
@@ -146,7 +147,8 @@ void ViewCoder::run()
 
 void ViewCoder::code(Coding &coding, const Picture &picture)
 {
-    auto coded = orShortage("a picture of " + m_camera, [&] { return coding.code(picture); });
+    auto coded = orShortage(ODO_TEXT("capture.picture_of_camera", "a picture of camera %1")(m_uri),
+                            [&] { return coding.code(picture); });
     if (!coded) {
         if (coding.writer)
             coding.writer->fail(coded.error());

@@ -25,8 +25,8 @@ public:
         std::uint64_t lostBefore;          ///< that came, and found no room on the way to the coder
     };
 
-    /// camera: as errors name it. preRoll: how much is kept while nothing is written.
-    ViewCoder(std::string camera, Nanoseconds preRoll);
+    /// uri: of the camera. preRoll: how much is kept while nothing is written.
+    ViewCoder(std::string uri, Nanoseconds preRoll);
     ~ViewCoder(); ///< after end(), where start() succeeded
     ViewCoder(const ViewCoder &) = delete;
     ViewCoder &operator=(const ViewCoder &) = delete;
@@ -63,7 +63,7 @@ private:
     void run();
     void code(Coding &coding, const Picture &picture);
 
-    const std::string m_camera;
+    const std::string m_uri;
     const Nanoseconds m_preRoll;
     BoundedQueue<Work> m_work;
     std::thread m_thread;

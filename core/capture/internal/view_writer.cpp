@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <utility>
 
 namespace odo {
@@ -146,9 +145,9 @@ void ViewWriter::write()
     }
 }
 
-std::string ViewWriter::recordingName() const
+Message ViewWriter::recordingName() const
 {
-    return "the recording " + m_recording.file.filename().string();
+    return ODO_TEXT("capture.the_recording", "the recording %1")(Named::file(m_recording.file.filename()));
 }
 
 /// Before the disk is full, while there is still room to end in good order. A file that was begun can be
@@ -160,8 +159,12 @@ Result<void> ViewWriter::checkDisk(bool isBegun)
         return {};
     m_spaceChecked = now;
     if (isBegun && !files::exists(m_recording.file))
-        return odo::fail(ErrorCode::Io, recordingName(), "its file is no longer there",
-                         "put its disk or folder back where it was; what was recorded so far is there");
+        return odo::fail(
+            ErrorCode::Io, recordingName(),
+            ODO_TEXT("capture.recording_file_gone", "its file is no longer there"),
+            joined({ODO_TEXT("capture.put_disk_back", "put its disk or folder back where it was"),
+                    ODO_TEXT("capture.recorded_is_there", "what was recorded so far is there")},
+                   Join::Semicolon));
     const std::optional<DiskRoom> room = m_disk.room(m_recording.file.parent_path());
     if (!room)
         return {};
@@ -172,12 +175,13 @@ Result<void> ViewWriter::checkDisk(bool isBegun)
     }
     if (left > 0)
         return {};
-    char why[96];
-    std::snprintf(why, sizeof why, "its disk has only %.0f MB left, of which %.0f are kept free",
-                  static_cast<double>(room->free) / megabyte,
-                  static_cast<double>(m_disk.reserved(*room)) / megabyte);
-    return odo::fail(ErrorCode::Io, recordingName(), why,
-                     "make room, or move the project to another disk; what was recorded so far is kept");
+    return odo::fail(ErrorCode::Io, recordingName(),
+                     ODO_TEXT("capture.disk_full", "its disk has only %1 left, of which %2 are kept free")(
+                         quantity(static_cast<double>(room->free) / megabyte, 0, "MB"),
+                         quantity(static_cast<double>(m_disk.reserved(*room)) / megabyte, 0)),
+                     joined({ODO_TEXT("capture.make_room", "make room, or move the project to another disk"),
+                             ODO_TEXT("capture.recorded_is_kept", "what was recorded so far is kept")},
+                            Join::Semicolon));
 }
 
 Result<void> ViewWriter::write(Output &output, const CodedFrame &frame) const
@@ -218,6 +222,26 @@ void ViewWriter::note(const CodedFrame &frame)
     }
 }
 
+/// The mutex is held.
+Error ViewWriter::slowDisk(Nanoseconds waited, double fullness) const
+{
+    const auto advice =
+        m_recording.lostByUs == 0
+            ? std::vector<Message>{ODO_TEXT("capture.nothing_lost_yet", "nothing is lost yet"),
+                                   ODO_TEXT("capture.end_other_writers", "end what else writes to it")}
+            : std::vector<Message>{
+                  ODO_TEXT("capture.pictures_being_lost", "pictures are being lost"),
+                  ODO_TEXT("capture.record_elsewhere", "record to another disk, or fewer cameras")};
+    return {ErrorCode::Io,
+            ODO_TEXT("capture.disk_of", "the disk of %1")(Named::file(m_recording.file.filename())),
+            joined({ODO_TEXT("capture.disk_too_slow", "it is too slow"),
+                    ODO_TEXT("capture.picture_waits_for_disk",
+                             "a picture has waited %1 for it, and %2 of the room to wait in is taken")(
+                        quantity(toSeconds(waited), 1, "s"), quantity(100 * fullness, 0, "%"))},
+                   Join::Colon),
+            joined(advice, Join::Semicolon)};
+}
+
 ViewWriter::State ViewWriter::state(Nanoseconds now) const
 {
     const std::lock_guard lock(m_mutex);
@@ -230,18 +254,8 @@ ViewWriter::State ViewWriter::state(Nanoseconds now) const
     if (m_bytesLeft && state.recordedS >= rateKnownFromS)
         state.secondsLeft =
             static_cast<double>(*m_bytesLeft) / (static_cast<double>(m_bytes) / state.recordedS);
-    if (m_writing && now - *m_writing > slowFrom) {
-        char why[96];
-        std::snprintf(
-            why, sizeof why,
-            "it is too slow: a picture has waited %.1f s for it, and %.0f %% of the room to wait in is taken",
-            toSeconds(now - *m_writing), 100 * state.waiting);
-        state.slow = Trouble{{ErrorCode::Io, "the disk of " + m_recording.file.filename().string(), why,
-                              m_recording.lostByUs == 0
-                                  ? "nothing is lost yet; end what else writes to it"
-                                  : "pictures are being lost; record to another disk, or fewer cameras"},
-                             *m_writing};
-    }
+    if (m_writing && now - *m_writing > slowFrom)
+        state.slow = Trouble{slowDisk(now - *m_writing, state.waiting), *m_writing};
     return state;
 }
 

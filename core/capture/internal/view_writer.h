@@ -74,7 +74,8 @@ private:
     void leaveOutWhatIsNotInTheFile();
     std::optional<Waiting> waitForNext();
     Result<void> checkDisk(bool isBegun);
-    std::string recordingName() const;
+    Error slowDisk(Nanoseconds waited, double fullness) const;
+    Message recordingName() const;
 
     const double m_nominalFramesPerSecond;
     const DiskWatch m_disk;

@@ -2,6 +2,7 @@
 #include "core/capture/v4l2/v4l2_address.h"
 
 #include "core/base/file_system.h"
+#include "core/capture/camera_errors.h"
 #include "core/capture/camera_source.h"
 
 #include <algorithm>
@@ -15,11 +16,11 @@ namespace odo {
 
 namespace {
 
-tl::unexpected<Error> notUnderstood(const std::string &uri, std::string_view part)
+tl::unexpected<Error> v4l2NotUnderstood(const std::string &uri, const std::string &part)
 {
-    return fail(ErrorCode::InvalidInput, "camera " + uri,
-                std::string("'").append(part).append("' is not understood"),
-                "write for instance v4l2:/dev/video0?size=1280x720&rate=30&format=MJPG");
+    return notUnderstood(uri, part,
+                         ODO_TEXT("capture.v4l2_address_example",
+                                  "write for instance v4l2:/dev/video0?size=1280x720&rate=30&format=MJPG"));
 }
 
 template <class Number>
@@ -75,10 +76,10 @@ Result<V4l2Address> parseV4l2Address(const std::string &uri)
     CameraUri split = splitCameraUri(uri, v4l2Scheme);
     V4l2Address address{uri, std::move(split.place), {}};
     if (address.place.empty())
-        return notUnderstood(uri, uri);
+        return v4l2NotUnderstood(uri, uri);
     for (const CameraWish &wish : split.wishes) {
         if (!readWish(wish, address.request))
-            return notUnderstood(uri, wish.text);
+            return v4l2NotUnderstood(uri, wish.text);
     }
     return address;
 }
@@ -131,9 +132,10 @@ Result<std::shared_ptr<V4l2Device>> V4l2KnownCamera::find() const
     }
     const auto inItsPlace = openV4l2Place(m_address);
     if (inItsPlace)
-        return fail(ErrorCode::Unavailable, "camera " + m_address.uri,
-                    "another camera (" + (*inItsPlace)->identity().name + ") is in its place",
-                    "plug " + m_identity.name + " in again");
+        return fail(ErrorCode::Unavailable, cameraAtAddress(m_address.uri),
+                    ODO_TEXT("capture.other_camera_in_place",
+                             "another camera (%1) is in its place")((*inItsPlace)->identity().name),
+                    ODO_TEXT("capture.plug_camera_in_again", "plug %1 in again")(m_identity.name));
     if (inItsPlace.error().code == ErrorCode::NotFound)
         return tl::unexpected(v4l2Failure(m_address.uri, ENODEV));
     return tl::unexpected(inItsPlace.error());

@@ -2,6 +2,7 @@
 #include "core/capture/v4l2/v4l2_source.h"
 
 #include "core/base/steady_now.h"
+#include "core/capture/camera_errors.h"
 #include "core/capture/camera_source.h"
 #include "core/capture/v4l2/internal/v4l2_controls.h"
 #include "core/capture/v4l2/internal/v4l2_mode.h"
@@ -22,7 +23,7 @@ namespace {
 
 constexpr const char *kind = "v4l2";
 
-std::vector<std::string> formatsOf(const std::vector<V4l2Mode> &modes)
+std::vector<Message> formatsOf(const std::vector<V4l2Mode> &modes)
 {
     std::vector<V4l2Mode> fastest;
     for (const V4l2Mode &mode : modes) {
@@ -36,7 +37,7 @@ std::vector<std::string> formatsOf(const std::vector<V4l2Mode> &modes)
             *same = mode;
     }
     sortByMerit(fastest);
-    std::vector<std::string> words;
+    std::vector<Message> words;
     for (const V4l2Mode &mode : fastest)
         words.push_back(modeWords(mode));
     return words;
@@ -54,10 +55,11 @@ std::vector<CameraDescription> forbiddenCameras()
             continue;
         const auto device = V4l2Device::open(node, uri);
         if (!device && device.error().code == ErrorCode::Io)
-            cameras.push_back({.uri = uri,
-                               .kind = kind,
-                               .name = v4l2Sysfs::nameOf(node),
-                               .formats = {device.error().why + "; " + device.error().advice}});
+            cameras.push_back(
+                {.uri = uri,
+                 .kind = kind,
+                 .name = foreignWords(v4l2Sysfs::nameOf(node)),
+                 .formats = {joined({device.error().why, device.error().advice}, Join::Semicolon)}});
     }
     return cameras;
 }
@@ -70,7 +72,7 @@ CameraDescription describeV4l2(const V4l2Device &device, const std::vector<V4l2M
 {
     return {.uri = std::string(v4l2Scheme) + device.node().string(),
             .kind = kind,
-            .name = device.identity().name,
+            .name = foreignWords(device.identity().name),
             .widthPx = chosen.widthPx,
             .heightPx = chosen.heightPx,
             .framesPerSecond = chosen.framesPerSecond(),
@@ -131,7 +133,7 @@ public:
     CameraCounts counts() const override;
     Result<std::vector<CameraControl>> controls() override;
     Result<void> set(const std::string &id, double value) override;
-    std::vector<std::string> holdAutomatics() override;
+    std::vector<Message> holdAutomatics() override;
     void releaseAutomatics() override;
 
 private:
@@ -283,11 +285,17 @@ std::chrono::nanoseconds V4l2Source::patience() const
 /// A camera that is there and says nothing: in the end it is started anew.
 void V4l2Source::noteSilence()
 {
-    const std::string what = "camera " + m_description.uri;
-    notePassing(m_isDamaged ? Error{ErrorCode::Unavailable, what, "all its pictures come damaged",
-                                    "try another cable or port, or ask for fewer or smaller pictures"}
-                            : Error{ErrorCode::Unavailable, what, "it is there but sends no pictures",
-                                    "look at its cable, or plug it in again if that lasts"});
+    const Message what = cameraAtAddress(m_description.uri);
+    if (m_isDamaged)
+        notePassing({ErrorCode::Unavailable, what,
+                     ODO_TEXT("capture.all_pictures_damaged", "all its pictures come damaged"),
+                     ODO_TEXT("capture.damaged_advice",
+                              "try another cable or port, or ask for fewer or smaller pictures")});
+    else
+        notePassing({ErrorCode::Unavailable, what,
+                     ODO_TEXT("capture.there_but_silent", "it is there but sends no pictures"),
+                     ODO_TEXT("capture.there_but_silent_advice",
+                              "look at its cable, or plug it in again if that lasts")});
     if (++m_silences == silencesBeforeRestart)
         lose(Error(m_problem));
 }
@@ -316,7 +324,7 @@ Result<CapturedFrame> V4l2Source::next()
         isSound = m_watch.wait(m_stream ? m_stream->descriptor() : -1,
                                m_stream ? deadline : std::min(deadline, now() + betweenAttempts));
     }
-    return cancelled("camera " + m_description.uri);
+    return cancelled(cameraAtAddress(m_description.uri));
 }
 
 CameraCounts V4l2Source::counts() const
@@ -351,7 +359,7 @@ Result<void> V4l2Source::set(const std::string &id, double value)
     return {};
 }
 
-std::vector<std::string> V4l2Source::holdAutomatics()
+std::vector<Message> V4l2Source::holdAutomatics()
 {
     const auto open = device();
     if (!open) {

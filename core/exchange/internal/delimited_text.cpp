@@ -2,6 +2,7 @@
 #include "core/exchange/internal/delimited_text.h"
 
 #include "core/base/units.h"
+#include "core/exchange/internal/input_words.h"
 #include "core/exchange/text_file.h"
 
 #include <algorithm>
@@ -47,8 +48,8 @@ Result<std::optional<std::string_view>> FileLines::next()
         m_position = 0;
         searched = m_text.size();
         if (searched > mostLineBytes)
-            return fail(ErrorCode::InvalidInput, m_file.lineName(m_number + 1), "it is longer than 8 MiB",
-                        "check that it is the right file");
+            return fail(ErrorCode::InvalidInput, m_file.lineName(m_number + 1),
+                        ODO_TEXT("exchange.line_too_long", "it is longer than 8 MiB"), checkRightFile());
         const auto block = m_file.read();
         if (!block)
             return tl::unexpected(block.error());
@@ -204,8 +205,9 @@ private:
             cell += c;
         }
         if (m_text[m_position - 1] != '"' || (!atLineEnd() && m_text[m_position] != ','))
-            return fail(ErrorCode::InvalidInput, atLine(m_file, startLine), "a quoted cell does not end",
-                        "close the quotes");
+            return fail(ErrorCode::InvalidInput, atLine(m_file, startLine),
+                        ODO_TEXT("exchange.quoted_cell_does_not_end", "a quoted cell does not end"),
+                        ODO_TEXT("exchange.close_quotes", "close the quotes"));
         return cell;
     }
 
@@ -215,7 +217,7 @@ private:
     int m_line = 1;
 };
 
-std::string joined(const std::vector<std::string> &columns)
+std::string headerLine(const std::vector<std::string> &columns)
 {
     std::string line;
     for (const std::string &column : columns)
@@ -247,24 +249,28 @@ Result<std::vector<CsvRow>> readCsvTable(const std::filesystem::path &file,
     auto rows = readCsvRows(file);
     if (!rows)
         return rows;
-    const std::string advice = "begin the file with the line " + joined(columns);
     if (rows->empty())
-        return fail(ErrorCode::InvalidInput, atLine(file, 1), "the file is empty", advice);
+        return fail(ErrorCode::InvalidInput, atLine(file, 1), fileIsEmpty(),
+                    beginWithLine(headerLine(columns)));
     if (rows->front().cells != columns) {
         const bool semicolons =
             rows->front().cells.size() == 1 && rows->front().cells.front().find(';') != std::string::npos;
-        return fail(ErrorCode::InvalidInput, atLine(file, rows->front().line),
-                    semicolons ? "its columns are separated by semicolons"
-                               : "it lacks the expected header line",
-                    semicolons ? "save it with commas, and with a point in its numbers" : advice);
+        return semicolons
+                   ? fail(ErrorCode::InvalidInput, atLine(file, rows->front().line), separatedBySemicolons(),
+                          ODO_TEXT("exchange.save_with_commas_and_points",
+                                   "save it with commas, and with a point in its numbers"))
+                   : fail(ErrorCode::InvalidInput, atLine(file, rows->front().line),
+                          ODO_TEXT("exchange.lacks_header", "it lacks the expected header line"),
+                          beginWithLine(headerLine(columns)));
     }
     rows->erase(rows->begin());
     for (const CsvRow &row : *rows) {
         if (row.cells.size() != columns.size())
             return fail(ErrorCode::InvalidInput, atLine(file, row.line),
-                        "it has " + std::to_string(row.cells.size()) + " cells instead of " +
-                            std::to_string(columns.size()),
-                        "write one value for each of " + joined(columns));
+                        ODO_TEXT("exchange.wrong_number_of_cells",
+                                 "it has %1 cells instead of %2")(row.cells.size(), columns.size()),
+                        ODO_TEXT("exchange.write_value_for_each",
+                                 "write one value for each of %1")(headerLine(columns)));
     }
     return rows;
 }
@@ -275,8 +281,9 @@ Result<double> csvNumber(const std::filesystem::path &file, const CsvRow &row, s
     const auto number = parseNumber(row.cells[column]);
     if (!number)
         return fail(ErrorCode::InvalidInput, atLine(file, row.line),
-                    name + " '" + row.cells[column].substr(0, 40) + "' is not a finite number",
-                    "write it with digits and a point, like 12.5");
+                    ODO_TEXT("exchange.cell_not_a_number",
+                             "%1 '%2' is not a finite number")(name, row.cells[column].substr(0, 40)),
+                    number.error().advice);
     return *number;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exchange/internal/yaml_document.h"
 
+#include "core/exchange/internal/input_words.h"
 #include "core/exchange/text_file.h"
 
 #include <algorithm>
@@ -25,7 +26,7 @@ constexpr std::size_t maxDepth = 16, maxNodes = 100'000;
 struct Refused
 {
     int line;
-    std::string why;
+    Message why;
 };
 
 /// Builds the tree of one document from what the parser meets.
@@ -72,7 +73,8 @@ private:
 
     [[noreturn]] static void refuseAnchors(const YAML::Mark &mark)
     {
-        throw Refused{mark.line + 1, "anchors and aliases are not understood"};
+        throw Refused{mark.line + 1,
+                      ODO_TEXT("exchange.no_anchors", "anchors and aliases are not understood")};
     }
 
     YamlNode newNode(YamlNode::Kind kind, const YAML::Mark &mark, YAML::anchor_t anchor)
@@ -80,9 +82,11 @@ private:
         if (anchor != YAML::NullAnchor)
             refuseAnchors(mark);
         if (m_open.size() >= maxDepth)
-            throw Refused{mark.line + 1, "it is nested more than " + std::to_string(maxDepth) + " deep"};
+            throw Refused{mark.line + 1,
+                          ODO_TEXT("exchange.nested_too_deep", "it is nested more than %1 deep")(maxDepth)};
         if (!awaitsKey() && ++m_nodes > maxNodes)
-            throw Refused{mark.line + 1, "it holds more than " + std::to_string(maxNodes) + " values"};
+            throw Refused{mark.line + 1,
+                          ODO_TEXT("exchange.too_many_values", "it holds more than %1 values")(maxNodes)};
         YamlNode node;
         node.kind = kind;
         node.line = mark.line + 1;
@@ -92,7 +96,8 @@ private:
     void open(YamlNode node)
     {
         if (awaitsKey())
-            throw Refused{node.line, "a key is no text, or a bracket is not closed"};
+            throw Refused{node.line, ODO_TEXT("exchange.key_is_no_text",
+                                              "a key is no text, or a bracket is not closed")};
         m_open.push_back({std::move(node), {}, false});
     }
 
@@ -123,7 +128,8 @@ private:
             into.hasKey = false;
         } else {
             if (!into.keys.insert(node.text).second)
-                throw Refused{node.line, "the key '" + node.text.substr(0, 40) + "' is there twice"};
+                throw Refused{node.line, ODO_TEXT("exchange.key_is_there_twice",
+                                                  "the key '%1' is there twice")(node.text.substr(0, 40))};
             into.node.entries.push_back({std::move(node.text), {}});
             into.hasKey = true;
         }
@@ -175,10 +181,9 @@ const YamlNode *YamlNode::find(std::string_view key) const
     return found == entries.end() ? nullptr : &found->value;
 }
 
-Result<YamlNode> parseYaml(const std::filesystem::path &file, const std::string &text,
-                           const std::string &advice)
+Result<YamlNode> parseYaml(const std::filesystem::path &file, const std::string &text, const Message &advice)
 {
-    const auto failure = [&](int line, const std::string &why) {
+    const auto failure = [&](int line, const Message &why) {
         return fail(ErrorCode::InvalidInput, atLine(file, line), why, advice);
     };
     try {
@@ -186,14 +191,15 @@ Result<YamlNode> parseYaml(const std::filesystem::path &file, const std::string 
         YAML::Parser parser(stream);
         YamlTree tree;
         if (!parser.HandleNextDocument(tree))
-            return failure(1, "the file is empty");
+            return failure(1, fileIsEmpty());
         if (parser)
-            return failure(1, "it holds more than one document");
+            return failure(1, ODO_TEXT("exchange.several_documents", "it holds more than one document"));
         return tree.takeRoot();
     } catch (const Refused &refused) {
         return failure(refused.line, refused.why);
     } catch (const YAML::Exception &problem) {
-        return failure(problem.mark.line + 1, "it is no valid YAML (" + problem.msg + ")");
+        return failure(problem.mark.line + 1, ODO_TEXT("exchange.no_valid_yaml", "it is no valid YAML (%1)")(
+                                                  foreignWords(problem.msg)));
     }
 }
 

@@ -35,7 +35,6 @@ struct YamlEntry
 /// Reads one YAML document (yaml-cpp) without anchors and aliases; tags are skipped. Made for files from
 /// anywhere: nesting is at most 16 deep, a document has at most 100 000 values, keys are texts and not
 /// doubled. Errors name file and line and end with `advice`.
-Result<YamlNode> parseYaml(const std::filesystem::path &file, const std::string &text,
-                           const std::string &advice);
+Result<YamlNode> parseYaml(const std::filesystem::path &file, const std::string &text, const Message &advice);
 
 } // namespace odo

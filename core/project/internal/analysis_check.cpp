@@ -3,10 +3,12 @@
 
 #include "core/analysis/metrics.h"
 #include "core/analysis/task_metrics.h"
+#include "core/base/subjects.h"
 #include "core/geometry/floor_view.h"
 #include "core/project/internal/analysis_digest.h"
 #include "core/project/internal/connection.h"
 #include "core/project/internal/series_blobs.h"
+#include "core/project/internal/words.h"
 #include "core/project/repositories.h"
 
 #include <algorithm>
@@ -14,6 +16,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <utility>
 
 namespace odo {
 
@@ -21,25 +24,41 @@ namespace {
 
 // what rounding leaves is less by far, what anybody notices is more
 constexpr double relativeDifference = 1e-6;
-const std::string trackAgain = "track the trial again";
 
-std::string wordsOf(DigestPart part, const std::string &robot)
+Message trackAgain()
 {
-    const std::string itsOwn = " of robot '" + robot + "' are not those that its analysis gave";
-    const std::string since = " changed since robot '" + robot + "' was analysed";
+    return ODO_TEXT("project.track_again", "track the trial again");
+}
+
+Message restoreOrTrackAgain()
+{
+    return ODO_TEXT("project.restore_or_track_again",
+                    "restore the project from a backup copy, or track the trial again");
+}
+
+Message wordsOf(DigestPart part, const std::string &name)
+{
+    const MessageArgument robot = Named::robot(name);
     switch (part) {
     case DigestPart::Measurements:
-        return "the measurements have" + since;
+        return ODO_TEXT("project.measurements_changed",
+                        "the measurements have changed since robot '%1' was analysed")(robot);
     case DigestPart::Recordings:
-        return "the recordings or their synchronisation have" + since;
+        return ODO_TEXT("project.recordings_changed",
+                        "the recordings or their synchronisation have changed since robot '%1' was analysed")(
+            robot);
     case DigestPart::Registrations:
-        return "the registrations have" + since;
+        return ODO_TEXT("project.registrations_changed",
+                        "the registrations have changed since robot '%1' was analysed")(robot);
     case DigestPart::Task:
-        return "the task has" + since;
+        return ODO_TEXT("project.task_changed", "the task has changed since robot '%1' was analysed")(robot);
     case DigestPart::Positions:
-        return "the positions" + itsOwn;
+        return ODO_TEXT("project.positions_changed",
+                        "the positions of robot '%1' are not those that its analysis gave")(robot);
     case DigestPart::Results:
-        return "the metrics, spikes or settings" + itsOwn;
+        return ODO_TEXT("project.results_changed",
+                        "the metrics, spikes or settings of robot '%1' are not those that its analysis gave")(
+            robot);
     }
     return {};
 }
@@ -49,9 +68,9 @@ bool differ(double a, double b)
     return std::abs(a - b) > relativeDifference * std::max({std::abs(a), std::abs(b), 1e-3});
 }
 
-std::string withUnit(double value, const Metric &metric)
+MessageArgument withUnit(double value, const Metric &metric)
 {
-    return formatNumber(value, 6) + (metric.unit == "1" ? "" : " " + metric.unit);
+    return quantity(value, 6, metric.unit == "1" ? "" : metric.unit);
 }
 
 /// Looks through one trial after the other, with what they share.
@@ -78,14 +97,11 @@ private:
         RecordId analysis = 0, robot = 0;
         std::string robotName;
     };
-    void report(const std::string &what, const std::string &advice)
+    void report(Message what, Message advice)
     {
-        m_problems.push_back({what, m_where, advice});
+        m_problems.push_back({std::move(what), m_where, std::move(advice)});
     }
-    void report(const Error &error, const std::string &advice)
-    {
-        report(error.what + ": " + error.why, advice);
-    }
+    void report(const Error &error, Message advice) { report(whatAndWhy(error), std::move(advice)); }
     struct Proved
     {
         std::set<RecordId> measured, analysed; ///< robots
@@ -108,7 +124,7 @@ private:
     /// analyses made with other manual overrides than their trial has now
     std::set<RecordId> m_overruledSince;
     std::set<RecordId> m_changed; ///< analyses of the trial whose results differ from their digests
-    std::string m_where;
+    Message m_where;
 };
 
 /// Reads of all trials which robots were measured and analysed, and with which manual overrides.
@@ -165,7 +181,7 @@ Result<void> AnalysisCheck::compareDigests(const Newest &newest, Proved &proved)
     if (!outcome)
         return tl::unexpected(outcome.error());
     for (const DigestPart part : outcome->changed)
-        report(wordsOf(part, newest.robotName), "restore the project from a backup copy, or " + trackAgain);
+        report(wordsOf(part, newest.robotName), restoreOrTrackAgain());
     if (!outcome->isKept)
         return {};
     const auto holds = [&](DigestPart part) {
@@ -182,15 +198,17 @@ Result<void> AnalysisCheck::compareDigests(const Newest &newest, Proved &proved)
 
 Result<void> AnalysisCheck::look(const TrialName &trial)
 {
-    m_where = "trial '" + trial.name + "'";
+    m_where = trialSubject(trial.name);
     m_changed.clear();
     Proved proved;
     for (const Newest &newest : m_newest[trial.id]) {
         if (auto compared = compareDigests(newest, proved); !compared)
             return compared;
         if (m_overruledSince.contains(newest.analysis))
-            report("the manual overrides have changed since robot '" + newest.robotName + "' was analysed",
-                   "restore the project from a backup copy, or " + trackAgain);
+            report(ODO_TEXT("project.overrides_changed",
+                            "the manual overrides have changed since robot '%1' was analysed")(
+                       Named::robot(newest.robotName)),
+                   restoreOrTrackAgain());
     }
     if (m_isThorough || !std::ranges::all_of(m_measured[trial.id], [&](const Measured &one) {
             return proved.measured.contains(one.robot);
@@ -207,7 +225,7 @@ void AnalysisCheck::lookAtMeasurements(const TrialName &trial)
 {
     const auto recordings = m_project.trials().recordings(trial.id);
     if (!recordings)
-        return report(recordings.error(), "restore the project from a backup copy");
+        return report(recordings.error(), restoreProject());
     for (const Measured &measured : m_measured[trial.id]) {
         const auto recording = std::ranges::find(*recordings, measured.recording, &RecordingRecord::id);
         if (recording != recordings->end()) {
@@ -215,7 +233,7 @@ void AnalysisCheck::lookAtMeasurements(const TrialName &trial)
             continue;
         }
         if (const auto track = m_project.trials().currentImportedTrack(trial.id, measured.robot); !track)
-            report(track.error(), "restore the project from a backup copy");
+            report(track.error(), restoreProject());
     }
 }
 
@@ -223,7 +241,7 @@ void AnalysisCheck::lookAtObservations(const RecordingRecord &recording, RecordI
 {
     const auto series = m_project.trials().currentObservations(recording.id, robot);
     if (!series)
-        return report(series.error(), trackAgain);
+        return report(series.error(), trackAgain());
     if (!*series)
         return;
     const auto frames = static_cast<std::int64_t>(recording.frameTimes.size());
@@ -231,17 +249,18 @@ void AnalysisCheck::lookAtObservations(const RecordingRecord &recording, RecordI
     const bool outside = std::ranges::any_of(
         observations, [frames](const Observation &o) { return o.frame < 0 || o.frame >= frames; });
     if (outside || static_cast<std::int64_t>(observations.size()) > frames)
-        report("view '" + recording.cameraName + "' has " + std::to_string(frames) +
-                   " frames, but the observations of '" + m_robotNames[robot] + "' (" +
-                   std::to_string(observations.size()) + ") do not fit them",
-               trackAgain);
+        report(ODO_TEXT("project.observations_do_not_fit",
+                        "view '%1' has %2 frames, but the observations of '%3' (%4) do not fit them")(
+                   Named::camera(recording.cameraName), frames, Named::robot(m_robotNames[robot]),
+                   observations.size()),
+               trackAgain());
 }
 
 void AnalysisCheck::lookAtMetrics(const TrialName &trial)
 {
     const auto analyses = m_project.analyses().current(trial.id);
     if (!analyses)
-        return report(analyses.error(), trackAgain);
+        return report(analyses.error(), trackAgain());
     for (const AnalysisRecord &analysis : *analyses) {
         // What another version computed otherwise, and stored with a digest that is right, nobody has
         // changed.
@@ -260,30 +279,36 @@ void AnalysisCheck::compareMetrics(const AnalysisRecord &analysis)
         const TaskFigures figures = measureTask(task->second.task, profile.samples, profile.points);
         computed.insert(computed.end(), figures.metrics.begin(), figures.metrics.end());
     }
-    const auto named = [&](const Metric &metric) {
-        return "metric '" + metric.name + "' of robot '" + analysis.robotName + "'";
-    };
+    const MessageArgument robot = Named::robot(analysis.robotName);
     for (const Metric &stored : profile.metrics) {
         const auto its = std::ranges::find(computed, stored.name, &Metric::name);
         if (its == computed.end())
-            report(named(stored) + " is stored, but its positions give none", trackAgain);
+            report(ODO_TEXT("project.metric_without_source",
+                            "metric '%1' of robot '%2' is stored, but its positions give none")(stored.name,
+                                                                                                robot),
+                   trackAgain());
         else if (stored.unit != its->unit || differ(stored.value, its->value))
-            report(named(stored) + " is stored as " + withUnit(stored.value, stored) +
-                       ", its positions give " + withUnit(its->value, *its),
-                   trackAgain);
+            report(ODO_TEXT("project.metric_differs",
+                            "metric '%1' of robot '%2' is stored as %3, its positions give %4")(
+                       stored.name, robot, withUnit(stored.value, stored), withUnit(its->value, *its)),
+                   trackAgain());
         else if (stored.sigma.has_value() != its->sigma.has_value() ||
                  differ(stored.sigma.value_or(0), its->sigma.value_or(0)))
-            report("the standard deviation of " + named(stored) + " is stored as " +
-                       withUnit(stored.sigma.value_or(0), stored) + ", its positions give " +
-                       withUnit(its->sigma.value_or(0), *its),
-                   trackAgain);
+            report(
+                ODO_TEXT("project.metric_sigma_differs",
+                         "the standard deviation of metric '%1' of robot '%2' is stored as %3, its positions "
+                         "give %4")(stored.name, robot, withUnit(stored.sigma.value_or(0), stored),
+                                    withUnit(its->sigma.value_or(0), *its)),
+                trackAgain());
     }
     if (!m_changed.contains(analysis.id))
         return; // a metric that an older version did not know yet is missing rightly
     for (const Metric &metric : computed) {
         if (std::ranges::find(profile.metrics, metric.name, &Metric::name) == profile.metrics.end())
-            report(named(metric) + " is missing, its positions give " + withUnit(metric.value, metric),
-                   trackAgain);
+            report(ODO_TEXT("project.metric_missing",
+                            "metric '%1' of robot '%2' is missing, its positions give %3")(
+                       metric.name, robot, withUnit(metric.value, metric)),
+                   trackAgain());
     }
 }
 
@@ -301,20 +326,18 @@ Result<void> checkAnalyses(Project &project, const ProjectConnection &connection
     double done = 0;
     for (const TrialName &trial : *trials) {
         if (control.isCancelled())
-            return cancelled("check of the project");
-        control.report(done++ / double(trials->size()), "checking " + trial.name);
+            return cancelled(projectCheck());
+        control.report(done++ / double(trials->size()),
+                       ODO_TEXT("project.checking", "checking %1")(Named::trial(trial.name)));
         if (trial.unfinished)
             continue;
         if (auto looked = check.look(trial); !looked)
-            problems.push_back(
-                {looked.error().what + ": " + looked.error().why, "trial '" + trial.name + "'", trackAgain});
+            problems.push_back({whatAndWhy(looked.error()), trialSubject(trial.name), trackAgain()});
     }
     return {};
 }
 
 namespace {
-
-const std::string restoreFigures = "restore the project from a backup copy";
 
 bool isOther(double a, double b)
 {
@@ -326,7 +349,7 @@ bool isOther(double a, double b)
 std::optional<Nanoseconds> lastOf(const QByteArray &packedTimes)
 {
     std::vector<Nanoseconds> times;
-    if (!unpackTimes(packedTimes, "frame times", times) || times.empty())
+    if (!unpackTimes(packedTimes, {}, times) || times.empty())
         return std::nullopt;
     return times.back();
 }
@@ -342,7 +365,7 @@ std::optional<Nanoseconds> endOfTracks(const ProjectConnection &connection, Reco
     std::optional<Nanoseconds> end;
     const auto read = last.bind(trial).eachRow([&end](const Statement &row) -> Result<void> {
         std::vector<Sample> samples;
-        if (auto unpacked = unpackSamples(row.blob(0), "imported track", samples); !unpacked)
+        if (auto unpacked = unpackSamples(row.blob(0), {}, samples); !unpacked)
             return unpacked;
         if (!samples.empty())
             end = std::max(end.value_or(Nanoseconds(0)), samples.back().time);
@@ -365,15 +388,18 @@ Result<void> checkTrials(const ProjectConnection &connection, std::vector<Projec
                        "LEFT JOIN recording AS second ON second.trial_id=trial.id AND second.position=1 "
                        "WHERE state='complete' ORDER BY trial.id"));
     return trials.eachRow([&](const Statement &row) -> Result<void> {
-        const std::string where = "trial '" + row.name(1) + "'";
+        const Message where = trialSubject(row.name(1));
         const bool isRecorded = row.integer(3) != 0;
         const double durationS = row.real(2);
         const auto end = isRecorded ? lastOf(row.blob(13)) : endOfTracks(connection, row.integer(0));
         if (end && isOther(durationS, toSeconds(*end)))
-            problems.push_back({"its duration is stored as " + formatNumber(durationS, 3) + " s, its " +
-                                    (isRecorded ? "recordings last " : "imported tracks last ") +
-                                    formatNumber(toSeconds(*end), 3) + " s",
-                                where, restoreFigures});
+            problems.push_back(
+                {(isRecorded ? ODO_TEXT("project.duration_of_recordings_differs",
+                                        "its duration is stored as %1, its recordings last %2")
+                             : ODO_TEXT("project.duration_of_tracks_differs",
+                                        "its duration is stored as %1, its imported tracks last %2"))(
+                     quantity(durationS, 3, "s"), quantity(toSeconds(*end), 3, "s")),
+                 where, restoreProject()});
         // then offset, its standard deviation and rate of the trial and of its second view
         constexpr int method = 4, secondId = 8;
         const bool hasSecond = row.integer(secondId) != 0;
@@ -383,9 +409,12 @@ Result<void> checkTrials(const ProjectConnection &connection, std::vector<Projec
             isSame = isSame &&
                      !isOther(row.real(method + figure), hasSecond ? row.real(secondId + 1 + figure) : 0);
         if (!isSame)
-            problems.push_back({hasSecond ? "its stored synchronisation is not that of its second view"
-                                          : "a synchronisation is stored, but it has no second view",
-                                where, restoreFigures});
+            problems.push_back({hasSecond
+                                    ? ODO_TEXT("project.synchronisation_differs",
+                                               "its stored synchronisation is not that of its second view")
+                                    : ODO_TEXT("project.synchronisation_of_one_view",
+                                               "a synchronisation is stored, but it has no second view"),
+                                where, restoreProject()});
         return {};
     });
 }
@@ -452,15 +481,18 @@ void checkRegistration(Project &project, const CameraRecord &camera, std::vector
     const Intrinsics &lens =
         used != intrinsics->end() ? used->calibration.intrinsics : (*record)->assumedIntrinsics;
     if (!fitsItsMarkers((*record)->registration, computedErrors(**record, lens, layout->layout)))
-        problems.push_back({"the marker errors of registration " + std::to_string((*record)->id) +
-                                " are not those that its markers give",
-                            "camera '" + camera.name + "'",
-                            restoreFigures + ", or register the camera again"});
+        problems.push_back(
+            {ODO_TEXT("project.marker_errors_differ",
+                      "the marker errors of registration %1 are not those that its markers give")(
+                 (*record)->id),
+             cameraSubject(camera.name),
+             ODO_TEXT("project.restore_or_register_again",
+                      "restore the project from a backup copy, or register the camera again")});
 }
 
-/// That what is in force of a camera is its own. one: "calibration" or "registration", of that table of
-/// revisions.
-Result<void> checkChoices(const ProjectConnection &connection, const char *table, const std::string &one,
+/// That what is in force of a camera is its own. table: of revisions. words: with the number of one and the
+/// camera that it belongs to.
+Result<void> checkChoices(const ProjectConnection &connection, const char *table, const MessageText &words,
                           std::vector<ProjectProblem> &problems)
 {
     Statement choices(
@@ -470,12 +502,11 @@ Result<void> checkChoices(const ProjectConnection &connection, const char *table
                        "JOIN camera AS owner ON owner.id=chosen.camera_id WHERE owner.id<>camera.id")
             .arg(QLatin1String(table)));
     return choices.eachRow([&](const Statement &row) -> Result<void> {
-        problems.push_back({one + " " + std::to_string(row.integer(1)) +
-                                " was chosen for it, which is camera '" + row.name(2) +
-                                "'s; its newest own one is used",
-                            "camera '" + row.name(0) + "'",
-                            "choose one of its own (odograph revisions P.odo CAMERA --use), or restore the "
-                            "project from a backup copy"});
+        problems.push_back(
+            {words(row.integer(1), Named::camera(row.name(2))), cameraSubject(row.name(0)),
+             ODO_TEXT("project.choose_its_own",
+                      "choose one of its own (odograph revisions P.odo CAMERA --use), or restore "
+                      "the project from a backup copy")});
         return {};
     });
 }
@@ -487,9 +518,21 @@ Result<void> checkDerivedFigures(Project &project, const ProjectConnection &conn
 {
     if (auto checked = checkTrials(connection, problems); !checked)
         return checked;
-    if (auto checked = checkChoices(connection, "intrinsics", "calibration", problems); !checked)
+    if (auto checked = checkChoices(
+            connection, "intrinsics",
+            ODO_TEXT("project.others_calibration_chosen",
+                     "calibration %1 was chosen for it, which is camera '%2's; its newest own one "
+                     "is used"),
+            problems);
+        !checked)
         return checked;
-    if (auto checked = checkChoices(connection, "registration", "registration", problems); !checked)
+    if (auto checked = checkChoices(
+            connection, "registration",
+            ODO_TEXT("project.others_registration_chosen",
+                     "registration %1 was chosen for it, which is camera '%2's; its newest own one "
+                     "is used"),
+            problems);
+        !checked)
         return checked;
     const auto cameras = project.cameras().all();
     if (!cameras)

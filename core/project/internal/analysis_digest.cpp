@@ -3,6 +3,7 @@
 
 #include "core/base/sha256.h"
 #include "core/project/internal/connection.h"
+#include "core/project/internal/words.h"
 
 #include <bit>
 #include <map>
@@ -168,8 +169,7 @@ struct AnalysisDigests::Queries
 
     tl::unexpected<Error> failure() const
     {
-        return fail(ErrorCode::InvalidInput, connection.displayName(), "the file is damaged",
-                    "restore it from a backup copy");
+        return fail(ErrorCode::InvalidInput, connection.subject(), fileIsDamaged(), restoreFile());
     }
 
     /// Calls the function for each row.
@@ -283,35 +283,46 @@ Result<void> writeDigests(ProjectConnection &connection, RecordId analysis)
     return {};
 }
 
-Result<void> setRecordingHash(ProjectConnection &connection, RecordId recording, const std::string &sha256)
+Result<void> keepDigestsRight(ProjectConnection &connection, const std::vector<DigestedPart> &parts,
+                              const std::function<Result<void>()> &work)
 {
-    constexpr std::array recordings{DigestPart::Recordings};
     return transact(connection, [&]() -> Result<void> {
         AnalysisDigests digests(connection);
-        std::vector<RecordId> right;
-        Statement analyses(
-            connection,
-            QStringLiteral(
-                "SELECT analysis.id FROM analysis JOIN recording ON recording.trial_id=analysis.trial_id "
-                "WHERE recording.id=?"));
-        auto read = analyses.bind(recording).eachRow([&](const Statement &row) -> Result<void> {
-            const auto compared = digests.compare(row.integer(0), recordings);
+        std::vector<DigestedPart> right;
+        for (const DigestedPart &one : parts) {
+            const auto compared = digests.compare(one.analysis, std::array{one.part});
             if (!compared)
                 return tl::unexpected(compared.error());
             if (compared->isKept && compared->changed.empty())
-                right.push_back(row.integer(0));
-            return {};
-        });
-        if (!read)
-            return read;
-        Statement update(connection, QStringLiteral("UPDATE recording SET sha256=? WHERE id=?"));
-        if (auto done = update.bind(sha256).bind(recording).run(); !done)
+                right.push_back(one);
+        }
+        if (auto done = work(); !done)
             return done;
-        for (const RecordId analysis : right) {
-            if (auto written = writeDigest(connection, digests, analysis, DigestPart::Recordings); !written)
+        for (const auto &[analysis, part] : right) {
+            if (auto written = writeDigest(connection, digests, analysis, part); !written)
                 return written;
         }
         return {};
+    });
+}
+
+Result<void> setRecordingHash(ProjectConnection &connection, RecordId recording, const std::string &sha256)
+{
+    std::vector<DigestedPart> parts;
+    Statement analyses(
+        connection,
+        QStringLiteral(
+            "SELECT analysis.id FROM analysis JOIN recording ON recording.trial_id=analysis.trial_id "
+            "WHERE recording.id=?"));
+    auto read = analyses.bind(recording).eachRow([&parts](const Statement &row) -> Result<void> {
+        parts.push_back({row.integer(0), DigestPart::Recordings});
+        return {};
+    });
+    if (!read)
+        return read;
+    return keepDigestsRight(connection, parts, [&] {
+        Statement update(connection, QStringLiteral("UPDATE recording SET sha256=? WHERE id=?"));
+        return update.bind(sha256).bind(recording).run();
     });
 }
 

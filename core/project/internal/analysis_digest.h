@@ -5,6 +5,7 @@
 #include "core/project/records.h"
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -59,6 +60,18 @@ private:
 /// Stores the digests of an analysis whose rows are all stored. Everything that adds an analysis comes
 /// through here.
 Result<void> writeDigests(ProjectConnection &connection, RecordId analysis);
+
+/// What a digest is of.
+struct DigestedPart
+{
+    RecordId analysis = 0;
+    DigestPart part = DigestPart::Results;
+};
+
+/// Runs work in one transaction, which changes rows that the digests of these parts go over, but nothing that
+/// counts: those that were right before are right afterwards. Those that were not stay as they are.
+Result<void> keepDigestsRight(ProjectConnection &connection, const std::vector<DigestedPart> &parts,
+                              const std::function<Result<void>()> &work);
 
 /// Stores the hash of a recording, which is made after its trial was recorded, and perhaps analysed: analyses
 /// whose digest of the recordings was right before get the new one.

@@ -4,10 +4,12 @@
 #include "core/project/internal/series_blobs.h"
 #include "core/project/internal/series_rows.h"
 #include "core/project/internal/stored_words.h"
+#include "core/project/internal/words.h"
 #include "core/project/names.h"
 #include "core/project/repositories.h"
 
 #include <unordered_map>
+#include <utility>
 
 namespace odo {
 
@@ -19,18 +21,29 @@ const QString newestColumns = QStringLiteral(
     "mean_view_disagreement_m, task_id FROM analysis JOIN robot ON robot.id=robot_id WHERE analysis.id IN "
     "(SELECT MAX(id) FROM analysis WHERE trial_id=? GROUP BY robot_id) ORDER BY robot_id");
 
+Message analyseAgain()
+{
+    return ODO_TEXT("project.analyse_again", "analyse the trial again");
+}
+
+Message lengthsDiffer()
+{
+    return ODO_TEXT("project.lengths_differ", "samples and profile differ in length");
+}
+
 Result<void> checkAnalysis(const AnalysisRecord &analysis, std::size_t samples)
 {
-    const auto refuse = [](const std::string &why) {
-        return fail(ErrorCode::InvalidInput, "analysis of a trial", why, "analyse the trial again");
+    const auto refuse = [](Message why) {
+        return fail(ErrorCode::InvalidInput, ODO_TEXT("project.an_analysis", "analysis of a trial"),
+                    std::move(why), analyseAgain());
     };
     const Profile &profile = analysis.profile;
     if (samples != profile.points.size())
-        return refuse("samples and profile differ in length");
+        return refuse(lengthsDiffer());
     if (samples > maxBlobRows)
-        return refuse("it has more than " + std::to_string(maxBlobRows) + " samples");
+        return refuse(hasTooManySamples());
     if (!analysis.registrations.empty() && analysis.registrations.size() != analysis.views.size())
-        return refuse("views and registrations differ in number");
+        return refuse(ODO_TEXT("project.views_differ", "views and registrations differ in number"));
     return {};
 }
 
@@ -84,8 +97,8 @@ Result<void> addFindings(ProjectConnection &connection, RecordId id, const Profi
     for (std::size_t i = 0; i < profile.metrics.size(); ++i) {
         const Metric &metric = profile.metrics[i];
         if (!std::isfinite(metric.value) || (metric.sigma && !std::isfinite(*metric.sigma)))
-            return fail(ErrorCode::InvalidInput, "metric '" + metric.name + "'", "it is not a finite number",
-                        "analyse the trial again");
+            return fail(ErrorCode::InvalidInput, ODO_TEXT("project.metric", "metric '%1'")(metric.name),
+                        ODO_TEXT("project.not_finite", "it is not a finite number"), analyseAgain());
         Statement insert(connection, QStringLiteral("INSERT INTO metric VALUES (?,?,?,?,?,?)"));
         insert.bind(id).bind(static_cast<std::int64_t>(i)).bind(metric.name).bind(metric.unit);
         if (auto done = insert.bind(metric.value).bind(metric.sigma).run(); !done)
@@ -144,8 +157,8 @@ Result<AnalysisRecord> analysisOf(const Statement &row)
     analysis.robotName = row.name(3);
     analysis.made = Instant(std::chrono::milliseconds(row.integer(4)));
     analysis.softwareVersion = row.name(5);
-    const auto smoother =
-        fromStoredWord(smootherWords, row.text(6), "analysis " + std::to_string(analysis.id));
+    const auto smoother = fromStoredWord(smootherWords, row.text(6),
+                                         ODO_TEXT("project.analysis_number", "analysis %1")(analysis.id));
     if (!smoother)
         return tl::unexpected(smoother.error());
     analysis.options.smoother = *smoother;
@@ -176,7 +189,7 @@ Result<void> readPassages(const ProjectConnection &connection, AnalysisRecord &i
                      QStringLiteral("SELECT gate, role, time_ns, sigma_s, common_sigma_s FROM gate_passage "
                                     "WHERE analysis_id=? ORDER BY position"));
     return select.bind(into.id).eachRow([&into](const Statement &row) -> Result<void> {
-        const auto role = fromStoredWord(gateRoleWords, row.text(1), "gate '" + row.name(0) + "'");
+        const auto role = fromStoredWord(gateRoleWords, row.text(1), gateSubject(row.name(0)));
         if (!role)
             return tl::unexpected(role.error());
         into.profile.passages.push_back(
@@ -208,16 +221,16 @@ Result<void> readDecisions(const ProjectConnection &connection, AnalysisRecord &
                                                 "WHERE analysis_id=? ORDER BY position"));
     return spikes.bind(into.id).eachRow([&into](const Statement &row) -> Result<void> {
         into.profile.spikes.push_back({row.integer(0), Nanoseconds(row.integer(1)),
-                                       static_cast<SampleFlags>(row.integer(2)), row.text(3)});
+                                       static_cast<SampleFlags>(row.integer(2)), row.message(3)});
         return {};
     });
 }
 
 Result<void> readSeries(const ProjectConnection &connection, AnalysisRecord &into)
 {
-    const std::string what = "analysis " + std::to_string(into.id) + " of the project";
-    const auto damaged = [&what](const std::string &why) {
-        return fail(ErrorCode::InvalidInput, what, why, "analyse the trial again");
+    const Message what = ODO_TEXT("project.analysis_of_project", "analysis %1 of the project")(into.id);
+    const auto damaged = [&what](Message why) {
+        return fail(ErrorCode::InvalidInput, what, std::move(why), analyseAgain());
     };
     std::vector<Sample> samples;
     std::vector<ProfilePoint> points;
@@ -226,7 +239,7 @@ Result<void> readSeries(const ProjectConnection &connection, AnalysisRecord &int
     if (!counted)
         return tl::unexpected(counted.error());
     if (length.integer(0) == 0)
-        return damaged("its series are missing");
+        return damaged(ODO_TEXT("project.series_missing", "its series are missing"));
     const auto most = std::min<std::int64_t>(length.integer(0) * rowsPerChunk, maxBlobRows);
     samples.reserve(static_cast<std::size_t>(most));
     points.reserve(static_cast<std::size_t>(most));
@@ -239,17 +252,16 @@ Result<void> readSeries(const ProjectConnection &connection, AnalysisRecord &int
         if (auto unpacked = unpackPoints(row.blob(1), what, points); !unpacked)
             return unpacked;
         if (samples.size() != points.size())
-            return damaged("samples and profile differ in length");
-        return samples.size() > maxBlobRows
-                   ? damaged("it has more than " + std::to_string(maxBlobRows) + " samples")
-                   : Result<void>();
+            return damaged(lengthsDiffer());
+        return samples.size() > maxBlobRows ? damaged(hasTooManySamples()) : Result<void>();
     });
     if (!read)
         return read;
     const auto count = static_cast<std::int64_t>(samples.size());
     for (const Spike &spike : into.profile.spikes) {
         if (spike.sampleIndex < 0 || spike.sampleIndex >= count)
-            return damaged("a spike refers to a sample that is not there");
+            return damaged(
+                ODO_TEXT("project.spike_without_sample", "a spike refers to a sample that is not there"));
     }
     into.profile.samples = std::move(samples);
     into.profile.points = std::move(points);

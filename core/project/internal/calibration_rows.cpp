@@ -11,13 +11,19 @@ namespace odo {
 
 namespace {
 
+Message pictureName()
+{
+    return ODO_TEXT("project.picture_name", "name of a calibration picture");
+}
+
 Result<void> addUsed(ProjectConnection &connection, const IntrinsicsRecord &record, std::size_t position)
 {
     const CalibrationPicture &picture = record.calibration.pictures[position];
     const StoredPicture file = position < record.files.size() ? record.files[position] : StoredPicture{};
-    if (auto valid = checkText("name of a calibration picture", picture.view.source); !valid)
+    if (auto valid = checkText(pictureName(), picture.view.source); !valid)
         return valid;
-    if (auto valid = checkText("path of a calibration picture", file.path); !valid)
+    if (auto valid = checkText(ODO_TEXT("project.picture_path", "path of a calibration picture"), file.path);
+        !valid)
         return valid;
     const std::filesystem::path path(file.path);
     Statement insert(connection,
@@ -35,7 +41,7 @@ Result<void> addUsed(ProjectConnection &connection, const IntrinsicsRecord &reco
 Result<void> addRejected(ProjectConnection &connection, const IntrinsicsRecord &record, std::size_t position)
 {
     const RejectedPicture &picture = record.calibration.rejected[position];
-    if (auto valid = checkText("name of a calibration picture", picture.file); !valid)
+    if (auto valid = checkText(pictureName(), picture.file); !valid)
         return valid;
     Statement insert(connection, QStringLiteral("INSERT INTO rejected_picture VALUES (?,?,?,?)"));
     insert.bind(record.id).bind(static_cast<std::int64_t>(position)).bind(picture.file);
@@ -70,7 +76,10 @@ Result<void> readCalibrationPictures(const ProjectConnection &connection, Intrin
         picture.rmsPx = row.real(1);
         picture.used = row.integer(2) != 0;
         if (const QByteArray corners = row.blob(3); !corners.isEmpty()) {
-            if (auto unpacked = unpackCorners(corners, "corners of '" + picture.view.source + "'", picture);
+            if (auto unpacked = unpackCorners(
+                    corners,
+                    ODO_TEXT("project.corners_of", "corners of '%1'")(Named::file(picture.view.source)),
+                    picture);
                 !unpacked)
                 return unpacked;
         }
@@ -84,7 +93,7 @@ Result<void> readCalibrationPictures(const ProjectConnection &connection, Intrin
                        QStringLiteral("SELECT file, reason FROM rejected_picture WHERE intrinsics_id=? "
                                       "ORDER BY position"));
     return rejected.bind(into.id).eachRow([&into](const Statement &row) -> Result<void> {
-        into.calibration.rejected.push_back({row.text(0), row.text(1)});
+        into.calibration.rejected.push_back({row.text(0), row.message(1)});
         return {};
     });
 }
@@ -111,8 +120,8 @@ Result<Intrinsics> lens(const ProjectConnection &connection, RecordId id)
     if (!found)
         return tl::unexpected(found.error());
     if (!*found)
-        return noSuchId(connection, "lens", id);
-    const std::string what = "lens " + std::to_string(id) + " of the project";
+        return noSuchId(connection, RecordKind::Lens, id);
+    const Message what = ODO_TEXT("project.lens_of_project", "lens %1 of the project")(id);
     const auto model = fromStoredWord(lensModelWords, select.text(6), what);
     if (!model)
         return tl::unexpected(model.error());

@@ -4,6 +4,7 @@
 #include "core/project/internal/connection.h"
 #include "core/project/internal/series_blobs.h"
 #include "core/project/internal/stored_words.h"
+#include "core/project/internal/words.h"
 #include "core/project/names.h"
 #include "core/project/recording_rows.h"
 #include "core/project/records.h"
@@ -74,6 +75,16 @@ const QString intrinsicsColumns = QStringLiteral(
     "software_version, board_pattern, board_columns, board_rows, square_m, marker_ratio, dictionary, "
     "lens_reason, disagreeing_part FROM intrinsics ");
 
+Message cameraAddress()
+{
+    return ODO_TEXT("project.camera_address", "address of a camera");
+}
+
+Message registrationOfProject(RecordId id)
+{
+    return ODO_TEXT("project.registration_of_project", "registration %1 of the project")(id);
+}
+
 CameraRecord cameraOf(const Statement &row)
 {
     return {row.integer(0), row.name(1), row.text(2)};
@@ -85,18 +96,19 @@ Result<IntrinsicsRecord> readIntrinsics(const ProjectConnection &connection, con
     record.id = row.integer(0);
     record.camera = row.integer(1);
     record.made = Instant(std::chrono::milliseconds(row.integer(3)));
-    record.origin = row.text(4);
+    record.origin = row.message(4);
     record.calibration.rmsPx = row.real(5);
     record.calibration.crossValidationPx = row.real(6);
-    record.calibration.verdict = row.text(7);
+    record.calibration.verdict = row.message(7);
     auto intrinsics = lens(connection, row.integer(2));
     if (!intrinsics)
         return tl::unexpected(intrinsics.error());
     record.calibration.intrinsics = std::move(*intrinsics);
     record.softwareVersion = row.name(8);
     if (!row.text(9).empty()) {
-        const auto pattern = fromStoredWord(boardPatternWords, row.text(9),
-                                            "calibration " + std::to_string(record.id) + " of the project");
+        const auto pattern = fromStoredWord(
+            boardPatternWords, row.text(9),
+            ODO_TEXT("project.calibration_of_project", "calibration %1 of the project")(record.id));
         if (!pattern)
             return tl::unexpected(pattern.error());
         record.board.pattern = *pattern;
@@ -106,7 +118,7 @@ Result<IntrinsicsRecord> readIntrinsics(const ProjectConnection &connection, con
     record.board.squareM = row.real(12);
     record.board.markerRatio = row.real(13);
     record.board.dictionary = row.text(14);
-    record.calibration.lensReason = row.text(15);
+    record.calibration.lensReason = row.message(15);
     record.calibration.disagreeingPart = row.real(16);
     if (auto read = readCalibrationPictures(connection, record); !read)
         return tl::unexpected(read.error());
@@ -121,11 +133,11 @@ Result<CameraRecord> CameraRepository::add(const CameraRecord &given)
 {
     const CameraRecord camera{given.id, normalName(given.name), given.deviceUri};
     return transact(m_connection, [&]() -> Result<CameraRecord> {
-        if (auto valid = checkName("camera", camera.name); !valid)
+        if (auto valid = checkName(RecordKind::Camera, camera.name); !valid)
             return tl::unexpected(valid.error());
-        if (auto valid = checkText("address of a camera", camera.deviceUri); !valid)
+        if (auto valid = checkText(cameraAddress(), camera.deviceUri); !valid)
             return tl::unexpected(valid.error());
-        if (auto isFree = checkNameIsFree(m_connection, "camera", "camera", camera.name); !isFree)
+        if (auto isFree = checkNameIsFree(m_connection, RecordKind::Camera, camera.name); !isFree)
             return tl::unexpected(isFree.error());
         Statement insert(m_connection, QStringLiteral("INSERT INTO camera (name, device_uri) VALUES (?,?)"));
         if (auto done = insert.bind(camera.name).bind(camera.deviceUri).run(); !done)
@@ -151,11 +163,11 @@ Result<std::vector<CameraRecord>> CameraRepository::all() const
 
 Result<CameraRecord> CameraRepository::find(const std::string &name) const
 {
-    const auto id = idNamed(m_connection, "camera", name);
+    const auto id = idNamed(m_connection, RecordKind::Camera, name);
     if (!id)
         return tl::unexpected(id.error());
     if (*id == 0)
-        return noSuchName(m_connection, "camera", "camera", name);
+        return noSuchName(m_connection, RecordKind::Camera, name);
     return get(*id);
 }
 
@@ -166,13 +178,13 @@ Result<CameraRecord> CameraRepository::get(RecordId id) const
     if (!found)
         return tl::unexpected(found.error());
     if (!*found)
-        return noSuchId(m_connection, "camera", id);
+        return noSuchId(m_connection, RecordKind::Camera, id);
     return cameraOf(select);
 }
 
 Result<void> CameraRepository::setDevice(RecordId camera, const std::string &uri)
 {
-    if (auto valid = checkText("address of a camera", uri); !valid)
+    if (auto valid = checkText(cameraAddress(), uri); !valid)
         return valid;
     Statement update(m_connection, QStringLiteral("UPDATE camera SET device_uri=? WHERE id=?"));
     return update.bind(uri).bind(camera).run();
@@ -188,7 +200,9 @@ Result<IntrinsicsRecord> CameraRepository::addIntrinsics(const IntrinsicsRecord 
 {
     return transact(m_connection, [&]() -> Result<IntrinsicsRecord> {
         const IntrinsicCalibration &calibration = intrinsics.calibration;
-        if (auto valid = checkText("origin of a calibration", intrinsics.origin); !valid)
+        if (auto valid = checkText(ODO_TEXT("project.calibration_origin", "origin of a calibration"),
+                                   intrinsics.origin.english());
+            !valid)
             return tl::unexpected(valid.error());
         const auto lensId = addLens(m_connection, calibration.intrinsics);
         if (!lensId)
@@ -253,7 +267,7 @@ Result<IntrinsicsRecord> CameraRepository::intrinsics(RecordId id) const
     if (!found)
         return tl::unexpected(found.error());
     if (!*found)
-        return noSuchId(m_connection, "calibration", id);
+        return noSuchId(m_connection, RecordKind::Calibration, id);
     return readIntrinsics(m_connection, select);
 }
 
@@ -268,7 +282,10 @@ const QString registrationColumns = QStringLiteral(
 
 Result<RecordId> addRow(ProjectConnection &connection, const RegistrationRecord &record, RecordId lensId)
 {
-    if (auto valid = checkText("path of a registration's picture", record.picture.path); !valid)
+    if (auto valid =
+            checkText(ODO_TEXT("project.registration_picture_path", "path of a registration's picture"),
+                      record.picture.path);
+        !valid)
         return tl::unexpected(valid.error());
     Statement insert(
         connection,
@@ -298,7 +315,7 @@ Result<void> addMarkers(ProjectConnection &connection, RecordId id, const Regist
 {
     for (std::size_t i = 0; i < record.pixels.size(); ++i) {
         const MarkerPixel &marker = record.pixels[i];
-        if (auto valid = checkName("marker", marker.label); !valid)
+        if (auto valid = checkName(RecordKind::Marker, marker.label); !valid)
             return valid;
         Statement insert(connection, QStringLiteral("INSERT INTO registration_pixel VALUES (?,?,?,?,?)"));
         insert.bind(id).bind(static_cast<std::int64_t>(i)).bind(marker.label);
@@ -307,7 +324,7 @@ Result<void> addMarkers(ProjectConnection &connection, RecordId id, const Regist
     }
     for (std::size_t i = 0; i < record.registration.markers.size(); ++i) {
         const MarkerError &marker = record.registration.markers[i];
-        if (auto valid = checkName("marker", marker.label); !valid)
+        if (auto valid = checkName(RecordKind::Marker, marker.label); !valid)
             return valid;
         Statement insert(connection, QStringLiteral("INSERT INTO registration_error VALUES (?,?,?,?,?)"));
         insert.bind(id).bind(static_cast<std::int64_t>(i)).bind(marker.label);
@@ -346,12 +363,11 @@ Result<void> readLastCheck(const ProjectConnection &connection, RegistrationReco
         return tl::unexpected(found.error());
     if (!*found)
         return {};
-    const auto outcome = fromStoredWord(checkOutcomeWords, select.text(1),
-                                        "registration " + std::to_string(into.id) + " of the project");
+    const auto outcome = fromStoredWord(checkOutcomeWords, select.text(1), registrationOfProject(into.id));
     if (!outcome)
         return tl::unexpected(outcome.error());
     into.lastCheck = RegistrationCheck{Instant(std::chrono::milliseconds(select.integer(0))), *outcome,
-                                       select.real(2), select.real(3), select.text(4)};
+                                       select.real(2), select.real(3), select.message(4)};
     return {};
 }
 
@@ -387,16 +403,17 @@ Result<RegistrationRecord> readRegistration(const ProjectConnection &connection,
     registration.worldFromCamera.translation = {row.real(10), row.real(11), row.real(12)};
     registration.rmsPx = row.real(14);
     registration.rmsM = row.real(15);
-    registration.verdict = row.text(16);
+    registration.verdict = row.message(16);
     record.softwareVersion = row.name(17);
     record.picture = {row.text(18), row.text(19), row.integer(20)};
-    const std::string what = "registration " + std::to_string(record.id) + " of the project";
+    const Message what = registrationOfProject(record.id);
     const auto covariance = unpackSquare(row.blob(13), what);
     if (!covariance)
         return tl::unexpected(covariance.error());
     if (covariance->rows() != 6)
-        return fail(ErrorCode::InvalidInput, what, "its stored covariance is not a 6 by 6 matrix",
-                    "the project file is damaged: restore it from a backup copy");
+        return fail(ErrorCode::InvalidInput, what,
+                    ODO_TEXT("project.covariance_not_6_by_6", "its stored covariance is not a 6 by 6 matrix"),
+                    isDamagedRestoreFile());
     registration.poseCovariance = *covariance;
     auto assumed = lens(connection, row.integer(4));
     if (!assumed)
@@ -474,7 +491,7 @@ Result<RegistrationRecord> CameraRepository::registration(RecordId id) const
     if (!found)
         return tl::unexpected(found.error());
     if (!*found)
-        return noSuchId(m_connection, "registration", id);
+        return noSuchId(m_connection, RecordKind::Registration, id);
     return readRegistration(m_connection, select);
 }
 

@@ -35,8 +35,10 @@ struct SqliteFree
 
 tl::unexpected<Error> refusal(const ProjectConnection &connection, int code)
 {
-    return fail(ErrorCode::Internal, connection.displayName(),
-                std::string("the change could not be noted (") + sqlite3_errstr(code) + ")", "try it again");
+    return fail(ErrorCode::Internal, connection.subject(),
+                ODO_TEXT("project.change_not_noted",
+                         "the change could not be noted (%1)")(foreignWords(sqlite3_errstr(code))),
+                ODO_TEXT("project.try_again", "try it again"));
 }
 
 Result<Session> watch(const ProjectConnection &connection)
@@ -134,22 +136,23 @@ ChangeJournal::ChangeJournal(ProjectConnection &connection, std::size_t mostByte
 {
 }
 
-Result<void> ChangeJournal::make(const std::string &words, const std::function<Result<void>()> &work)
+Result<void> ChangeJournal::make(const Message &words, const std::function<Result<void>()> &work)
 {
     return begin(&ChangeJournal::record, words, work);
 }
 
-Result<void> ChangeJournal::note(const std::string &words, const std::function<Result<void>()> &work)
+Result<void> ChangeJournal::note(const Message &words, const std::function<Result<void>()> &work)
 {
     return begin(&ChangeJournal::count, words, work);
 }
 
-Result<void> ChangeJournal::begin(Watched how, const std::string &words,
+Result<void> ChangeJournal::begin(Watched how, const Message &words,
                                   const std::function<Result<void>()> &work)
 {
     if (m_isMaking)
         return transact(m_connection, work);
-    if (auto valid = checkText("words of a change", words); !valid)
+    if (auto valid = checkText(ODO_TEXT("project.change_words", "words of a change"), words.english());
+        !valid)
         return valid;
     m_isMaking = true;
     auto made = (this->*how)(words, work);
@@ -157,7 +160,7 @@ Result<void> ChangeJournal::begin(Watched how, const std::string &words,
     return made;
 }
 
-Result<void> ChangeJournal::count(const std::string &words, const std::function<Result<void>()> &work)
+Result<void> ChangeJournal::count(const Message &words, const std::function<Result<void>()> &work)
 {
     return transact(m_connection, [&]() -> Result<void> {
         const auto before = sqlite3_total_changes64(m_connection.handle());
@@ -168,7 +171,7 @@ Result<void> ChangeJournal::count(const std::string &words, const std::function<
     });
 }
 
-Result<void> ChangeJournal::record(const std::string &words, const std::function<Result<void>()> &work)
+Result<void> ChangeJournal::record(const Message &words, const std::function<Result<void>()> &work)
 {
     Change change{words, {}};
     const auto watched = [&]() -> Result<void> {
@@ -206,7 +209,7 @@ void ChangeJournal::forgetOldest()
     }
 }
 
-Result<void> ChangeJournal::tell(const std::string &words, ChangeEntry::Kind kind)
+Result<void> ChangeJournal::tell(const Message &words, ChangeEntry::Kind kind)
 {
     const auto now = instantNow();
     Statement insert(m_connection,
@@ -215,7 +218,7 @@ Result<void> ChangeJournal::tell(const std::string &words, ChangeEntry::Kind kin
     return insert.bind(storedWord(changeKindWords, kind)).bind(words).run();
 }
 
-Result<void> ChangeJournal::apply(const Bytes &rows, const std::string &what, const std::string &words,
+Result<void> ChangeJournal::apply(const Bytes &rows, const Message &what, const Message &words,
                                   ChangeEntry::Kind kind)
 {
     return transact(m_connection, [&]() -> Result<void> {
@@ -233,39 +236,47 @@ Result<void> ChangeJournal::apply(const Bytes &rows, const std::string &what, co
                              : sqlite3changeset_apply(m_connection.handle(), static_cast<int>(rows.size()),
                                                       bytes, nullptr, abortOnConflict, nullptr);
         if (code == SQLITE_ABORT || code == SQLITE_CONSTRAINT)
-            return fail(ErrorCode::InvalidInput, what + " '" + words + "'",
-                        "what it concerns has been changed or used since",
-                        "take the later change back first, or leave it");
+            return fail(ErrorCode::InvalidInput, what,
+                        ODO_TEXT("project.changed_since", "what it concerns has been changed or used since"),
+                        ODO_TEXT("project.take_later_back", "take the later change back first, or leave it"));
         if (code != SQLITE_OK)
             return refusal(m_connection, code);
         return tell(words, kind);
     });
 }
 
-Result<std::string> ChangeJournal::undo()
+Result<Message> ChangeJournal::undo()
 {
     if (m_done.empty())
-        return fail(ErrorCode::NotFound, "undo", "nothing has been changed since the project was opened",
-                    "change something first");
+        return fail(
+            ErrorCode::NotFound, ODO_TEXT("project.undo", "undo"),
+            ODO_TEXT("project.nothing_to_undo", "nothing has been changed since the project was opened"),
+            ODO_TEXT("project.change_something_first", "change something first"));
     const Change &last = m_done.back();
     const auto inverse = changeset(m_connection, [&](int *size, void **bytes) {
         return sqlite3changeset_invert(static_cast<int>(last.rows.size()), last.rows.data(), size, bytes);
     });
     if (!inverse)
         return tl::unexpected(inverse.error());
-    if (auto done = apply(*inverse, "undo", last.words, ChangeEntry::Kind::Undone); !done)
+    if (auto done = apply(*inverse, ODO_TEXT("project.undo_of", "undo '%1'")(last.words), last.words,
+                          ChangeEntry::Kind::Undone);
+        !done)
         return tl::unexpected(done.error());
     m_undone.push_back(std::move(m_done.back()));
     m_done.pop_back();
     return m_undone.back().words;
 }
 
-Result<std::string> ChangeJournal::redo()
+Result<Message> ChangeJournal::redo()
 {
     if (m_undone.empty())
-        return fail(ErrorCode::NotFound, "redo", "nothing has been undone", "undo something first");
+        return fail(ErrorCode::NotFound, ODO_TEXT("project.redo", "redo"),
+                    ODO_TEXT("project.nothing_to_redo", "nothing has been undone"),
+                    ODO_TEXT("project.undo_something_first", "undo something first"));
     const Change &last = m_undone.back();
-    if (auto done = apply(last.rows, "redo", last.words, ChangeEntry::Kind::Redone); !done)
+    if (auto done = apply(last.rows, ODO_TEXT("project.redo_of", "redo '%1'")(last.words), last.words,
+                          ChangeEntry::Kind::Redone);
+        !done)
         return tl::unexpected(done.error());
     m_done.push_back(std::move(m_undone.back()));
     m_undone.pop_back();
@@ -280,11 +291,12 @@ Result<std::vector<ChangeEntry>> changeEntries(const ProjectConnection &connecti
     auto read = select.eachRow([&](const Statement &row) -> Result<void> {
         ChangeEntry entry;
         entry.made = Instant(std::chrono::milliseconds(row.integer(0)));
-        const auto kind = fromStoredWord(changeKindWords, row.text(1), "the list of changes");
+        const auto kind = fromStoredWord(changeKindWords, row.text(1),
+                                         ODO_TEXT("project.change_list", "the list of changes"));
         if (!kind)
             return tl::unexpected(kind.error());
         entry.kind = *kind;
-        entry.words = row.text(2);
+        entry.words = row.message(2);
         entries.push_back(std::move(entry));
         return {};
     });

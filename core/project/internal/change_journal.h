@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <deque>
 #include <functional>
-#include <string>
 #include <vector>
 
 namespace odo {
@@ -28,35 +27,33 @@ public:
 
     /// Runs work in one transaction, rolled back when it fails. words: what it does, for people ("rename team
     /// Falcon"). Work that changes nothing leaves no trace. Inside another change it is a part of that one.
-    Result<void> make(const std::string &words, const std::function<Result<void>()> &work);
+    Result<void> make(const Message &words, const std::function<Result<void>()> &work);
     /// As make, of what is told but cannot be taken back: its rows are not kept, however many they are. What
     /// can be taken back or made again stays so.
-    Result<void> note(const std::string &words, const std::function<Result<void>()> &work);
+    Result<void> note(const Message &words, const std::function<Result<void>()> &work);
     /// Gives the words of the change. NotFound where there is none; InvalidInput, and nothing done, where
     /// what it changed was changed since by something that is not in the journal, or where a robot it
     /// analysed was analysed again since.
-    Result<std::string> undo();
-    Result<std::string> redo();
+    Result<Message> undo();
+    Result<Message> redo();
 
     /// Of the change that would be taken back, or made again; empty: there is none.
-    std::string undoWords() const { return m_done.empty() ? std::string() : m_done.back().words; }
-    std::string redoWords() const { return m_undone.empty() ? std::string() : m_undone.back().words; }
+    Message undoWords() const { return m_done.empty() ? Message() : m_done.back().words; }
+    Message redoWords() const { return m_undone.empty() ? Message() : m_undone.back().words; }
 
 private:
     using Bytes = std::vector<std::byte>;
     struct Change
     {
-        std::string words;
+        Message words;
         Bytes rows; ///< SQLite's changeset
     };
-    using Watched = Result<void> (ChangeJournal::*)(const std::string &,
-                                                    const std::function<Result<void>()> &);
-    Result<void> begin(Watched how, const std::string &words, const std::function<Result<void>()> &work);
-    Result<void> count(const std::string &words, const std::function<Result<void>()> &work);
-    Result<void> record(const std::string &words, const std::function<Result<void>()> &work);
-    Result<void> tell(const std::string &words, ChangeEntry::Kind kind);
-    Result<void> apply(const Bytes &rows, const std::string &what, const std::string &words,
-                       ChangeEntry::Kind kind);
+    using Watched = Result<void> (ChangeJournal::*)(const Message &, const std::function<Result<void>()> &);
+    Result<void> begin(Watched how, const Message &words, const std::function<Result<void>()> &work);
+    Result<void> count(const Message &words, const std::function<Result<void>()> &work);
+    Result<void> record(const Message &words, const std::function<Result<void>()> &work);
+    Result<void> tell(const Message &words, ChangeEntry::Kind kind);
+    Result<void> apply(const Bytes &rows, const Message &what, const Message &words, ChangeEntry::Kind kind);
     void forgetOldest();
 
     ProjectConnection &m_connection;

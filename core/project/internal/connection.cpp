@@ -3,6 +3,8 @@
 
 #include "core/base/file_system.h"
 #include "core/project/internal/statement.h"
+#include "core/project/internal/words.h"
+#include "core/project/names.h"
 #include "core/project/write_ahead_log.h"
 
 #include <QSqlDriver>
@@ -66,7 +68,7 @@ Result<std::unique_ptr<ProjectConnection>> ProjectConnection::openAt(const std::
                                                                  : toQString(place));
     if (!database.open()) {
         const SqliteRefusal reason = sqliteRefusal(database.lastError().nativeErrorCode().toInt(), 0);
-        return fail(reason.code, connection->displayName(), reason.why, reason.advice);
+        return fail(reason.code, connection->subject(), reason.why, reason.advice);
     }
     if (auto configured = connection->configure(); !configured)
         return tl::unexpected(configured.error());
@@ -147,8 +149,7 @@ void harden(sqlite3 *handle)
 Result<void> ProjectConnection::configure()
 {
     if (m_access == DatabaseAccess::ReadWrite && sqlite3_db_readonly(handle(), "main") == 1)
-        return fail(ErrorCode::ReadOnly, displayName(), "it cannot be written to",
-                    "copy it to a folder that you may write to, and open the copy");
+        return fail(ErrorCode::ReadOnly, subject(), cannotBeWrittenTo(), copyToWritableFolder());
     harden(handle());
     for (const char *pragma :
          {"PRAGMA trusted_schema=OFF", "PRAGMA cell_size_check=ON", "PRAGMA mmap_size=0",
@@ -195,9 +196,9 @@ sqlite3 *ProjectConnection::handle() const
     return *static_cast<sqlite3 *const *>(handle.constData());
 }
 
-std::string ProjectConnection::displayName() const
+Message ProjectConnection::subject() const
 {
-    return "project '" + m_file.filename().string() + "'";
+    return projectSubject(m_file.filename());
 }
 
 Result<void> ProjectConnection::execute(const QString &sql) const
@@ -220,7 +221,7 @@ Result<HeldTurn> ProjectConnection::takeTurn(std::chrono::milliseconds patience)
     if (turn.isHeld())
         return turn;
     const SqliteRefusal reason = sqliteRefusal(SQLITE_BUSY, 0);
-    return fail(reason.code, displayName(), reason.why, reason.advice);
+    return fail(reason.code, subject(), reason.why, reason.advice);
 }
 
 bool ProjectConnection::isInPlace() const

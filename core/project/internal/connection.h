@@ -4,6 +4,7 @@
 #include "core/base/error.h"
 #include "core/files/protected_files.h"
 #include "core/project/internal/write_turn.h"
+#include "core/project/message_json.h"
 #include "core/project/records.h"
 #include "core/project/write_ahead_log.h"
 
@@ -70,7 +71,7 @@ struct ProjectConnection
     /// Where the file is now that was opened; nothing where it was deleted.
     std::optional<std::filesystem::path> presentPlace() const;
     /// "project 'run.odo'": how messages name it.
-    std::string displayName() const;
+    Message subject() const;
 
     /// Runs one statement without parameters and without rows.
     Result<void> execute(const QString &sql) const;
@@ -131,6 +132,7 @@ public:
     Statement &bind(const std::string &value);
     Statement &bind(const QByteArray &value);
     Statement &bind(const std::optional<double> &value);
+    Statement &bind(const Message &value) { return bind(storedMessage(value)); }
     /// An id, stored as NULL when it is 0.
     Statement &bindReference(RecordId id);
 
@@ -149,6 +151,7 @@ public:
     /// A name as it can be shown: of one line, without invisible characters (see plainLine), its first 200
     /// characters.
     std::string name(int column) const;
+    Message message(int column) const; ///< as bind() has stored it
     QByteArray blob(int column) const;
     RecordId insertedId() const;
 

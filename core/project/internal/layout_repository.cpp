@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/subjects.h"
 #include "core/project/internal/connection.h"
+#include "core/project/internal/words.h"
 #include "core/project/names.h"
 #include "core/project/repositories.h"
 
@@ -20,20 +22,23 @@ Eigen::Vector2d onFloor(const Eigen::Vector2d &point)
 Result<void> checkMarkers(const MarkerLayout &layout)
 {
     if (layout.markers.size() > mostMarkers)
-        return fail(ErrorCode::InvalidInput, "layout '" + layout.name + "'",
-                    "it has more than " + std::to_string(mostMarkers) + " markers",
-                    "leave out those that no camera sees");
+        return fail(ErrorCode::InvalidInput, layoutSubject(layout.name),
+                    ODO_TEXT("project.too_many_markers", "it has more than %1 markers")(mostMarkers),
+                    ODO_TEXT("project.leave_out_unseen_markers", "leave out those that no camera sees"));
     std::set<std::string> labels;
     for (const Marker &marker : layout.markers) {
-        if (auto valid = checkName("marker", marker.label); !valid)
+        if (auto valid = checkName(RecordKind::Marker, marker.label); !valid)
             return valid;
         if (!isOnFloor(marker.pointInWorld))
-            return fail(ErrorCode::InvalidInput, "layout '" + layout.name + "'",
-                        "marker '" + marker.label + "' is not on a floor of 1 km", "check the numbers");
+            return fail(ErrorCode::InvalidInput, layoutSubject(layout.name),
+                        ODO_TEXT("project.marker_off_floor",
+                                 "marker '%1' is not on a floor of 1 km")(Named::marker(marker.label)),
+                        checkTheNumbers());
         if (!labels.insert(marker.label).second)
-            return fail(ErrorCode::InvalidInput, "layout '" + layout.name + "'",
-                        "the label '" + marker.label + "' is there twice",
-                        "give each marker a label of its own");
+            return fail(
+                ErrorCode::InvalidInput, layoutSubject(layout.name),
+                ODO_TEXT("project.label_twice", "the label '%1' is there twice")(Named::marker(marker.label)),
+                ODO_TEXT("project.own_labels", "give each marker a label of its own"));
     }
     return {};
 }
@@ -64,11 +69,11 @@ Result<LayoutRecord> LayoutRepository::add(const MarkerLayout &given)
     MarkerLayout layout = given;
     layout.name = normalName(given.name);
     return transact(m_connection, [&]() -> Result<LayoutRecord> {
-        if (auto valid = checkName("layout", layout.name); !valid)
+        if (auto valid = checkName(RecordKind::Layout, layout.name); !valid)
             return tl::unexpected(valid.error());
         if (auto valid = checkMarkers(layout); !valid)
             return tl::unexpected(valid.error());
-        if (auto isFree = checkNameIsFree(m_connection, "layout", "layout", layout.name); !isFree)
+        if (auto isFree = checkNameIsFree(m_connection, RecordKind::Layout, layout.name); !isFree)
             return tl::unexpected(isFree.error());
         Statement insert(m_connection, QStringLiteral("INSERT INTO layout (name) VALUES (?)"));
         if (auto done = insert.bind(layout.name).run(); !done)
@@ -103,11 +108,11 @@ Result<std::vector<LayoutRecord>> LayoutRepository::all() const
 
 Result<LayoutRecord> LayoutRepository::find(const std::string &name) const
 {
-    const auto id = idNamed(m_connection, "layout", name);
+    const auto id = idNamed(m_connection, RecordKind::Layout, name);
     if (!id)
         return tl::unexpected(id.error());
     if (*id == 0)
-        return noSuchName(m_connection, "layout", "layout", name);
+        return noSuchName(m_connection, RecordKind::Layout, name);
     return get(*id);
 }
 
@@ -118,7 +123,7 @@ Result<LayoutRecord> LayoutRepository::get(RecordId id) const
     if (!found)
         return tl::unexpected(found.error());
     if (!*found)
-        return noSuchId(m_connection, "layout", id);
+        return noSuchId(m_connection, RecordKind::Layout, id);
     return readLayout(m_connection, select.integer(0), select.name(1));
 }
 
@@ -130,8 +135,9 @@ Result<void> LayoutRepository::setPlaces(const LayoutRecord &layout)
             return tl::unexpected(stored.error());
         if (!std::ranges::equal(stored->layout.markers, layout.layout.markers, {}, &Marker::label,
                                 &Marker::label))
-            return fail(ErrorCode::InvalidInput, "layout '" + stored->layout.name + "'",
-                        "the labels are not those that it has", "add another layout for other markers");
+            return fail(ErrorCode::InvalidInput, layoutSubject(stored->layout.name),
+                        ODO_TEXT("project.other_labels", "the labels are not those that it has"),
+                        ODO_TEXT("project.add_another_layout", "add another layout for other markers"));
         if (auto valid = checkMarkers({stored->layout.name, layout.layout.markers}); !valid)
             return valid;
         for (std::size_t i = 0; i < layout.layout.markers.size(); ++i) {

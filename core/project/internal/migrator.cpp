@@ -3,6 +3,7 @@
 
 #include "core/base/file_system.h"
 #include "core/project/internal/connection.h"
+#include "core/project/internal/words.h"
 #include "core/project/new_file.h"
 
 #include <sqlite3.h>
@@ -51,20 +52,21 @@ int copyPages(sqlite3 *source, const std::filesystem::path &target)
 }
 
 /// Opens the copy for reading and lets SQLite look through it.
-Result<void> checkCopy(const std::filesystem::path &file, const std::string &what)
+Result<void> checkCopy(const std::filesystem::path &file, const Message &what)
 {
     const auto copy = ProjectConnection::open(file, DatabaseAccess::Immutable);
     if (!copy)
         return tl::unexpected(copy.error());
     if (!passesQuickCheck(**copy).value_or(false))
-        return fail(ErrorCode::Io, what, "the copy differs from what was written",
-                    "check the disk and try again");
+        return fail(ErrorCode::Io, what,
+                    ODO_TEXT("project.copy_differs", "the copy differs from what was written"),
+                    checkDiskAndRetry());
     return {};
 }
 
 } // namespace
 
-Migration sqlMigration(std::string purpose, std::vector<std::string> statements)
+Migration sqlMigration(Message purpose, std::vector<std::string> statements)
 {
     const auto apply = [statements = std::move(statements)](ProjectConnection &connection) -> Result<void> {
         for (const std::string &sql : statements) {
@@ -87,14 +89,13 @@ Result<int> Migrator::knownVersion(const ProjectConnection &connection) const
     if (!version)
         return tl::unexpected(version.error());
     if (*version > newestVersion())
-        return fail(ErrorCode::NewerFormat, connection.displayName(),
-                    "it was written by a newer Odograph (format " + std::to_string(*version) +
-                        ", this one knows formats up to " + std::to_string(newestVersion()) + ")",
-                    "open it with that Odograph, or update this one");
+        return fail(ErrorCode::NewerFormat, connection.subject(), isOfNewerFormat(*version, newestVersion()),
+                    openWithThatOdograph());
     if (*version < 1)
-        return fail(ErrorCode::InvalidInput, connection.displayName(),
-                    "it says of itself to have the format " + std::to_string(*version),
-                    "restore it from a backup copy");
+        return fail(
+            ErrorCode::InvalidInput, connection.subject(),
+            ODO_TEXT("project.impossible_format", "it says of itself to have the format %1")(*version),
+            restoreFile());
     return static_cast<int>(*version);
 }
 
@@ -120,24 +121,29 @@ Result<void> Migrator::runSteps(ProjectConnection &connection, int fromVersion, 
             return setVersion(connection, version);
         };
         if (auto done = transact(connection, step); !done)
-            return fail(done.error().code, connection.displayName(),
-                        "it could not be brought to format " + std::to_string(version) + " (" +
-                            migration.purpose + "): " + done.error().why,
-                        done.error().advice);
+            return fail(
+                done.error().code, connection.subject(),
+                joined({ODO_TEXT("project.not_brought_to_format",
+                                 "it could not be brought to format %1 (%2)")(version, migration.purpose),
+                        done.error().why},
+                       Join::Colon),
+                done.error().advice);
     }
     return {};
 }
 
 Result<void> copyDatabase(const ProjectConnection &connection, const std::filesystem::path &target)
 {
-    const std::string what = "copy '" + target.filename().string() + "'";
+    const Message what = ODO_TEXT("project.copy", "copy '%1'")(Named::file(target.filename()));
     NewFile file(target, what);
     if (auto ready = file.prepare(); !ready)
         return ready;
     const int code = copyPages(connection.handle(), file.temporary());
     if (code != SQLITE_OK)
         return fail(code == SQLITE_READONLY || code == SQLITE_CANTOPEN ? ErrorCode::ReadOnly : ErrorCode::Io,
-                    what, sqlite3_errstr(code), "choose a folder that can be written to and has room");
+                    what, foreignWords(sqlite3_errstr(code)),
+                    ODO_TEXT("project.choose_writable_folder",
+                             "choose a folder that can be written to and has room"));
     if (auto checked = checkCopy(file.temporary(), what); !checked)
         return checked;
     return file.publish();

@@ -16,12 +16,12 @@ struct ProjectConnection;
 /// that was ever published is never changed again.
 struct Migration
 {
-    std::string purpose; ///< what it brings, for messages
+    Message purpose; ///< what it brings, for messages
     std::function<Result<void>(ProjectConnection &)> apply;
 };
 
 /// A migration that only runs statements.
-Migration sqlMigration(std::string purpose, std::vector<std::string> statements);
+Migration sqlMigration(Message purpose, std::vector<std::string> statements);
 
 /// Brings a database to the newest version of its schema (PRAGMA user_version), one transaction a step.
 class Migrator

@@ -2,9 +2,12 @@
 #include "core/project/internal/opening_check.h"
 
 #include "core/base/file_system.h"
+#include "core/files/file_words.h"
 #include "core/project/internal/connection.h"
 #include "core/project/internal/migrator.h"
 #include "core/project/internal/schema.h"
+#include "core/project/internal/words.h"
+#include "core/project/names.h"
 #include "core/project/write_ahead_log.h"
 
 #include <algorithm>
@@ -17,6 +20,7 @@
 #include <span>
 #include <sqlite3.h>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace odo {
@@ -77,8 +81,8 @@ Result<void> checkSchema(const ProjectConnection &connection, const Migrator &mi
     if (!found)
         return tl::unexpected(found.error());
     if (*expected != *found)
-        return fail(ErrorCode::InvalidInput, connection.displayName(),
-                    "its tables are not those of a project", "restore it from a backup copy");
+        return fail(ErrorCode::InvalidInput, connection.subject(),
+                    ODO_TEXT("project.other_tables", "its tables are not those of a project"), restoreFile());
     return {};
 }
 
@@ -107,12 +111,9 @@ Result<void> quickCheck(const ProjectConnection &connection)
         if (*sound)
             return {};
         if (!canBeRead(connection.file()))
-            return fail(ErrorCode::Io, connection.displayName(),
-                        "the disk could not be read, and nothing was changed",
-                        "check the disk, and copy the project to another one");
+            return fail(ErrorCode::Io, connection.subject(), diskCannotBeRead(), copyToAnotherDisk());
     }
-    return fail(ErrorCode::InvalidInput, connection.displayName(), "the file is damaged",
-                "restore it from a backup copy");
+    return fail(ErrorCode::InvalidInput, connection.subject(), fileIsDamaged(), restoreFile());
 }
 
 Result<int> checkSnapshot(const ProjectConnection &connection, const Migrator &migrator)
@@ -189,17 +190,18 @@ std::uintmax_t promisedBytes(const Header &header)
     return pageBytes * bigEndian(header, pageCountOffset);
 }
 
-std::string nameOf(const std::filesystem::path &file)
+Message copyAgain()
 {
-    return "project '" + file.string() + "'";
+    return ODO_TEXT("project.copy_again", "copy it again from where it came, or restore a backup copy");
 }
 
 tl::unexpected<Error> cutOff(const std::filesystem::path &file, std::uintmax_t bytes, std::uintmax_t promised)
 {
-    return fail(ErrorCode::InvalidInput, nameOf(file),
-                "the file is cut off: it has " + std::to_string(bytes) + " of " + std::to_string(promised) +
-                    " bytes",
-                "copy it again from where it came, or restore a backup copy");
+    return fail(ErrorCode::InvalidInput, projectSubject(file),
+                joined({ODO_TEXT("project.file_cut_off", "the file is cut off"),
+                        ODO_TEXT("project.has_bytes_of", "it has %1 of %2 bytes")(bytes, promised)},
+                       Join::Colon),
+                copyAgain());
 }
 
 /// Whether a rollback journal ends with the name of another one (https://www.sqlite.org/fileformat.html,
@@ -246,13 +248,15 @@ Result<void> checkIsFile(const std::filesystem::path &file)
     std::error_code problem;
     const files::Kind kind = files::kindOf(file, problem);
     if (problem)
-        return fail(ErrorCode::Io, nameOf(file), "it cannot be looked at (" + problem.message() + ")",
-                    "check that you may read the file");
+        return fail(ErrorCode::Io, projectSubject(file),
+                    ODO_TEXT("project.cannot_be_looked_at",
+                             "it cannot be looked at (%1)")(foreignWords(problem.message())),
+                    checkFileMayBeRead());
     if (kind == files::Kind::Missing)
-        return fail(ErrorCode::NotFound, nameOf(file), "there is no such file",
-                    "check the name, or make a new project");
-    if (const char *reason = files::insteadOfFile(kind))
-        return fail(ErrorCode::InvalidInput, nameOf(file), reason, "choose a file that Odograph has written");
+        return fail(ErrorCode::NotFound, projectSubject(file), noSuchFile(),
+                    ODO_TEXT("project.check_name_or_make", "check the name, or make a new project"));
+    if (Message reason = files::insteadOfFile(kind); !reason.isEmpty())
+        return fail(ErrorCode::InvalidInput, projectSubject(file), std::move(reason), chooseOurFile());
     return {};
 }
 
@@ -260,34 +264,35 @@ Result<void> checkFileHeader(const std::filesystem::path &file, int newestVersio
 {
     if (auto isFile = checkIsFile(file); !isFile)
         return isFile;
-    const std::string what = nameOf(file);
+    const Message what = projectSubject(file);
     const DatabaseBytes bytes(file);
     Header header{};
     if (!bytes.read(header, 0))
-        return fail(ErrorCode::Io, what, "it cannot be read", "check that you may read the file");
+        return fail(ErrorCode::Io, what, ODO_TEXT("project.cannot_be_read", "it cannot be read"),
+                    checkFileMayBeRead());
     if (bytes.size() == 0)
-        return fail(ErrorCode::InvalidInput, what, "the file is empty", "restore it from a backup copy");
+        return fail(ErrorCode::InvalidInput, what, ODO_TEXT("project.file_empty", "the file is empty"),
+                    restoreFile());
     if (!isOfSqlite(header))
-        return fail(ErrorCode::InvalidInput, what, "it is not a project file",
-                    "choose a file that Odograph has written");
+        return fail(ErrorCode::InvalidInput, what, isNoProject(), chooseOurFile());
     if (bytes.size() < header.size())
         return cutOff(file, bytes.size(), header.size());
     if (bigEndian(header, applicationIdOffset) != projectApplicationId)
-        return fail(ErrorCode::InvalidInput, what, "it is a database of another program",
-                    "choose a file that Odograph has written");
+        return fail(ErrorCode::InvalidInput, what,
+                    ODO_TEXT("project.other_database", "it is a database of another program"),
+                    chooseOurFile());
     // SQLite's own; it would only say that it is not supported
     constexpr std::uint32_t newestSchemaFormat = 4;
     if (bigEndian(header, schemaFormatOffset) > newestSchemaFormat)
-        return fail(ErrorCode::InvalidInput, what, "the file is damaged", "restore it from a backup copy");
+        return fail(ErrorCode::InvalidInput, what, fileIsDamaged(), restoreFile());
     const auto version = static_cast<std::int32_t>(bigEndian(header, userVersionOffset));
     if (version > newestVersion)
-        return fail(ErrorCode::NewerFormat, what,
-                    "it was written by a newer Odograph (format " + std::to_string(version) +
-                        ", this one knows formats up to " + std::to_string(newestVersion) + ")",
-                    "open it with that Odograph, or update this one");
+        return fail(ErrorCode::NewerFormat, what, isOfNewerFormat(version, newestVersion),
+                    openWithThatOdograph());
     if (leadsElsewhere(file))
-        return fail(ErrorCode::InvalidInput, what, "the journal beside it names another file",
-                    "copy it again from where it came, or restore a backup copy");
+        return fail(ErrorCode::InvalidInput, what,
+                    ODO_TEXT("project.journal_of_another", "the journal beside it names another file"),
+                    copyAgain());
     // While a write-ahead log lies beside it, the file itself may lag behind. Asked before the size: whoever
     // empties the log has written all of it into the file before.
     if (!hasLog(file) && bytes.size() < promisedBytes(header))

@@ -5,11 +5,14 @@
 #include "core/base/file_system.h"
 #include "core/base/job_control.h"
 #include "core/base/shortage.h"
+#include "core/base/subjects.h"
 #include "core/base/units.h"
+#include "core/files/file_words.h"
 #include "core/files/protected_files.h"
 #include "core/project/internal/analysis_check.h"
 #include "core/project/internal/connection.h"
 #include "core/project/internal/task_repository.h"
+#include "core/project/internal/words.h"
 #include "core/project/limits.h"
 #include "core/project/project.h"
 #include "core/project/project_locks.h"
@@ -17,6 +20,7 @@
 #include "core/project/recording_rows.h"
 #include "core/project/repositories.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <condition_variable>
 #include <cstring>
@@ -36,9 +40,10 @@ namespace odo {
 struct KeptFile
 {
     std::filesystem::path file; ///< absolute
-    std::string name, sha256;   ///< no hash: it has not been made yet
+    Message name;
+    std::string sha256; ///< empty: it has not been made yet
     std::int64_t bytes = 0;
-    std::string adviceWhenMissing;
+    Message adviceWhenMissing;
 };
 
 namespace {
@@ -49,21 +54,31 @@ struct FileOnDisk
     std::int64_t bytes = 0;
 };
 
+Message putOriginalBack()
+{
+    return ODO_TEXT("project.put_original_back", "put the original file back in its place");
+}
+
+Message isMissing(Message name)
+{
+    return ODO_TEXT("project.is_missing", "%1 is missing")(std::move(name));
+}
+
 /// NotFound where there is nothing, Io where the system does not say, InvalidInput where something else is in
 /// its place.
 Result<FileOnDisk> onDisk(const std::filesystem::path &file)
 {
-    const std::string what = "file '" + file.string() + "'";
+    const Message what = quotedFileSubject(file);
     struct stat status = {};
     if (stat(file.c_str(), &status) != 0) {
         const bool isMissing = errno == ENOENT || errno == ENOTDIR;
-        return fail(isMissing ? ErrorCode::NotFound : ErrorCode::Io, what,
-                    std::string("it cannot be read (") + std::strerror(errno) + ")",
-                    "check that the file is there and may be read");
+        return fail(isMissing ? ErrorCode::NotFound : ErrorCode::Io, what, cannotBeRead(std::strerror(errno)),
+                    checkFileIsThere());
     }
     if (!S_ISREG(status.st_mode))
-        return fail(ErrorCode::InvalidInput, what, "it is a folder or a device, not a file",
-                    "put the original file back in its place");
+        return fail(ErrorCode::InvalidInput, what,
+                    ODO_TEXT("project.no_file_but_other", "it is a folder or a device, not a file"),
+                    putOriginalBack());
     return FileOnDisk{{status.st_dev, status.st_ino}, status.st_size};
 }
 
@@ -80,20 +95,20 @@ public:
     {
         for (const KeptFile &kept : files) {
             if (m_control.isCancelled())
-                return cancelled("check of the project");
+                return cancelled(projectCheck());
             auto known = m_onDisk.find(kept.file);
             if (known == m_onDisk.end())
                 known = m_onDisk.emplace(kept.file, onDisk(kept.file)).first;
             const Result<FileOnDisk> &found = known->second;
             if (!found && found.error().code == ErrorCode::NotFound)
-                report(kept, kept.name + " is missing", kept.adviceWhenMissing);
+                report(kept, isMissing(kept.name), kept.adviceWhenMissing);
             else if (!found)
-                report(kept, kept.name + ": " + found.error().why, found.error().advice);
+                report(kept, joined({kept.name, found.error().why}, Join::Colon), found.error().advice);
             else if (found->bytes != kept.bytes)
                 report(kept,
-                       kept.name + " has " + std::to_string(found->bytes) + " bytes instead of " +
-                           std::to_string(kept.bytes),
-                       "put the original file back in its place");
+                       ODO_TEXT("project.has_other_size",
+                                "%1 has %2 bytes instead of %3")(kept.name, found->bytes, kept.bytes),
+                       putOriginalBack());
             else if (!kept.sha256.empty())
                 m_whole.push_back(&kept);
         }
@@ -113,38 +128,43 @@ public:
             const FileOnDisk &file = *m_onDisk.at(kept->file);
             auto known = hashes.find(file.id);
             if (known == hashes.end()) {
-                m_control.report(double(done) / double(std::max<std::int64_t>(all, 1)),
-                                 "reading " + kept->file.filename().string());
+                m_control.report(
+                    double(done) / double(std::max<std::int64_t>(all, 1)),
+                    ODO_TEXT("project.reading", "reading %1")(Named::file(kept->file.filename())));
                 known = hashes.emplace(file.id, fileSha256(kept->file, m_control)).first;
                 done += file.bytes;
             }
             const Result<std::string> &hash = known->second;
             if (!hash && hash.error().code == ErrorCode::Cancelled)
-                return cancelled("check of the project");
+                return cancelled(projectCheck());
             // which says nothing of the file
-            if (const char *shortage = hash ? nullptr : shortageNowOfSystem())
-                return fail(ErrorCode::Unavailable, "check of the project", shortage, shortageAdvice);
+            if (const MessageText *shortage = hash ? nullptr : shortageNowOfSystem())
+                return fail(ErrorCode::Unavailable, projectCheck(), *shortage, shortageAdvice());
             if (!hash)
-                report(*kept, kept->name + ": " + hash.error().why, hash.error().advice);
+                report(*kept, joined({kept->name, hash.error().why}, Join::Colon), hash.error().advice);
             else if (*hash != kept->sha256)
-                report(*kept, kept->name + " was changed since it was made",
-                       "put the original file back in its place");
+                report(*kept,
+                       ODO_TEXT("project.file_changed", "%1 was changed since it was made")(kept->name),
+                       putOriginalBack());
         }
         return {};
     }
 
 private:
-    void report(const KeptFile &kept, const std::string &what, const std::string &advice)
+    void report(const KeptFile &kept, const Message &what, const Message &advice)
     {
-        if (m_reported.emplace(kept.file, what).second)
-            m_problems.push_back({what, kept.file.string(), advice});
+        std::vector<Message> &reported = m_reported[kept.file];
+        if (std::ranges::find(reported, what) != reported.end())
+            return;
+        reported.push_back(what);
+        m_problems.push_back({what, fileSubject(kept.file), advice});
     }
 
     const JobControl &m_control;
     std::vector<ProjectProblem> &m_problems;
     std::map<std::filesystem::path, Result<FileOnDisk>> m_onDisk;
     std::vector<const KeptFile *> m_whole; ///< there, of the right size, and with a hash
-    std::set<std::pair<std::filesystem::path, std::string>> m_reported;
+    std::map<std::filesystem::path, std::vector<Message>> m_reported;
 };
 
 } // namespace
@@ -206,8 +226,6 @@ constexpr ListOf lists[] = {{"recording", "trial", mostViews},
                             {"trial_tag", "trial", mostTags},
                             {"marker", "layout", mostMarkers}};
 
-constexpr const char *advice = "the rest is not read; change it here, or where the file comes from";
-
 } // namespace
 
 /// What a file holds beyond the limits (limits.h), which is cut or left out as it is read: only another
@@ -221,36 +239,39 @@ Result<std::vector<ProjectProblem>> beyondLimits(const ProjectConnection &connec
             QLatin1String(table), QLatin1String(column), QString::fromStdString(most)));
         if (found && *found > 0)
             problems.push_back(
-                {words(std::to_string(*found)), connection.file().filename().string(), advice});
+                {words(*found), fileSubject(connection.file().filename()),
+                 ODO_TEXT("project.rest_not_read",
+                          "the rest is not read; change it here, or where the file comes from")});
         return found ? Result<void>() : tl::unexpected(found.error());
     };
     for (const TextColumn &text : texts) {
-        const std::string most = std::to_string(text.most),
-                          name = std::string(text.table) + "." + text.column;
-        if (auto done = count("SELECT COUNT(*) FROM %1 WHERE length(%2)>%3", text.table, text.column, most,
-                              [&](const std::string &found) {
-                                  return name + ": texts of more than " + most + " characters: " + found;
-                              });
+        const auto words = [&](std::int64_t found) {
+            return ODO_TEXT("project.texts_too_long", "%1: texts of more than %2 characters: %3")(
+                std::string(text.table) + "." + text.column, text.most, found);
+        };
+        if (auto done = count("SELECT COUNT(*) FROM %1 WHERE length(%2)>%3", text.table, text.column,
+                              std::to_string(text.most), words);
             !done)
             return tl::unexpected(done.error());
     }
     for (const NumberColumn &number : numbers) {
-        const std::string most = formatNumber(number.most, 0),
-                          name = std::string(number.table) + "." + number.column;
-        if (auto done = count(
-                "SELECT COUNT(*) FROM %1 WHERE abs(%2)>%3", number.table, number.column, most,
-                [&](const std::string &found) { return name + ": numbers beyond " + most + ": " + found; });
+        const auto words = [&](std::int64_t found) {
+            return ODO_TEXT("project.numbers_too_large", "%1: numbers beyond %2: %3")(
+                std::string(number.table) + "." + number.column, quantity(number.most, 0), found);
+        };
+        if (auto done = count("SELECT COUNT(*) FROM %1 WHERE abs(%2)>%3", number.table, number.column,
+                              formatNumber(number.most, 0), words);
             !done)
             return tl::unexpected(done.error());
     }
     for (const ListOf &list : lists) {
-        const std::string most = std::to_string(list.most), owner = list.owner, name = list.table;
+        const auto words = [&](std::int64_t found) {
+            return ODO_TEXT("project.lists_too_long", "%1: more than %2 of one %3: %4")(
+                std::string(list.table), list.most, std::string(list.owner), found);
+        };
         if (auto done = count(
                 "SELECT COALESCE(MAX(n), 0) FROM (SELECT COUNT(*) AS n FROM %1 GROUP BY %2_id) WHERE n>%3",
-                list.table, list.owner, most,
-                [&](const std::string &found) {
-                    return name + ": more than " + most + " of one " + owner + ": " + found;
-                });
+                list.table, list.owner, std::to_string(list.most), words);
             !done)
             return tl::unexpected(done.error());
     }
@@ -261,8 +282,6 @@ namespace {
 
 using Problems = std::vector<ProjectProblem>;
 
-const std::string restoreBackup = "restore the project from a backup copy";
-
 /// While it lives, SQLite stops what it does when the user cancels: looking through a large file is one
 /// statement.
 class InterruptWhenCancelled
@@ -270,7 +289,7 @@ class InterruptWhenCancelled
 public:
     InterruptWhenCancelled(const ProjectConnection &connection, const JobControl &control)
     {
-        auto thread = startThread("check of the project", [this, handle = connection.handle(), &control] {
+        auto thread = startThread(projectCheck(), [this, handle = connection.handle(), &control] {
             std::unique_lock lock(m_mutex);
             while (!m_wake.wait_for(lock, std::chrono::milliseconds(100), [this] { return m_done; })) {
                 if (control.isCancelled())
@@ -303,21 +322,23 @@ private:
 /// isThorough: indexes are compared with their tables as well.
 Result<void> checkDatabase(const ProjectConnection &connection, bool isThorough, Problems &problems)
 {
-    const std::string where = connection.file().filename().string();
+    const Message where = fileSubject(connection.file().filename());
     Statement integrity(connection, isThorough ? QStringLiteral("PRAGMA integrity_check(20)")
                                                : QStringLiteral("PRAGMA quick_check(20)"));
     auto read = integrity.eachRow([&](const Statement &row) -> Result<void> {
         if (row.text(0) != "ok")
-            problems.push_back({"the file is damaged: " + row.text(0), where, restoreBackup});
+            problems.push_back(
+                {joined({fileIsDamaged(), foreignWords(row.text(0))}, Join::Colon), where, restoreProject()});
         return {};
     });
     if (!read)
         return read;
     Statement references(connection, QStringLiteral("PRAGMA foreign_key_check"));
     return references.eachRow([&](const Statement &row) -> Result<void> {
-        problems.push_back({"row " + row.text(1) + " of '" + row.text(0) + "' refers to a row of '" +
-                                row.text(2) + "' that is not there",
-                            where, restoreBackup});
+        problems.push_back({ODO_TEXT("project.row_refers_to_nothing",
+                                     "row %1 of '%2' refers to a row of '%3' that is not there")(
+                                row.text(1), row.text(0), row.text(2)),
+                            where, restoreProject()});
         return {};
     });
 }
@@ -327,8 +348,7 @@ void addCalibrationFiles(Project &project, const CameraRecord &camera, std::vect
 {
     const auto all = project.cameras().allIntrinsics(camera.id);
     if (!all) {
-        problems.push_back(
-            {all.error().what + ": " + all.error().why, "camera '" + camera.name + "'", restoreBackup});
+        problems.push_back({whatAndWhy(all.error()), cameraSubject(camera.name), restoreProject()});
         return;
     }
     for (const IntrinsicsRecord &record : *all) {
@@ -336,11 +356,13 @@ void addCalibrationFiles(Project &project, const CameraRecord &camera, std::vect
             const StoredPicture &picture = record.files[i];
             if (picture.path.empty())
                 continue;
-            files.push_back({absolutePath(project.file(), picture.path),
-                             "the calibration picture '" + record.calibration.pictures[i].view.source +
-                                 "' of camera '" + camera.name + "'",
-                             picture.sha256, picture.bytes,
-                             "put the file back in its place; the lens is kept without it"});
+            files.push_back(
+                {absolutePath(project.file(), picture.path),
+                 ODO_TEXT("project.calibration_picture_of", "the calibration picture '%1' of camera '%2'")(
+                     Named::file(record.calibration.pictures[i].view.source), Named::camera(camera.name)),
+                 picture.sha256, picture.bytes,
+                 joined({putFileBack(), ODO_TEXT("project.lens_kept", "the lens is kept without it")},
+                        Join::Semicolon)});
         }
     }
 }
@@ -350,8 +372,7 @@ void addRegistrationFiles(Project &project, const CameraRecord &camera, std::vec
 {
     const auto all = project.cameras().allRegistrations(camera.id);
     if (!all) {
-        problems.push_back(
-            {all.error().what + ": " + all.error().why, "camera '" + camera.name + "'", restoreBackup});
+        problems.push_back({whatAndWhy(all.error()), cameraSubject(camera.name), restoreProject()});
         return;
     }
     std::set<std::string> seen; // a registration made anew from the same markers has the same picture
@@ -360,9 +381,12 @@ void addRegistrationFiles(Project &project, const CameraRecord &camera, std::vec
             continue;
         files.push_back(
             {absolutePath(project.file(), record.picture.path),
-             "the picture of registration " + std::to_string(record.id) + " of camera '" + camera.name + "'",
+             ODO_TEXT("project.registration_picture_of",
+                      "the picture of registration %1 of camera '%2'")(record.id, Named::camera(camera.name)),
              record.picture.sha256, record.picture.bytes,
-             "put the file back in its place; the registration is kept without it"});
+             joined({putFileBack(),
+                     ODO_TEXT("project.registration_kept", "the registration is kept without it")},
+                    Join::Semicolon)});
     }
 }
 
@@ -373,8 +397,7 @@ void addRecordingFiles(Project &project, std::vector<KeptFile> &kept, Problems &
     const auto recordings = project.trials().allRecordings();
     if (!trials || !recordings) {
         const Error &error = trials ? recordings.error() : trials.error();
-        problems.push_back(
-            {error.what + ": " + error.why, project.file().filename().string(), restoreBackup});
+        problems.push_back({whatAndWhy(error), fileSubject(project.file().filename()), restoreProject()});
         return;
     }
     std::set<RecordId> unfinished;
@@ -384,20 +407,30 @@ void addRecordingFiles(Project &project, std::vector<KeptFile> &kept, Problems &
         unfinished.insert(trial.id);
         if (!RecordingLock::isHeld(project.mediaFolder()))
             problems.push_back(
-                {"its recording was cut off; it is not complete yet", "trial '" + trial.name + "'",
-                 "open the project to write, which completes it: odograph record P.odo --recover"});
+                {joined({ODO_TEXT("project.recording_cut_off", "its recording was cut off"),
+                         ODO_TEXT("project.not_complete_yet", "it is not complete yet")},
+                        Join::Semicolon),
+                 trialSubject(trial.name),
+                 ODO_TEXT("project.complete_recording",
+                          "open the project to write, which completes it: odograph record P.odo --recover")});
     }
     for (const RecordingRecord &recording : *recordings) {
         const std::filesystem::path file = project.resolve(recording);
+        const Message name = ODO_TEXT("project.recording_of_view",
+                                      "the recording of view '%1'")(Named::camera(recording.cameraName));
         if (unfinished.contains(recording.trial) && !files::exists(file))
-            problems.push_back({"the recording of view '" + recording.cameraName + "' is missing",
-                                file.string(), "put the file back in its place, and open the project again"});
+            problems.push_back({isMissing(name), fileSubject(file),
+                                ODO_TEXT("project.put_back_and_open",
+                                         "put the file back in its place, and open the project again")});
         else if (!unfinished.contains(recording.trial))
-            kept.push_back({file, "the recording of view '" + recording.cameraName + "'", recording.sha256,
-                            recording.bytes,
-                            "put the file back in its place, or find it by its content with odograph check "
-                            "P.odo --find FOLDER or Find lost videos… in "
-                            "the window; the measured track is kept without it"});
+            kept.push_back(
+                {file, name, recording.sha256, recording.bytes,
+                 joined({ODO_TEXT(
+                             "project.put_back_or_find",
+                             "put the file back in its place, or find it by its content with odograph check "
+                             "P.odo --find FOLDER or Find lost videos… in the window"),
+                         ODO_TEXT("project.track_kept", "the measured track is kept without it")},
+                        Join::Semicolon)});
     }
 }
 
@@ -416,7 +449,7 @@ std::vector<KeptFile> filesOf(Project &project, Problems &problems)
 /// A part of the whole progress.
 JobControl partOf(const JobControl &control, double from, double to)
 {
-    return {control.cancel, [&control, from, to](double fraction, const std::string &text) {
+    return {control.cancel, [&control, from, to](double fraction, const Message &text) {
                 control.report(from + fraction * (to - from), text);
             }};
 }
@@ -428,10 +461,10 @@ Result<std::vector<ProjectProblem>> checkProject(Project &project, ProjectConnec
 {
     const InterruptWhenCancelled interrupt(connection, control);
     Problems problems;
-    const std::string file = connection.file().filename().string();
-    control.report(0, "checking the database");
+    const Message file = fileSubject(connection.file().filename());
+    control.report(0, ODO_TEXT("project.checking_database", "checking the database"));
     if (auto checked = checkDatabase(connection, withHashes, problems); !checked)
-        problems.push_back({checked.error().why, file, restoreBackup});
+        problems.push_back({checked.error().why, file, restoreProject()});
     if (const auto beyond = beyondLimits(connection))
         problems.insert(problems.end(), beyond->begin(), beyond->end());
     const auto robots = project.robots().all();
@@ -439,20 +472,20 @@ Result<std::vector<ProjectProblem>> checkProject(Project &project, ProjectConnec
     for (const auto &[readable, error] : {std::pair{robots.has_value(), robots ? Error{} : robots.error()},
                                           std::pair{tasks.has_value(), tasks ? Error{} : tasks.error()}}) {
         if (!readable)
-            problems.push_back({error.what + ": " + error.why, file, restoreBackup});
+            problems.push_back({whatAndWhy(error), file, restoreProject()});
     }
     if (auto checked = checkDerivedFigures(project, connection, problems); !checked)
-        problems.push_back({checked.error().what + ": " + checked.error().why, file, restoreBackup});
+        problems.push_back({whatAndWhy(checked.error()), file, restoreProject()});
     const std::vector<KeptFile> files = filesOf(project, problems);
     if (auto checked = checkAnalyses(project, connection, withHashes, partOf(control, 0.1, 0.4), problems);
         !checked && !control.isCancelled())
-        problems.push_back({checked.error().what + ": " + checked.error().why, file, restoreBackup});
+        problems.push_back({whatAndWhy(checked.error()), file, restoreProject()});
     if (auto checked = checkFiles(files, withHashes, partOf(control, 0.4, 1), problems); !checked)
         return tl::unexpected(checked.error());
     addStrayMedia(project, problems, control);
     // What was interrupted looks like damage.
     if (control.isCancelled())
-        return cancelled("check of the project");
+        return cancelled(projectCheck());
     return problems;
 }
 

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/subjects.h"
 #include "core/project/internal/connection.h"
 #include "core/project/internal/stored_words.h"
+#include "core/project/internal/words.h"
 #include "core/project/names.h"
 #include "core/project/repositories.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace odo {
 
@@ -41,7 +44,7 @@ Result<RobotRecord> robotOf(const Statement &row)
     const auto colour = colourOf(row.text(2));
     if (!colour)
         return tl::unexpected(colour.error());
-    const auto mode = fromStoredWord(heightModeWords, row.text(3), "robot '" + robot.name + "'");
+    const auto mode = fromStoredWord(heightModeWords, row.text(3), robotSubject(robot.name));
     if (!mode)
         return tl::unexpected(mode.error());
     robot.colour = *colour;
@@ -49,7 +52,7 @@ Result<RobotRecord> robotOf(const Statement &row)
     robot.heightM = sizeOf(row, 4);
     robot.lengthM = sizeOf(row, 5);
     robot.widthM = sizeOf(row, 6);
-    const auto drawing = fromStoredWord(drawingColourWords, row.text(7), "robot '" + robot.name + "'");
+    const auto drawing = fromStoredWord(drawingColourWords, row.text(7), robotSubject(robot.name));
     if (!drawing)
         return tl::unexpected(drawing.error());
     robot.drawingColour = *drawing;
@@ -65,31 +68,39 @@ RobotRecord withNormalName(RobotRecord robot)
 
 Result<void> checkRobot(const RobotRecord &robot)
 {
-    if (auto valid = checkName("robot", robot.name); !valid)
+    if (auto valid = checkName(RecordKind::Robot, robot.name); !valid)
         return valid;
-    const auto refuse = [&robot](const std::string &why, const std::string &advice) {
-        return fail(ErrorCode::InvalidInput, "robot '" + robot.name + "'", why, advice);
+    const auto refuse = [&robot](Message why, Message advice) {
+        return fail(ErrorCode::InvalidInput, robotSubject(robot.name), std::move(why), std::move(advice));
     };
     if (robot.heightMode == RobotRecord::Height::Told && !robot.heightM)
-        return refuse("its height is to be told, but none is given", "give a height, or let it be estimated");
+        return refuse(ODO_TEXT("project.height_not_given", "its height is to be told, but none is given"),
+                      ODO_TEXT("project.give_a_height", "give a height, or let it be estimated"));
     if (robot.heightM && !(*robot.heightM >= 0))
-        return refuse("its height is below the floor", "give a height of 0 or more");
+        return refuse(ODO_TEXT("project.height_below_floor", "its height is below the floor"),
+                      ODO_TEXT("project.height_from_0", "give a height of 0 or more"));
     for (const auto &size : {robot.lengthM, robot.widthM}) {
         if (size && !(*size > 0))
-            return refuse("its size is not above 0", "give length and width in millimetres, like 260x190");
+            return refuse(
+                ODO_TEXT("project.size_not_above_0", "its size is not above 0"),
+                ODO_TEXT("project.give_robot_size", "give length and width in millimetres, like 260x190"));
     }
+    const MessageArgument largest = quantity(largestRobotM, 0, "m");
     for (const auto &size : {robot.heightM, robot.lengthM, robot.widthM}) {
         if (size && *size > largestRobotM)
-            return refuse("it is larger than " + std::to_string(largestRobotM) + " m", "check the numbers");
+            return refuse(ODO_TEXT("project.robot_too_large", "it is larger than %1")(largest),
+                          checkTheNumbers());
     }
     if (!(robot.referenceM.cwiseAbs().maxCoeff() <= largestRobotM))
-        return refuse("its reference point is farther from its centre than " + std::to_string(largestRobotM) +
-                          " m",
-                      "check the numbers");
+        return refuse(ODO_TEXT("project.reference_too_far",
+                               "its reference point is farther from its centre than %1")(largest),
+                      checkTheNumbers());
     if (!robot.referenceM.isZero() && robot.heightMode == RobotRecord::Height::Free)
-        return refuse("a reference point beside its centre takes a heading, which is not known where the "
-                      "height changes",
-                      "leave out one of the two");
+        return refuse(
+            ODO_TEXT("project.reference_without_heading",
+                     "a reference point beside its centre takes a heading, which is not known where "
+                     "the height changes"),
+            ODO_TEXT("project.leave_one_out", "leave out one of the two"));
     return {};
 }
 
@@ -103,7 +114,7 @@ Result<RobotRecord> RobotRepository::add(const RobotRecord &given)
     return transact(m_connection, [&]() -> Result<RobotRecord> {
         if (auto valid = checkRobot(robot); !valid)
             return tl::unexpected(valid.error());
-        if (auto isFree = checkNameIsFree(m_connection, "robot", "robot", robot.name); !isFree)
+        if (auto isFree = checkNameIsFree(m_connection, RecordKind::Robot, robot.name); !isFree)
             return tl::unexpected(isFree.error());
         Statement insert(m_connection,
                          QStringLiteral("INSERT INTO robot (name, colour, height_mode, height_m, "
@@ -138,11 +149,11 @@ Result<std::vector<RobotRecord>> RobotRepository::all() const
 
 Result<RobotRecord> RobotRepository::find(const std::string &name) const
 {
-    const auto id = idNamed(m_connection, "robot", name);
+    const auto id = idNamed(m_connection, RecordKind::Robot, name);
     if (!id)
         return tl::unexpected(id.error());
     if (*id == 0)
-        return noSuchName(m_connection, "robot", "robot", name);
+        return noSuchName(m_connection, RecordKind::Robot, name);
     return get(*id);
 }
 
@@ -153,7 +164,7 @@ Result<RobotRecord> RobotRepository::get(RecordId id) const
     if (!found)
         return tl::unexpected(found.error());
     if (!*found)
-        return noSuchId(m_connection, "robot", id);
+        return noSuchId(m_connection, RecordKind::Robot, id);
     return robotOf(select);
 }
 
@@ -167,7 +178,7 @@ Result<void> RobotRepository::set(const RobotRecord &given)
         if (auto valid = checkRobot(robot); !valid)
             return valid;
         if (known->name != robot.name)
-            if (auto isFree = checkNameIsFree(m_connection, "robot", "robot", robot.name); !isFree)
+            if (auto isFree = checkNameIsFree(m_connection, RecordKind::Robot, robot.name); !isFree)
                 return isFree;
         Statement update(m_connection,
                          QStringLiteral("UPDATE robot SET name=?, colour=?, height_mode=?, height_m=?, "
@@ -194,8 +205,11 @@ Result<void> RobotRepository::remove(RecordId robot)
         if (!isUsed)
             return tl::unexpected(isUsed.error());
         if (*isUsed)
-            return fail(ErrorCode::InvalidInput, "robot '" + known->name + "'", "it drove in a trial",
-                        "keep it; it can be given another name");
+            return fail(
+                ErrorCode::InvalidInput, robotSubject(known->name),
+                ODO_TEXT("project.robot_drove", "it drove in a trial"),
+                joined({keepIt(), ODO_TEXT("project.robot_can_be_renamed", "it can be given another name")},
+                       Join::Semicolon));
         if (auto left = runFor(m_connection, "DELETE FROM team_robot WHERE robot_id=?", robot); !left)
             return left;
         return runFor(m_connection, "DELETE FROM robot WHERE id=?", robot);

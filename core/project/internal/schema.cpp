@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/internal/schema.h"
 
+#include "core/project/internal/message_migration.h"
+
 namespace odo {
 
 namespace {
@@ -371,25 +373,37 @@ std::vector<std::string> pointedOutRobots()
 
 std::vector<Migration> projectMigrations()
 {
-    return {sqlMigration("the first schema", firstSchema()),
-            sqlMigration("samples overruled by hand", overrules()),
-            sqlMigration("rates of the cameras' clocks", clockRates()),
-            sqlMigration("tasks with gates, a reference path and limits", tasks()),
-            sqlMigration("how each view was put in step", viewsInStep()),
-            sqlMigration("calibrations with their boards, corners and pictures", calibrationPictures()),
-            sqlMigration("revisions that are chosen, and checks of registrations", chosenRevisions()),
-            sqlMigration("trials while they are being recorded, and the raw times of their pictures",
-                         recordingsAsTheyAreMade()),
-            sqlMigration("pictures of registrations", registrationPictures()),
-            sqlMigration("what a school year needs: stars, tags, archive, bin, pseudonyms, scoring and the "
-                         "list of changes",
-                         schoolYear()),
-            sqlMigration("members and robots of teams, zones and the archive of tasks, and imported tracks",
-                         teamsAndZones()),
-            sqlMigration("digests of analyses, and long series in chunks", provedAnalyses()),
-            sqlMigration("the point of a robot that is measured", referencePoints()),
-            sqlMigration("when robots of one look could not be told apart", doubtfulNames()),
-            sqlMigration("robots that a person pointed out in a picture", pointedOutRobots())};
+    return {
+        sqlMigration(ODO_TEXT("project.format_1", "the first schema"), firstSchema()),
+        sqlMigration(ODO_TEXT("project.format_2", "samples overruled by hand"), overrules()),
+        sqlMigration(ODO_TEXT("project.format_3", "rates of the cameras' clocks"), clockRates()),
+        sqlMigration(ODO_TEXT("project.format_4", "tasks with gates, a reference path and limits"), tasks()),
+        sqlMigration(ODO_TEXT("project.format_5", "how each view was put in step"), viewsInStep()),
+        sqlMigration(ODO_TEXT("project.format_6", "calibrations with their boards, corners and pictures"),
+                     calibrationPictures()),
+        sqlMigration(ODO_TEXT("project.format_7", "revisions that are chosen, and checks of registrations"),
+                     chosenRevisions()),
+        sqlMigration(ODO_TEXT("project.format_8",
+                              "trials while they are being recorded, and the raw times of "
+                              "their pictures"),
+                     recordingsAsTheyAreMade()),
+        sqlMigration(ODO_TEXT("project.format_9", "pictures of registrations"), registrationPictures()),
+        sqlMigration(ODO_TEXT("project.format_10", "what a school year needs: stars, tags, archive, bin, "
+                                                   "pseudonyms, scoring and the list of changes"),
+                     schoolYear()),
+        sqlMigration(ODO_TEXT("project.format_11", "members and robots of teams, zones and the archive of "
+                                                   "tasks, and imported tracks"),
+                     teamsAndZones()),
+        sqlMigration(ODO_TEXT("project.format_12", "digests of analyses, and long series in chunks"),
+                     provedAnalyses()),
+        sqlMigration(ODO_TEXT("project.format_13", "the point of a robot that is measured"),
+                     referencePoints()),
+        sqlMigration(ODO_TEXT("project.format_14", "when robots of one look could not be told apart"),
+                     doubtfulNames()),
+        sqlMigration(ODO_TEXT("project.format_15", "robots that a person pointed out in a picture"),
+                     pointedOutRobots()),
+        {ODO_TEXT("project.format_16", "sentences as codes with their arguments"), storeMessages},
+    };
 }
 
 const Migrator &projectMigrator()

@@ -2,6 +2,7 @@
 #include "core/project/internal/series_blobs.h"
 
 #include "core/geometry/silhouette.h"
+#include "core/project/internal/words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -95,7 +96,7 @@ QByteArray packTimes(std::span<const Nanoseconds> times)
     return writer.take();
 }
 
-Result<void> unpackTimes(const QByteArray &bytes, const std::string &what, std::vector<Nanoseconds> &appendTo)
+Result<void> unpackTimes(const QByteArray &bytes, const Message &what, std::vector<Nanoseconds> &appendTo)
 {
     auto reader = BlobReader::open(bytes, timesLayout, what);
     if (!reader)
@@ -114,7 +115,7 @@ QByteArray packRawTimes(std::span<const RawTime> pictures)
     return writer.take();
 }
 
-Result<void> unpackRawTimes(const QByteArray &bytes, const std::string &what, std::vector<RawTime> &appendTo)
+Result<void> unpackRawTimes(const QByteArray &bytes, const Message &what, std::vector<RawTime> &appendTo)
 {
     auto reader = BlobReader::open(bytes, rawTimesLayout, what);
     if (!reader)
@@ -138,7 +139,7 @@ QByteArray packClockReadings(std::span<const ClockReading> readings)
     return writer.take();
 }
 
-Result<void> unpackClockReadings(const QByteArray &bytes, const std::string &what,
+Result<void> unpackClockReadings(const QByteArray &bytes, const Message &what,
                                  std::vector<ClockReading> &appendTo)
 {
     auto reader = BlobReader::open(bytes, clockReadingsLayout, what);
@@ -178,7 +179,7 @@ QByteArray packObservations(std::span<const Observation> observations)
     return writer.take();
 }
 
-Result<void> unpackObservations(const QByteArray &bytes, const std::string &what,
+Result<void> unpackObservations(const QByteArray &bytes, const Message &what,
                                 std::vector<Observation> &appendTo)
 {
     const bool hasSupport = bytes.size() > 1 && std::uint8_t(bytes[1]) == supportedLayout.version;
@@ -235,7 +236,7 @@ QByteArray packSamples(std::span<const Sample> samples)
     return writer.take();
 }
 
-Result<void> unpackSamples(const QByteArray &bytes, const std::string &what, std::vector<Sample> &appendTo)
+Result<void> unpackSamples(const QByteArray &bytes, const Message &what, std::vector<Sample> &appendTo)
 {
     auto reader = BlobReader::open(bytes, samplesLayout, what);
     if (!reader)
@@ -282,8 +283,7 @@ QByteArray packPoints(std::span<const ProfilePoint> points)
     return writer.take();
 }
 
-Result<void> unpackPoints(const QByteArray &bytes, const std::string &what,
-                          std::vector<ProfilePoint> &appendTo)
+Result<void> unpackPoints(const QByteArray &bytes, const Message &what, std::vector<ProfilePoint> &appendTo)
 {
     auto reader = BlobReader::open(bytes, pointsLayout, what);
     if (!reader)
@@ -310,7 +310,7 @@ QByteArray packTruth(const TruthSeries &truth)
     return writer.take();
 }
 
-Result<void> unpackTruth(const QByteArray &bytes, const std::string &what, TruthSeries &into)
+Result<void> unpackTruth(const QByteArray &bytes, const Message &what, TruthSeries &into)
 {
     auto reader = BlobReader::open(bytes, truthLayout, what);
     if (!reader)
@@ -342,7 +342,7 @@ QByteArray packCorners(const CalibrationPicture &picture)
     return writer.take();
 }
 
-Result<void> unpackCorners(const QByteArray &bytes, const std::string &what, CalibrationPicture &into)
+Result<void> unpackCorners(const QByteArray &bytes, const Message &what, CalibrationPicture &into)
 {
     auto reader = BlobReader::open(bytes, cornersLayout, what);
     if (!reader)
@@ -369,7 +369,7 @@ QByteArray packNumbers(std::span<const double> numbers)
     return writer.take();
 }
 
-Result<std::vector<double>> unpackNumbers(const QByteArray &bytes, const std::string &what)
+Result<std::vector<double>> unpackNumbers(const QByteArray &bytes, const Message &what)
 {
     auto reader = BlobReader::open(bytes, numbersLayout, what);
     if (!reader)
@@ -387,7 +387,7 @@ QByteArray packSquare(const Eigen::MatrixXd &matrix)
     return writer.take();
 }
 
-Result<Eigen::MatrixXd> unpackSquare(const QByteArray &bytes, const std::string &what)
+Result<Eigen::MatrixXd> unpackSquare(const QByteArray &bytes, const Message &what)
 {
     auto reader = BlobReader::open(bytes, squareLayout, what);
     if (!reader)
@@ -397,8 +397,9 @@ Result<Eigen::MatrixXd> unpackSquare(const QByteArray &bytes, const std::string 
         ++size;
     if (size * size != reader->rows())
         return fail(ErrorCode::InvalidInput, what,
-                    "its stored matrix of " + std::to_string(reader->rows()) + " numbers is not square",
-                    "the project file is damaged: restore it from a backup copy");
+                    ODO_TEXT("project.matrix_not_square",
+                             "its stored matrix of %1 numbers is not square")(reader->rows()),
+                    isDamagedRestoreFile());
     Eigen::MatrixXd matrix(static_cast<Eigen::Index>(size), static_cast<Eigen::Index>(size));
     for (Eigen::Index i = 0; i < matrix.size(); ++i)
         matrix.data()[i] = reader->take<double>();
@@ -422,27 +423,27 @@ QByteArray BlobWriter::take()
     return std::move(m_bytes);
 }
 
-Result<BlobReader> BlobReader::open(const QByteArray &bytes, const BlobLayout &layout,
-                                    const std::string &what)
+Result<BlobReader> BlobReader::open(const QByteArray &bytes, const BlobLayout &layout, const Message &what)
 {
-    const auto damaged = [&what](const std::string &why) {
-        return fail(ErrorCode::InvalidInput, what, why,
-                    "the project file is damaged: restore it from a backup copy");
+    const auto damaged = [&what](Message why) {
+        return fail(ErrorCode::InvalidInput, what, std::move(why), isDamagedRestoreFile());
     };
     const auto size = static_cast<std::size_t>(bytes.size());
     if (size < blobHeaderBytes || bytes[0] != layout.kind)
-        return damaged("its stored series is not of the expected kind");
+        return damaged(
+            ODO_TEXT("project.series_of_other_kind", "its stored series is not of the expected kind"));
     const auto version = static_cast<std::uint8_t>(bytes[1]);
     if (version != layout.version)
-        return fail(ErrorCode::NewerFormat, what,
-                    "its stored series has the unknown layout " + std::to_string(version),
-                    "open the project with a newer Odograph");
+        return fail(
+            ErrorCode::NewerFormat, what,
+            ODO_TEXT("project.unknown_series_layout", "its stored series has the unknown layout %1")(version),
+            openWithNewerOdograph());
     BlobReader reader(bytes, 0);
     reader.m_position = 4;
     const std::size_t rows = reader.take<std::uint32_t>();
     if (rows > maxBlobRows || size != blobHeaderBytes + rows * layout.bytesPerRow)
-        return damaged("its stored series announces " + std::to_string(rows) + " rows but holds " +
-                       std::to_string(size) + " bytes");
+        return damaged(ODO_TEXT("project.series_of_other_length",
+                                "its stored series announces %1 rows but holds %2 bytes")(rows, size));
     reader.m_rows = rows;
     return reader;
 }

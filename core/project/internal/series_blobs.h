@@ -29,43 +29,41 @@ namespace odo {
 constexpr std::size_t rowsPerChunk = 8192;
 
 QByteArray packTimes(std::span<const Nanoseconds> times);
-Result<void> unpackTimes(const QByteArray &bytes, const std::string &what,
-                         std::vector<Nanoseconds> &appendTo);
+Result<void> unpackTimes(const QByteArray &bytes, const Message &what, std::vector<Nanoseconds> &appendTo);
 
 QByteArray packRawTimes(std::span<const RawTime> pictures);
-Result<void> unpackRawTimes(const QByteArray &bytes, const std::string &what, std::vector<RawTime> &appendTo);
+Result<void> unpackRawTimes(const QByteArray &bytes, const Message &what, std::vector<RawTime> &appendTo);
 
 QByteArray packClockReadings(std::span<const ClockReading> readings);
-Result<void> unpackClockReadings(const QByteArray &bytes, const std::string &what,
+Result<void> unpackClockReadings(const QByteArray &bytes, const Message &what,
                                  std::vector<ClockReading> &appendTo);
 
 QByteArray packObservations(std::span<const Observation> observations);
-Result<void> unpackObservations(const QByteArray &bytes, const std::string &what,
+Result<void> unpackObservations(const QByteArray &bytes, const Message &what,
                                 std::vector<Observation> &appendTo);
 
 QByteArray packSamples(std::span<const Sample> samples);
-Result<void> unpackSamples(const QByteArray &bytes, const std::string &what, std::vector<Sample> &appendTo);
+Result<void> unpackSamples(const QByteArray &bytes, const Message &what, std::vector<Sample> &appendTo);
 
 QByteArray packPoints(std::span<const ProfilePoint> points);
-Result<void> unpackPoints(const QByteArray &bytes, const std::string &what,
-                          std::vector<ProfilePoint> &appendTo);
+Result<void> unpackPoints(const QByteArray &bytes, const Message &what, std::vector<ProfilePoint> &appendTo);
 
 /// Of a truth the four vectors must have equal length.
 QByteArray packTruth(const TruthSeries &truth);
 /// Fills the vectors of `into`.
-Result<void> unpackTruth(const QByteArray &bytes, const std::string &what, TruthSeries &into);
+Result<void> unpackTruth(const QByteArray &bytes, const Message &what, TruthSeries &into);
 
 /// The corners of a picture of a board with their residuals, and which of them stand out or do not count.
 QByteArray packCorners(const CalibrationPicture &picture);
 /// Fills in the picture's corners; the rest of it stays.
-Result<void> unpackCorners(const QByteArray &bytes, const std::string &what, CalibrationPicture &into);
+Result<void> unpackCorners(const QByteArray &bytes, const Message &what, CalibrationPicture &into);
 
 QByteArray packNumbers(std::span<const double> numbers);
-Result<std::vector<double>> unpackNumbers(const QByteArray &bytes, const std::string &what);
+Result<std::vector<double>> unpackNumbers(const QByteArray &bytes, const Message &what);
 
 /// A square matrix, or an empty one, column by column.
 QByteArray packSquare(const Eigen::MatrixXd &matrix);
-Result<Eigen::MatrixXd> unpackSquare(const QByteArray &bytes, const std::string &what);
+Result<Eigen::MatrixXd> unpackSquare(const QByteArray &bytes, const Message &what);
 
 /// A packed column array (docs/project_file.md): kind (one letter), version, two zero bytes, the number of
 /// rows as u32, then one column after the other, little-endian, without gaps.
@@ -110,8 +108,7 @@ class BlobReader
 {
 public:
     /// Error InvalidInput when the bytes are not such a blob; `what` names it.
-    static Result<BlobReader> open(const QByteArray &bytes, const BlobLayout &layout,
-                                   const std::string &what);
+    static Result<BlobReader> open(const QByteArray &bytes, const BlobLayout &layout, const Message &what);
 
     std::size_t rows() const { return m_rows; }
 

@@ -4,6 +4,7 @@
 #include "core/analysis/noise_level.h"
 #include "core/project/internal/connection.h"
 #include "core/project/internal/series_blobs.h"
+#include "core/project/internal/words.h"
 #include "core/project/names.h"
 #include "core/project/repositories.h"
 #include "core/trajectory/imported_track.h"
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace odo {
 
@@ -54,8 +56,9 @@ Result<std::optional<ObservationSeries>> TrialRepository::currentObservations(Re
         m_connection,
         QStringLiteral("SELECT observations FROM observation_chunk WHERE series_id=? ORDER BY position"));
     auto read = chunks.bind(id).eachRow([&](const Statement &row) -> Result<void> {
-        return unpackObservations(row.blob(0), "observations " + std::to_string(id) + " of the project",
-                                  series.observations);
+        return unpackObservations(
+            row.blob(0), ODO_TEXT("project.observations_of_project", "observations %1 of the project")(id),
+            series.observations);
     });
     if (!read)
         return tl::unexpected(read.error());
@@ -135,9 +138,15 @@ Result<std::vector<PointedOutRobot>> TrialRepository::pointedOut(RecordId trial)
 
 namespace {
 
-tl::unexpected<Error> refusedTrack(const ImportedTrack &track, const std::string &why)
+Message trackSubject(const ImportedTrack &track)
 {
-    return fail(ErrorCode::InvalidInput, "track '" + track.file + "'", why, "import another file");
+    return ODO_TEXT("project.track", "track '%1'")(Named::file(track.file));
+}
+
+tl::unexpected<Error> refusedTrack(const ImportedTrack &track, Message why)
+{
+    return fail(ErrorCode::InvalidInput, trackSubject(track), std::move(why),
+                ODO_TEXT("project.import_another_file", "import another file"));
 }
 
 /// before: the time of the sample before them.
@@ -146,11 +155,12 @@ Result<void> checkSamples(const ImportedTrack &track, const std::vector<Sample> 
 {
     for (const Sample &sample : samples) {
         if (before && sample.time <= *before)
-            return refusedTrack(track, "its times do not rise");
+            return refusedTrack(track, ODO_TEXT("project.times_do_not_rise", "its times do not rise"));
         before = sample.time;
         if ((sample.position && !sample.position->allFinite()) || !sample.covariance.allFinite() ||
             !sample.commonCovariance.allFinite())
-            return refusedTrack(track, "a position or its covariance is no number");
+            return refusedTrack(
+                track, ODO_TEXT("project.position_no_number", "a position or its covariance is no number"));
     }
     return {};
 }
@@ -180,13 +190,15 @@ Result<void> TrialRepository::addImportedTrack(const ImportedTrack &track, const
 {
     const SampleSource source = samples.chunk ? samples : sourceOf(track.samples);
     if (source.count == 0)
-        return refusedTrack(track, "it has no samples");
+        return refusedTrack(track, ODO_TEXT("project.no_samples", "it has no samples"));
     if (source.count > maxBlobRows)
-        return refusedTrack(track, "it has more than " + std::to_string(maxBlobRows) + " samples");
+        return refusedTrack(track, hasTooManySamples());
     return transact(m_connection, [&]() -> Result<void> {
-        if (auto valid = checkName("track", track.file); !valid)
+        if (auto valid = checkName(RecordKind::Track, track.file); !valid)
             return valid;
-        if (auto valid = checkText("reading of a track", track.reading); !valid)
+        if (auto valid =
+                checkText(ODO_TEXT("project.track_reading", "reading of a track"), track.reading.english());
+            !valid)
             return valid;
         Statement insert(
             m_connection,
@@ -218,9 +230,15 @@ Result<std::optional<std::pair<RecordId, ImportedTrack>>> newestTrack(const Proj
         return tl::unexpected(found.error());
     if (!*found)
         return std::nullopt;
-    ImportedTrack track{trial,          robot,          Instant(std::chrono::milliseconds(select.integer(1))),
-                        select.text(2), select.text(3), select.integer(4),
-                        select.text(5), select.text(6), {}};
+    ImportedTrack track{trial,
+                        robot,
+                        Instant(std::chrono::milliseconds(select.integer(1))),
+                        select.text(2),
+                        select.text(3),
+                        select.integer(4),
+                        select.text(5),
+                        select.message(6),
+                        {}};
     return std::pair(select.integer(0), std::move(track));
 }
 
@@ -243,11 +261,11 @@ Result<std::optional<ImportedTrack>> TrialRepository::currentImportedTrack(Recor
         QStringLiteral("SELECT samples FROM imported_track_chunk WHERE track_id=? ORDER BY position"));
     auto read = chunks.bind(id).eachRow([&](const Statement &row) -> Result<void> {
         std::vector<Sample> chunk;
-        if (auto unpacked = unpackSamples(row.blob(0), "track '" + track.file + "'", chunk); !unpacked)
+        if (auto unpacked = unpackSamples(row.blob(0), trackSubject(track), chunk); !unpacked)
             return unpacked;
         count += chunk.size();
         if (count > maxBlobRows)
-            return refusedTrack(track, "it has more than " + std::to_string(maxBlobRows) + " samples");
+            return refusedTrack(track, hasTooManySamples());
         noise.add(chunk);
         if (withSamples)
             track.samples.insert(track.samples.end(), chunk.begin(), chunk.end());
@@ -264,8 +282,10 @@ Result<void> TrialRepository::setTruth(const TruthSeries &truth)
     const std::size_t count = truth.times.size();
     for (const auto *series : {&truth.positions, &truth.velocities, &truth.accelerations}) {
         if (series->size() != count)
-            return fail(ErrorCode::InvalidInput, "truth of a trial", "its series differ in length",
-                        "give position, velocity and acceleration for each time");
+            return fail(ErrorCode::InvalidInput, ODO_TEXT("project.truth", "truth of a trial"),
+                        ODO_TEXT("project.series_differ", "its series differ in length"),
+                        ODO_TEXT("project.give_whole_truth",
+                                 "give position, velocity and acceleration for each time"));
     }
     return transact(m_connection, [&]() -> Result<void> {
         Statement remove(m_connection, QStringLiteral("DELETE FROM truth WHERE trial_id=? AND robot_id=?"));
@@ -288,7 +308,9 @@ Result<std::optional<TruthSeries>> TrialRepository::truth(RecordId trial, Record
     TruthSeries truth;
     truth.trial = trial;
     truth.robot = robot;
-    if (auto read = unpackTruth(select.blob(0), "truth of trial " + std::to_string(trial), truth); !read)
+    if (auto read = unpackTruth(select.blob(0),
+                                ODO_TEXT("project.truth_of_trial", "truth of trial %1")(trial), truth);
+        !read)
         return tl::unexpected(read.error());
     return std::optional(std::move(truth));
 }

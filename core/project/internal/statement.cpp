@@ -3,6 +3,7 @@
 
 #include "core/base/shortage.h"
 #include "core/project/internal/connection.h"
+#include "core/project/internal/words.h"
 #include "core/project/names.h"
 
 #include <QSqlError>
@@ -68,9 +69,10 @@ Statement &Statement::bindReference(RecordId id)
 Result<void> Statement::start()
 {
     if (!m_inRange)
-        return fail(ErrorCode::InvalidInput, m_connection.displayName(),
-                    "a value to be stored is not a number of ordinary size",
-                    "check the input that it was computed from");
+        return fail(
+            ErrorCode::InvalidInput, m_connection.subject(),
+            ODO_TEXT("project.no_ordinary_number", "a value to be stored is not a number of ordinary size"),
+            ODO_TEXT("project.check_its_input", "check the input that it was computed from"));
     if (!m_prepared || !m_query.exec())
         return failure();
     return {};
@@ -154,10 +156,12 @@ tl::unexpected<Error> Statement::failure() const
     const QSqlError error = m_query.lastError();
     const SqliteRefusal reason =
         sqliteRefusal(error.nativeErrorCode().toInt(), sqlite3_system_errno(m_connection.handle()));
-    std::string why = reason.why;
-    if (reason.code == ErrorCode::Internal)
-        why += " (" + error.databaseText().toStdString() + ")";
-    return fail(reason.code, m_connection.displayName(), why, reason.advice);
+    return fail(reason.code, m_connection.subject(),
+                reason.code == ErrorCode::Internal
+                    ? ODO_TEXT("project.database_refused_because",
+                               "the database refused (%1)")(foreignWords(error.databaseText().toStdString()))
+                    : reason.why,
+                reason.advice);
 }
 
 std::int64_t Statement::integer(int column) const
@@ -192,6 +196,13 @@ std::string Statement::name(int column) const
 {
     return shownName(m_query.value(column).toString());
 }
+Message Statement::message(int column) const
+{
+    constexpr qsizetype longest = 20 * maxTextLength; // of ours, by far
+    const QString stored = m_query.value(column).toString();
+    return messageFromStored(
+        (stored.size() > longest ? firstCharacters(stored, maxTextLength) : stored).toStdString());
+}
 QByteArray Statement::blob(int column) const
 {
     return m_query.value(column).toByteArray();
@@ -208,13 +219,18 @@ Result<void> Transaction::checkPlace() const
         return {};
     m_connection.noteStamp();
     if (m_connection.m_isOverwritten)
-        return fail(ErrorCode::Unavailable, m_connection.displayName(),
-                    "another program wrote over its file while it was open; nothing more was stored",
-                    "open it again; if you were recording, look for stray files (odograph check --adopt)");
+        return fail(ErrorCode::Unavailable, m_connection.subject(),
+                    ODO_TEXT("project.written_over", "another program wrote over its file while it was open; "
+                                                     "nothing more was stored"),
+                    ODO_TEXT("project.open_again",
+                             "open it again; if you were recording, look for stray files "
+                             "(odograph check --adopt)"));
     if (!m_connection.m_keepsWritingWhenLost && !m_connection.isInPlace())
-        return fail(ErrorCode::Unavailable, m_connection.displayName(),
-                    "its file was deleted, renamed or replaced while it was open; nothing was stored",
-                    "put it back in its place and try again");
+        return fail(ErrorCode::Unavailable, m_connection.subject(),
+                    ODO_TEXT("project.file_lost",
+                             "its file was deleted, renamed or replaced while it was open; "
+                             "nothing was stored"),
+                    ODO_TEXT("project.put_back_and_retry", "put it back in its place and try again"));
     return {};
 }
 
@@ -234,8 +250,9 @@ Result<void> Transaction::begin()
     // An error such as a full disk makes SQLite end the outer transaction by itself: nothing may follow in
     // it.
     if (m_depth > 0 && sqlite3_get_autocommit(m_connection.handle()) != 0)
-        return fail(ErrorCode::Io, m_connection.displayName(), "an earlier step of this change failed",
-                    "try the whole change again");
+        return fail(ErrorCode::Io, m_connection.subject(),
+                    ODO_TEXT("project.earlier_step_failed", "an earlier step of this change failed"),
+                    ODO_TEXT("project.try_change_again", "try the whole change again"));
     auto turn = m_connection.takeTurn();
     if (!turn)
         return tl::unexpected(turn.error());
@@ -303,64 +320,76 @@ void Transaction::rollBack()
 namespace {
 
 /// SQLite asks for files and memory and tells of neither.
-SqliteRefusal unlessShort(const SqliteRefusal &reason)
+SqliteRefusal unlessShort(SqliteRefusal reason)
 {
-    const char *shortage = shortageNowOfSystem();
-    return shortage ? SqliteRefusal{ErrorCode::Unavailable, shortage, shortageAdvice} : reason;
+    const MessageText *shortage = shortageNowOfSystem();
+    return shortage ? SqliteRefusal{ErrorCode::Unavailable, *shortage, shortageAdvice()} : reason;
+}
+
+SqliteRefusal unknownRefusal()
+{
+    return {ErrorCode::Internal, ODO_TEXT("project.database_refused", "the database refused"),
+            runProjectCheck()};
+}
+
+SqliteRefusal fullDisk()
+{
+    return {ErrorCode::Io, ODO_TEXT("project.disk_full", "the disk is full, the change was not saved"),
+            ODO_TEXT("project.make_room", "make room on the disk and try again")};
 }
 
 } // namespace
 
 SqliteRefusal sqliteRefusal(int resultCode, int systemError)
 {
-    constexpr SqliteRefusal unknown{ErrorCode::Internal, "the database refused",
-                                    "run a check of the project"};
-    constexpr SqliteRefusal full{ErrorCode::Io, "the disk is full, the change was not saved",
-                                 "make room on the disk and try again"};
     switch (resultCode & 0xff) {
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
     case SQLITE_PROTOCOL: // it came too often between others that lock
-        return {ErrorCode::Io, "another program is writing to it", "close the other program and try again"};
+        return {ErrorCode::Io, anotherProgramWrites(), closeOtherProgram()};
     case SQLITE_READONLY:
     case SQLITE_PERM:
     case SQLITE_AUTH:
-        return {ErrorCode::ReadOnly, "it cannot be written to",
-                "copy it to a folder that you may write to, and open the copy"};
+        return {ErrorCode::ReadOnly, cannotBeWrittenTo(), copyToWritableFolder()};
     case SQLITE_CANTOPEN:
-        return unlessShort({ErrorCode::ReadOnly, "its folder cannot be written to",
-                            "copy it to a folder that you may write to, and open the copy"});
+        return unlessShort({ErrorCode::ReadOnly,
+                            ODO_TEXT("project.folder_read_only", "its folder cannot be written to"),
+                            copyToWritableFolder()});
     case SQLITE_FULL:
-        return full;
+        return fullDisk();
     case SQLITE_IOERR:
         if (systemError == ENOSPC || systemError == EDQUOT || systemError == EFBIG)
-            return full;
+            return fullDisk();
         if (systemError == EROFS)
-            return {ErrorCode::Io, "the disk has become read-only, the change was not saved",
-                    "check the disk, and copy the project to another one"};
+            return {
+                ErrorCode::Io,
+                ODO_TEXT("project.disk_read_only", "the disk has become read-only, the change was not saved"),
+                copyToAnotherDisk()};
         if (resultCode == SQLITE_IOERR_READ || resultCode == SQLITE_IOERR_CORRUPTFS) // what EIO is to it
-            return {ErrorCode::Io, "the disk could not be read, and nothing was changed",
-                    "check the disk, and copy the project to another one"};
-        return unlessShort({ErrorCode::Io, "the disk reported an error, the change was not saved",
-                            "check the disk, and copy the project to another one"});
+            return {ErrorCode::Io, diskCannotBeRead(), copyToAnotherDisk()};
+        return unlessShort(
+            {ErrorCode::Io,
+             ODO_TEXT("project.disk_error", "the disk reported an error, the change was not saved"),
+             copyToAnotherDisk()});
     case SQLITE_NOMEM:
     case SQLITE_OK: // Qt failed by itself
-        return unlessShort(unknown);
+        return unlessShort(unknownRefusal());
     case SQLITE_CORRUPT:
     case SQLITE_INTERRUPT: // by a StepLimit
-        return {ErrorCode::InvalidInput, "the file is damaged", "restore it from a backup copy"};
+        return {ErrorCode::InvalidInput, fileIsDamaged(), restoreFile()};
     case SQLITE_NOTADB:
-        return {ErrorCode::InvalidInput, "it is not a project file",
-                "choose a file that Odograph has written"};
+        return {ErrorCode::InvalidInput, isNoProject(), chooseOurFile()};
     case SQLITE_CONSTRAINT:
         return {ErrorCode::InvalidInput,
-                "it refers to something that is not in the project, or a value is missing",
-                "add what it refers to first"};
+                ODO_TEXT("project.refers_to_nothing",
+                         "it refers to something that is not in the project, or a value is missing"),
+                ODO_TEXT("project.add_what_it_refers_to", "add what it refers to first")};
     case SQLITE_TOOBIG:
-        return {ErrorCode::InvalidInput, "a value is too large to be stored",
-                "split the recording into shorter ones"};
+        return {ErrorCode::InvalidInput,
+                ODO_TEXT("project.value_too_large", "a value is too large to be stored"),
+                ODO_TEXT("project.split_recording", "split the recording into shorter ones")};
     default:
-        return unknown;
+        return unknownRefusal();
     }
 }
 

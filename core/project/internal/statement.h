@@ -9,7 +9,7 @@ namespace odo {
 struct SqliteRefusal
 {
     ErrorCode code;
-    const char *why, *advice;
+    Message why, advice;
 };
 
 /// Of one of SQLite's result codes. systemError: the errno of what it last asked of the system, 0 where that

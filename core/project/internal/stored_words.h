@@ -63,17 +63,18 @@ std::string storedWord(const Words &words, Value value)
     return std::string(words.front().second);
 }
 
+tl::unexpected<Error> unknownStoredWord(const std::string &word, const Message &what);
+
 /// Error NewerFormat for a word that this version does not know.
 template <class Words>
-auto fromStoredWord(const Words &words, const std::string &word, const std::string &what)
+auto fromStoredWord(const Words &words, const std::string &word, const Message &what)
     -> Result<typename Words::value_type::first_type>
 {
     for (const auto &[value, known] : words) {
         if (known == word)
             return value;
     }
-    return fail(ErrorCode::NewerFormat, what, "its stored setting '" + word + "' is unknown",
-                "open the project with a newer Odograph");
+    return unknownStoredWord(word, what);
 }
 
 } // namespace odo

@@ -2,9 +2,11 @@
 #include "core/project/internal/task_repository.h"
 
 #include "core/base/error.h"
+#include "core/base/subjects.h"
 #include "core/project/internal/connection.h"
 #include "core/project/internal/series_blobs.h"
 #include "core/project/internal/stored_words.h"
+#include "core/project/internal/words.h"
 #include "core/project/names.h"
 #include "core/project/records.h"
 #include "core/project/repositories.h"
@@ -18,8 +20,6 @@ namespace {
 const QString taskColumns = QStringLiteral("SELECT id, name, template, path_points, path_closed, "
                                            "max_speed_m_s, max_accel_m_s2, archived_ms FROM task ");
 
-constexpr auto restoreAdvice = "restore the project from a backup copy";
-
 /// x and y of each point in turn.
 QByteArray packPlaces(const std::vector<Eigen::Vector2d> &points)
 {
@@ -29,9 +29,9 @@ QByteArray packPlaces(const std::vector<Eigen::Vector2d> &points)
     return packNumbers(numbers);
 }
 
-/// name: of the line, for messages ("its reference path").
-Result<std::vector<Eigen::Vector2d>> unpackPlaces(const QByteArray &blob, const std::string &what,
-                                                  const std::string &name)
+/// ifCutOff: why it cannot be used where half a point is at its end.
+Result<std::vector<Eigen::Vector2d>> unpackPlaces(const QByteArray &blob, const Message &what,
+                                                  const Message &ifCutOff)
 {
     std::vector<Eigen::Vector2d> points;
     if (blob.isEmpty())
@@ -40,21 +40,24 @@ Result<std::vector<Eigen::Vector2d>> unpackPlaces(const QByteArray &blob, const 
     if (!numbers)
         return tl::unexpected(numbers.error());
     if (numbers->size() % 2 != 0)
-        return fail(ErrorCode::InvalidInput, what, name + " ends within a point", restoreAdvice);
+        return fail(ErrorCode::InvalidInput, what, ifCutOff, restoreProject());
     for (std::size_t i = 0; i < numbers->size(); i += 2)
         points.emplace_back((*numbers)[i], (*numbers)[i + 1]);
     return points;
 }
 
-Result<void> readZones(const ProjectConnection &connection, const std::string &what, TaskRecord &into)
+Result<void> readZones(const ProjectConnection &connection, const Message &what, TaskRecord &into)
 {
     Statement select(
         connection, QStringLiteral("SELECT name, rule, corners FROM zone WHERE task_id=? ORDER BY position"));
     return select.bind(into.id).eachRow([&](const Statement &row) -> Result<void> {
-        const auto rule = fromStoredWord(zoneRuleWords, row.text(1), "zone '" + row.name(0) + "'");
+        const auto rule =
+            fromStoredWord(zoneRuleWords, row.text(1), ODO_TEXT("project.zone", "zone '%1'")(row.name(0)));
         if (!rule)
             return tl::unexpected(rule.error());
-        auto corners = unpackPlaces(row.blob(2), what, "its zone '" + row.name(0) + "'");
+        auto corners =
+            unpackPlaces(row.blob(2), what,
+                         ODO_TEXT("project.zone_cut_off", "its zone '%1' ends within a point")(row.name(0)));
         if (!corners)
             return tl::unexpected(corners.error());
         into.task.zones.push_back({row.name(0), *rule, std::move(*corners)});
@@ -68,7 +71,7 @@ Result<void> readGates(const ProjectConnection &connection, TaskRecord &into)
                      QStringLiteral("SELECT name, role, from_x_m, from_y_m, to_x_m, to_y_m FROM gate "
                                     "WHERE task_id=? ORDER BY position"));
     return select.bind(into.id).eachRow([&into](const Statement &row) -> Result<void> {
-        const auto role = fromStoredWord(gateRoleWords, row.text(1), "gate '" + row.name(0) + "'");
+        const auto role = fromStoredWord(gateRoleWords, row.text(1), gateSubject(row.name(0)));
         if (!role)
             return tl::unexpected(role.error());
         into.task.gates.push_back(
@@ -80,12 +83,13 @@ Result<void> readGates(const ProjectConnection &connection, TaskRecord &into)
 /// Its course into `record`; fails where it cannot be used.
 Result<void> readCourse(const ProjectConnection &connection, const Statement &row, TaskRecord &record)
 {
-    const std::string what = "task '" + record.name + "'";
+    const Message what = taskSubject(record.name);
     const auto kind = fromStoredWord(taskTemplateWords, row.text(2), what);
     if (!kind)
         return tl::unexpected(kind.error());
     record.task.kind = *kind;
-    auto path = unpackPlaces(row.blob(3), what, "its reference path");
+    auto path = unpackPlaces(row.blob(3), what,
+                             ODO_TEXT("project.path_cut_off", "its reference path ends within a point"));
     if (!path)
         return tl::unexpected(path.error());
     record.task.path = {std::move(*path), row.integer(4) != 0};
@@ -95,7 +99,7 @@ Result<void> readCourse(const ProjectConnection &connection, const Statement &ro
     if (auto read = readZones(connection, what, record); !read)
         return read;
     if (auto valid = checkTask(record.task); !valid)
-        return fail(valid.error().code, what, valid.error().what + ": " + valid.error().why, restoreAdvice);
+        return fail(valid.error().code, what, whatAndWhy(valid.error()), restoreProject());
     return {};
 }
 
@@ -132,7 +136,7 @@ Result<void> addGates(ProjectConnection &connection, RecordId task, const std::v
 {
     for (std::size_t i = 0; i < gates.size(); ++i) {
         const Gate &gate = gates[i];
-        if (auto valid = checkName("gate", gate.name); !valid)
+        if (auto valid = checkName(RecordKind::Gate, gate.name); !valid)
             return valid;
         Statement insert(connection, QStringLiteral("INSERT INTO gate VALUES (?,?,?,?,?,?,?,?)"));
         insert.bind(task).bind(static_cast<std::int64_t>(i)).bind(gate.name);
@@ -147,7 +151,7 @@ Result<void> addZones(ProjectConnection &connection, RecordId task, const std::v
 {
     for (std::size_t i = 0; i < zones.size(); ++i) {
         const Zone &zone = zones[i];
-        if (auto valid = checkName("zone", zone.name); !valid)
+        if (auto valid = checkName(RecordKind::Zone, zone.name); !valid)
             return valid;
         Statement insert(connection, QStringLiteral("INSERT INTO zone VALUES (?,?,?,?,?)"));
         insert.bind(task).bind(static_cast<std::int64_t>(i)).bind(zone.name);
@@ -176,11 +180,11 @@ Result<TaskRecord> TaskRepository::add(const TaskRecord &given)
 {
     const TaskRecord task = withNormalNames(given);
     return transact(m_connection, [&]() -> Result<TaskRecord> {
-        if (auto valid = checkName("task", task.name); !valid)
+        if (auto valid = checkName(RecordKind::Task, task.name); !valid)
             return tl::unexpected(valid.error());
         if (auto valid = checkTask(task.task); !valid)
             return tl::unexpected(valid.error());
-        if (auto isFree = checkNameIsFree(m_connection, "task", "task", task.name); !isFree)
+        if (auto isFree = checkNameIsFree(m_connection, RecordKind::Task, task.name); !isFree)
             return tl::unexpected(isFree.error());
         Statement insert(
             m_connection,
@@ -219,11 +223,11 @@ Result<std::vector<TaskRecord>> TaskRepository::all() const
 
 Result<TaskRecord> TaskRepository::find(const std::string &name) const
 {
-    const auto id = idNamed(m_connection, "task", name);
+    const auto id = idNamed(m_connection, RecordKind::Task, name);
     if (!id)
         return tl::unexpected(id.error());
     if (*id == 0)
-        return noSuchName(m_connection, "task", "task", name);
+        return noSuchName(m_connection, RecordKind::Task, name);
     return get(*id);
 }
 
@@ -234,7 +238,7 @@ Result<TaskRecord> TaskRepository::get(RecordId id) const
     if (!found)
         return tl::unexpected(found.error());
     if (!*found)
-        return noSuchId(m_connection, "task", id);
+        return noSuchId(m_connection, RecordKind::Task, id);
     return readTask(m_connection, select);
 }
 
@@ -268,7 +272,7 @@ Result<std::string> versionName(const ProjectConnection &connection, const std::
         if (!stem.isEmpty() && stem.back().isHighSurrogate())
             stem.chop(1);
         std::string version = stem.toStdString() + suffix;
-        auto isFree = checkNameIsFree(connection, "task", "task", version);
+        auto isFree = checkNameIsFree(connection, RecordKind::Task, version);
         if (isFree)
             return version;
         if (isFree.error().code != ErrorCode::AlreadyExists)
@@ -348,9 +352,9 @@ Result<void> TaskRepository::rename(RecordId task, const std::string &given)
         const auto known = get(task);
         if (!known || known->name == name)
             return withoutValue(known);
-        if (auto valid = checkName("task", name); !valid)
+        if (auto valid = checkName(RecordKind::Task, name); !valid)
             return valid;
-        if (auto isFree = checkNameIsFree(m_connection, "task", "task", name); !isFree)
+        if (auto isFree = checkNameIsFree(m_connection, RecordKind::Task, name); !isFree)
             return isFree;
         return setName(m_connection, task, name);
     });
@@ -413,13 +417,18 @@ Result<void> TaskRepository::remove(RecordId task)
             return tl::unexpected(known ? used.error() : known.error());
         const auto use = used->find(task);
         if (use != used->end() && use->second.trials > 0)
-            return fail(ErrorCode::InvalidInput, "task '" + known->name + "'",
-                        use->second.trials == 1 ? "a trial has it"
-                                                : std::to_string(use->second.trials) + " trials have it",
-                        "give them another task first");
+            return fail(ErrorCode::InvalidInput, taskSubject(known->name),
+                        use->second.trials == 1
+                            ? Message(ODO_TEXT("project.task_has_trial", "a trial has it"))
+                            : ODO_TEXT("project.task_has_trials", "%1 trials have it")(use->second.trials),
+                        ODO_TEXT("project.give_another_task", "give them another task first"));
         if (use != used->end())
-            return fail(ErrorCode::InvalidInput, "task '" + known->name + "'", "trials were measured by it",
-                        "keep it: their figures would not say any more what they were measured by");
+            return fail(ErrorCode::InvalidInput, taskSubject(known->name),
+                        ODO_TEXT("project.measured_by_task", "trials were measured by it"),
+                        joined({keepIt(),
+                                ODO_TEXT("project.figures_without_task",
+                                         "their figures would not say any more what they were measured by")},
+                               Join::Colon));
         return removeRows(m_connection, task);
     });
 }
@@ -471,7 +480,7 @@ Result<void> TaskRepository::setScoring(RecordId task, const std::vector<Criteri
             return gone;
         std::int64_t position = 0;
         for (const Criterion &line : criteria) {
-            if (auto valid = checkName("figure", line.metric); !valid)
+            if (auto valid = checkName(RecordKind::Figure, line.metric); !valid)
                 return valid;
             Statement insert(m_connection, QStringLiteral("INSERT INTO scoring VALUES (?,?,?,?,?,?)"));
             insert.bind(task).bind(position++).bind(line.metric).bind(line.fullAt).bind(line.noneAt);

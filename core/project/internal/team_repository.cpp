@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/subjects.h"
 #include "core/project/internal/connection.h"
 #include "core/project/names.h"
 #include "core/project/repositories.h"
@@ -68,20 +69,21 @@ TeamRecord withNormalNames(TeamRecord team)
 
 Result<void> checkTeam(const TeamRecord &team)
 {
-    if (auto valid = checkName("team", team.name); !valid)
+    if (auto valid = checkName(RecordKind::Team, team.name); !valid)
         return valid;
-    const std::string what = "team '" + team.name + "'";
+    const Message what = teamSubject(team.name);
     if (team.members.size() > mostMembers)
         return fail(ErrorCode::InvalidInput, what,
-                    "it has more than " + std::to_string(mostMembers) + " members",
-                    "give the names of the people in the team");
+                    ODO_TEXT("project.too_many_members", "it has more than %1 members")(mostMembers),
+                    ODO_TEXT("project.give_members", "give the names of the people in the team"));
     for (const std::string &member : team.members)
-        if (auto valid = checkName("member", member); !valid)
+        if (auto valid = checkName(RecordKind::Member, member); !valid)
             return valid;
     if (std::set(team.robots.begin(), team.robots.end()).size() != team.robots.size())
-        return fail(ErrorCode::InvalidInput, what, "a robot belongs to it twice",
-                    "name each of its robots once");
-    return team.pseudonym.empty() ? Result<void>() : checkName("pseudonym", team.pseudonym);
+        return fail(ErrorCode::InvalidInput, what,
+                    ODO_TEXT("project.robot_twice", "a robot belongs to it twice"),
+                    ODO_TEXT("project.name_robots_once", "name each of its robots once"));
+    return team.pseudonym.empty() ? Result<void>() : checkName(RecordKind::Pseudonym, team.pseudonym);
 }
 
 Result<void> removeLists(ProjectConnection &connection, RecordId team)
@@ -105,7 +107,8 @@ Result<void> setLists(ProjectConnection &connection, RecordId id, const TeamReco
         Statement known(connection, QStringLiteral("SELECT 1 FROM robot WHERE id=?"));
         const auto found = known.bind(team.robots[i]).firstRow();
         if (!found || !*found)
-            return found ? noSuchId(connection, "robot", team.robots[i]) : tl::unexpected(found.error());
+            return found ? noSuchId(connection, RecordKind::Robot, team.robots[i])
+                         : tl::unexpected(found.error());
         Statement insert(connection, QStringLiteral("INSERT INTO team_robot VALUES (?,?,?)"));
         if (auto done = insert.bind(id).bind(static_cast<std::int64_t>(i)).bind(team.robots[i]).run(); !done)
             return done;
@@ -123,9 +126,9 @@ Result<TeamRecord> TeamRepository::add(const TeamRecord &given)
     return transact(m_connection, [&]() -> Result<TeamRecord> {
         if (auto valid = checkTeam(team); !valid)
             return tl::unexpected(valid.error());
-        if (auto isFree = checkNameIsFree(m_connection, "team", "team", team.name); !isFree)
+        if (auto isFree = checkNameIsFree(m_connection, RecordKind::Team, team.name); !isFree)
             return tl::unexpected(isFree.error());
-        const auto classId = idOfName(m_connection, "class", team.className);
+        const auto classId = idOfName(m_connection, RecordKind::Class, team.className);
         if (!classId)
             return tl::unexpected(classId.error());
         Statement insert(m_connection,
@@ -147,11 +150,11 @@ Result<std::vector<TeamRecord>> TeamRepository::all() const
 
 Result<TeamRecord> TeamRepository::find(const std::string &name) const
 {
-    const auto id = idNamed(m_connection, "team", name);
+    const auto id = idNamed(m_connection, RecordKind::Team, name);
     if (!id)
         return tl::unexpected(id.error());
     if (*id == 0)
-        return noSuchName(m_connection, "team", "team", name);
+        return noSuchName(m_connection, RecordKind::Team, name);
     return readTeams(m_connection, "WHERE team.id=?", &*id).map([](auto &&teams) {
         return std::move(teams.front());
     });
@@ -166,11 +169,11 @@ Result<void> TeamRepository::set(const TeamRecord &given)
         Statement known(m_connection, QStringLiteral("SELECT name FROM team WHERE id=?"));
         const auto found = known.bind(team.id).firstRow();
         if (!found || !*found)
-            return found ? noSuchId(m_connection, "team", team.id) : tl::unexpected(found.error());
+            return found ? noSuchId(m_connection, RecordKind::Team, team.id) : tl::unexpected(found.error());
         if (known.name(0) != team.name)
-            if (auto isFree = checkNameIsFree(m_connection, "team", "team", team.name); !isFree)
+            if (auto isFree = checkNameIsFree(m_connection, RecordKind::Team, team.name); !isFree)
                 return isFree;
-        const auto classId = idOfName(m_connection, "class", team.className);
+        const auto classId = idOfName(m_connection, RecordKind::Class, team.className);
         if (!classId)
             return tl::unexpected(classId.error());
         Statement update(m_connection,
@@ -192,12 +195,14 @@ Result<void> TeamRepository::remove(RecordId team)
                 "SELECT name, (SELECT COUNT(*) FROM trial WHERE team_id=team.id) FROM team WHERE id=?"));
         const auto found = known.bind(team).firstRow();
         if (!found || !*found)
-            return found ? noSuchId(m_connection, "team", team) : tl::unexpected(found.error());
+            return found ? noSuchId(m_connection, RecordKind::Team, team) : tl::unexpected(found.error());
         const int trials = known.smallInteger(1);
         if (trials > 0)
-            return fail(ErrorCode::InvalidInput, "team '" + known.name(0) + "'",
-                        trials == 1 ? "a trial is its" : std::to_string(trials) + " trials are its",
-                        "delete them for good first, or archive its class");
+            return fail(
+                ErrorCode::InvalidInput, teamSubject(known.name(0)),
+                trials == 1 ? Message(ODO_TEXT("project.team_has_trial", "a trial is its"))
+                            : ODO_TEXT("project.team_has_trials", "%1 trials are its")(trials),
+                ODO_TEXT("project.delete_its_trials", "delete them for good first, or archive its class"));
         if (auto gone = removeLists(m_connection, team); !gone)
             return gone;
         return runFor(m_connection, "DELETE FROM team WHERE id=?", team);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/error.h"
+#include "core/base/subjects.h"
 #include "core/project/internal/connection.h"
+#include "core/project/internal/words.h"
 #include "core/project/names.h"
 #include "core/project/recording_rows.h"
 #include "core/project/records.h"
@@ -23,6 +25,11 @@ const QString trialColumns = QStringLiteral(
     "trial.archived_ms, binned_ms, team.pseudonym "
     "FROM trial LEFT JOIN team ON team.id=trial.team_id LEFT JOIN class ON class.id=team.class_id "
     "LEFT JOIN task ON task.id=trial.task_id ");
+
+Message notesOfTrial()
+{
+    return ODO_TEXT("project.trial_notes", "notes of a trial");
+}
 
 std::optional<Instant> instantOf(const Statement &row, int column)
 {
@@ -123,13 +130,13 @@ Result<std::vector<TrialRecord>> readTrials(const ProjectConnection &connection,
 
 Result<RecordId> addRow(ProjectConnection &connection, const TrialRecord &trial)
 {
-    if (auto valid = checkName("trial", trial.name); !valid)
+    if (auto valid = checkName(RecordKind::Trial, trial.name); !valid)
         return tl::unexpected(valid.error());
-    if (auto valid = checkText("notes of a trial", trial.notes); !valid)
+    if (auto valid = checkText(notesOfTrial(), trial.notes); !valid)
         return tl::unexpected(valid.error());
-    if (auto isFree = checkNameIsFree(connection, "trial", "trial", trial.name); !isFree)
+    if (auto isFree = checkNameIsFree(connection, RecordKind::Trial, trial.name); !isFree)
         return tl::unexpected(isFree.error());
-    const auto task = idOfName(connection, "task", trial.task);
+    const auto task = idOfName(connection, RecordKind::Task, trial.task);
     if (!task)
         return tl::unexpected(task.error());
     Statement insert(
@@ -149,9 +156,9 @@ Result<RecordId> addRow(ProjectConnection &connection, const TrialRecord &trial)
 Result<void> addRobots(ProjectConnection &connection, RecordId trial, const std::vector<RecordId> &robots)
 {
     if (robots.size() > mostRobots)
-        return fail(ErrorCode::InvalidInput, "trial " + std::to_string(trial) + " of the project",
-                    "it has " + std::to_string(robots.size()) + " robots",
-                    "use at most " + std::to_string(mostRobots));
+        return fail(ErrorCode::InvalidInput,
+                    ODO_TEXT("project.trial_of_project", "trial %1 of the project")(trial),
+                    ODO_TEXT("project.has_robots", "it has %1 robots")(robots.size()), useAtMost(mostRobots));
     for (std::size_t i = 0; i < robots.size(); ++i) {
         Statement insert(connection, QStringLiteral("INSERT INTO trial_robot VALUES (?,?,?)"));
         insert.bind(trial).bind(static_cast<std::int64_t>(i)).bind(robots[i]);
@@ -172,9 +179,9 @@ Result<TrialRecord> TrialRepository::add(const TrialRecord &given,
     trial.name = normalName(given.name);
     return transact(m_connection, [&]() -> Result<TrialRecord> {
         if (recordings.size() > mostViews)
-            return fail(ErrorCode::InvalidInput, "trial '" + trial.name + "'",
-                        "it has " + std::to_string(recordings.size()) + " views",
-                        "use at most " + std::to_string(mostViews));
+            return fail(ErrorCode::InvalidInput, trialSubject(trial.name),
+                        ODO_TEXT("project.has_views", "it has %1 views")(recordings.size()),
+                        useAtMost(mostViews));
         const auto id = addRow(m_connection, trial);
         if (!id)
             return tl::unexpected(id.error());
@@ -240,11 +247,11 @@ Result<std::vector<TrialName>> TrialRepository::names() const
 
 Result<TrialRecord> TrialRepository::find(const std::string &name) const
 {
-    const auto id = idNamed(m_connection, "trial", name);
+    const auto id = idNamed(m_connection, RecordKind::Trial, name);
     if (!id)
         return tl::unexpected(id.error());
     if (*id == 0)
-        return noSuchName(m_connection, "trial", "trial", name);
+        return noSuchName(m_connection, RecordKind::Trial, name);
     return get(*id);
 }
 
@@ -254,14 +261,14 @@ Result<TrialRecord> TrialRepository::get(RecordId id) const
     if (!trials)
         return tl::unexpected(trials.error());
     if (trials->empty())
-        return noSuchId(m_connection, "trial", id);
+        return noSuchId(m_connection, RecordKind::Trial, id);
     return std::move(trials->front());
 }
 
 Result<void> TrialRepository::setNotes(RecordId trial, const std::string &notes)
 {
     return transact(m_connection, [&]() -> Result<void> {
-        if (auto valid = checkText("notes of a trial", notes); !valid)
+        if (auto valid = checkText(notesOfTrial(), notes); !valid)
             return valid;
         if (auto known = get(trial); !known)
             return tl::unexpected(known.error());
@@ -285,7 +292,7 @@ Result<void> TrialRepository::setTask(RecordId trial, const std::string &task)
     return transact(m_connection, [&]() -> Result<void> {
         if (auto known = get(trial); !known)
             return tl::unexpected(known.error());
-        const auto id = idOfName(m_connection, "task", task);
+        const auto id = idOfName(m_connection, RecordKind::Task, task);
         if (!id)
             return tl::unexpected(id.error());
         Statement update(m_connection, QStringLiteral("UPDATE trial SET task_id=? WHERE id=?"));
@@ -394,7 +401,7 @@ Result<void> TrialRepository::setTags(RecordId trial, const std::vector<std::str
         std::set<std::string> normalTags;
         std::ranges::transform(tags, std::inserter(normalTags, normalTags.end()), normalName);
         for (const std::string &tag : normalTags) {
-            if (auto valid = checkName("tag", tag); !valid)
+            if (auto valid = checkName(RecordKind::Tag, tag); !valid)
                 return valid;
             Statement insert(m_connection, QStringLiteral("INSERT INTO trial_tag VALUES (?,?)"));
             if (auto done = insert.bind(trial).bind(tag).run(); !done)
@@ -425,8 +432,9 @@ Result<void> TrialRepository::setBinned(RecordId trial, bool binned)
         if (!known || known->binned.has_value() == binned)
             return withoutValue(known);
         if (known->unfinished)
-            return fail(ErrorCode::InvalidInput, "trial '" + known->name + "'", "it is being recorded",
-                        "end its recording first");
+            return fail(ErrorCode::InvalidInput, trialSubject(known->name),
+                        ODO_TEXT("project.being_recorded", "it is being recorded"),
+                        ODO_TEXT("project.end_recording_first", "end its recording first"));
         return stamp(m_connection, "UPDATE trial SET binned_ms=? WHERE id=?", trial, binned);
     });
 }
@@ -445,8 +453,9 @@ Result<std::vector<std::string>> TrialRepository::removeForGood(RecordId trial)
         if (!known)
             return tl::unexpected(known.error());
         if (!known->binned)
-            return fail(ErrorCode::InvalidInput, "trial '" + known->name + "'", "it is not in the bin",
-                        "put it into the bin first");
+            return fail(ErrorCode::InvalidInput, trialSubject(known->name),
+                        ODO_TEXT("project.not_in_bin", "it is not in the bin"),
+                        ODO_TEXT("project.put_into_bin_first", "put it into the bin first"));
         const auto recordings = this->recordings(trial);
         if (!recordings)
             return tl::unexpected(recordings.error());

@@ -306,40 +306,52 @@ ClipOffset withRate(const ClipOffset &plain, const Fit &plainFit, const Fit &fit
 
 } // namespace
 
-tl::unexpected<Error> undeterminedOffset(const std::string &why)
+Message clipsSubject()
 {
-    return fail(ErrorCode::Undetermined, "synchronisation of the clips", why,
-                "flash the room lights once while both cameras record, or give --sync SECONDS");
+    return ODO_TEXT("synchronisation.of_clips", "synchronisation of the clips");
+}
+
+tl::unexpected<Error> undeterminedOffset(Message why)
+{
+    return fail(ErrorCode::Undetermined, clipsSubject(), std::move(why),
+                ODO_TEXT("synchronisation.flash_lights",
+                         "flash the room lights once while both cameras record, or give --sync SECONDS"));
 }
 
 Result<ClipOffset> estimateClipOffset(const std::vector<TimedPosition> &firstTrack,
                                       const std::vector<TimedPosition> &secondTrack, const OffsetRange &range)
 {
     if (firstTrack.size() < fewestPairs || secondTrack.size() < fewestPairs)
-        return undeterminedOffset("one view saw the robot in fewer than " + std::to_string(fewestPairs) +
-                                  " pictures");
+        return undeterminedOffset(ODO_TEXT("synchronisation.seldom_seen",
+                                           "one view saw the robot in fewer than %1 pictures")(fewestPairs));
     const std::vector<TimedPosition> first = thinned(firstTrack), second = thinned(secondTrack);
     const double frameS = std::max(medianStepS(first), 1e-3);
     const GridSearch grid = searchGrid(first, second, frameS, range);
     if (!grid.best)
-        return undeterminedOffset("the views hardly ever saw the robot at the same time");
+        return undeterminedOffset(ODO_TEXT("synchronisation.seldom_together",
+                                           "the views hardly ever saw the robot at the same time"));
 
     const Fit fit = refine(first, second, {grid.best->offsetS, 0}, false, frameS);
     const ClipOffset plain = offsetFrom(fit, frameS);
     if (plain.sigmaS > frameS)
         return undeterminedOffset(
-            "the robot stood still or ran straight at constant speed, so every offset fits");
+            ODO_TEXT("synchronisation.every_offset_fits",
+                     "the robot stood still or ran straight at constant speed, so every offset fits"));
     if (plain.score < 0.8)
-        return undeterminedOffset("the views' tracks do not resemble one another");
+        return undeterminedOffset(
+            ODO_TEXT("synchronisation.tracks_differ", "the views' tracks do not resemble one another"));
     if (std::abs(plain.offsetS - range.middleS) > range.halfWidthS + frameS)
-        return undeterminedOffset("the views' tracks do not coincide at any offset looked at");
+        return undeterminedOffset(ODO_TEXT("synchronisation.no_offset_fits",
+                                           "the views' tracks do not coincide at any offset looked at"));
     if (grid.rival) {
         const Fit rival = refine(first, second, {grid.rival->offsetS, 0}, false, frameS);
         if (std::abs(rival.clock.offsetS - plain.offsetS) > closestRivalS / 2 &&
             rival.agreement.variance < 2 * std::max(fit.agreement.variance, 1e-6))
-            return undeterminedOffset("the motion repeats itself: offsets of " +
-                                      std::to_string(plain.offsetS) + " s and " +
-                                      std::to_string(rival.clock.offsetS) + " s fit alike");
+            return undeterminedOffset(
+                joined({ODO_TEXT("synchronisation.motion_repeats", "the motion repeats itself"),
+                        ODO_TEXT("synchronisation.offsets_fit_alike", "offsets of %1 and %2 fit alike")(
+                            quantity(plain.offsetS, 6, "s"), quantity(rival.clock.offsetS, 6, "s"))},
+                       Join::Colon));
     }
     return withRate(plain, fit, refine(first, second, fit.clock, true, frameS), frameS);
 }

@@ -30,8 +30,11 @@ struct ClipOffset
 /// No camera's clock is wrong by more.
 inline constexpr double largestClockRate = 0.005;
 
+/// "synchronisation of the clips", as the subject of errors.
+Message clipsSubject();
+
 /// Why no offset is found, with the advice that holds for each way of looking for it.
-tl::unexpected<Error> undeterminedOffset(const std::string &why);
+tl::unexpected<Error> undeterminedOffset(Message why);
 
 /// The offsets to look at.
 struct OffsetRange

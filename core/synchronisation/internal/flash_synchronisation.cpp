@@ -350,23 +350,26 @@ LightCourse lightCourseOf(const std::vector<LightLevel> &levels)
 Result<ClipOffset> estimateFlashOffset(const LightCourse &first, const LightCourse &second)
 {
     if (first.edges.empty() && second.edges.empty())
-        return undeterminedOffset("neither view shows a flash of light");
+        return undeterminedOffset(
+            ODO_TEXT("synchronisation.no_flash", "neither view shows a flash of light"));
     if (first.edges.empty() || second.edges.empty())
-        return undeterminedOffset("only one of the views shows a flash of light");
+        return undeterminedOffset(
+            ODO_TEXT("synchronisation.one_flash", "only one of the views shows a flash of light"));
     if (std::max(first.edges.size(), second.edges.size()) > mostEdges)
-        return undeterminedOffset("the light flickers");
+        return undeterminedOffset(ODO_TEXT("synchronisation.light_flickers", "the light flickers"));
     const std::vector<Proposal> proposals = EdgePairing(first, second).proposals();
     const auto best =
         std::max_element(proposals.begin(), proposals.end(), [](const Proposal &a, const Proposal &b) {
             return a.likelihood() < b.likelihood();
         });
     if (best == proposals.end() || best->likelihood() <= 0)
-        return undeterminedOffset("the flashes of light in the views do not belong together");
+        return undeterminedOffset(ODO_TEXT("synchronisation.other_flashes",
+                                           "the flashes of light in the views do not belong together"));
     for (const Proposal &rival : proposals) {
         if (!isSame(*best, rival) && rival.likelihood() > best->likelihood() - clearLead)
-            return undeterminedOffset("the flashes of light fit alike at offsets of " +
-                                      formatNumber(best->offsetS, 2) + " s and " +
-                                      formatNumber(rival.offsetS, 2) + " s");
+            return undeterminedOffset(ODO_TEXT("synchronisation.flashes_fit_alike",
+                                               "the flashes of light fit alike at offsets of %1 and %2")(
+                quantity(best->offsetS, 2, "s"), quantity(rival.offsetS, 2, "s")));
     }
     return flashOffset(*best, shutterSigma * std::hypot(first.frameS, second.frameS));
 }

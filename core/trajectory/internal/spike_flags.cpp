@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <vector>
 
 namespace odo {
@@ -326,44 +325,44 @@ std::vector<bool> flagSpikesKnowing(const SpikeVerdict &known, std::vector<Sampl
 
 namespace {
 
-std::string words(const char *format, double figure)
+Message standingOutWords(HampelSpike spike)
 {
-    std::array<char, 96> text{};
-    std::snprintf(text.data(), text.size(), format, figure);
-    return text.data();
+    if (spike.byPosition && spike.bySpeed)
+        return ODO_TEXT("trajectory.stands_out_in_both", "stands out in position and speed");
+    return spike.byPosition ? ODO_TEXT("trajectory.stands_out_in_position", "stands out in position")
+                            : ODO_TEXT("trajectory.stands_out_in_speed", "stands out in speed");
 }
 
-std::string standingOutWords(HampelSpike spike)
+Message reasonOf(const Sample &sample, const SampleEvidence &evidence, const ProfilePoint &point,
+                 HampelSpike standsOut)
 {
-    return spike.byPosition && spike.bySpeed ? "stands out in position and speed"
-           : spike.byPosition                ? "stands out in position"
-                                             : "stands out in speed";
-}
-
-std::string reasonOf(const Sample &sample, const SampleEvidence &evidence, const ProfilePoint &point,
-                     HampelSpike standsOut)
-{
-    std::string reason;
-    const auto add = [&](const std::string &more) { reason += (reason.empty() ? "" : "; ") + more; };
     if (hasFlag(sample.flags, SampleFlag::ByHand) && isRejected(sample.flags))
-        return "called a spike by hand";
+        return ODO_TEXT("trajectory.spike_by_hand", "called a spike by hand");
+    std::vector<Message> reasons;
     if (hasFlag(sample.flags, SampleFlag::ViewsDisagree)) {
-        add(words("views disagree by %.0f mm", toMillimetres(sample.viewDisagreementM.value_or(0))));
-        add(hasFlag(sample.flags, SampleFlag::Jump) ? "none could be trusted" : "one left out");
+        reasons.push_back(ODO_TEXT("trajectory.views_disagree", "views disagree by %1")(
+            quantity(toMillimetres(sample.viewDisagreementM.value_or(0)), 0, "mm")));
+        reasons.push_back(hasFlag(sample.flags, SampleFlag::Jump)
+                              ? ODO_TEXT("trajectory.no_view_trusted", "none could be trusted")
+                              : ODO_TEXT("trajectory.view_left_out", "one left out"));
     } else if (hasFlag(sample.flags, SampleFlag::Jump)) {
-        add(point.valid ? words("jump of %.0f mm", toMillimetres((*sample.position - point.position).norm()))
-                        : std::string("jump"));
+        reasons.push_back(point.valid
+                              ? ODO_TEXT("trajectory.jump_of", "jump of %1")(quantity(
+                                    toMillimetres((*sample.position - point.position).norm()), 0, "mm"))
+                              : ODO_TEXT("trajectory.jump", "jump"));
         if (standsOut.any())
-            add(standingOutWords(standsOut));
+            reasons.push_back(standingOutWords(standsOut));
     }
     if (hasFlag(sample.flags, SampleFlag::SpeedLimit))
-        add("faster than the limit");
+        reasons.push_back(ODO_TEXT("trajectory.faster_than_limit", "faster than the limit"));
     if (hasFlag(sample.flags, SampleFlag::AccelerationLimit))
-        add("harder than the limit of acceleration");
+        reasons.push_back(ODO_TEXT("trajectory.harder_than_limit", "harder than the limit of acceleration"));
     if (hasFlag(sample.flags, SampleFlag::LowScore))
-        add(evidence.cut ? std::string("cut by the picture's edge")
-                         : words("the tracker was not sure (score %.0f %%)", 100 * evidence.bestScore));
-    return reason;
+        reasons.push_back(evidence.cut
+                              ? ODO_TEXT("trajectory.cut_by_edge", "cut by the picture's edge")
+                              : ODO_TEXT("trajectory.tracker_unsure", "the tracker was not sure (score %1)")(
+                                    quantity(100 * evidence.bestScore, 0, "%")));
+    return joined(std::move(reasons), Join::Semicolon);
 }
 
 } // namespace

@@ -32,8 +32,8 @@ std::vector<bool> flagSpikesKnowing(const SpikeVerdict &known, std::vector<Sampl
                                     const AnalysisOptions &options);
 
 /// The flagged measurements in words with figures, e.g. "jump of 212 mm; stands out in position and speed".
-/// Times without a measurement (lost,
-/// repeated pictures) are gaps, not spikes, and are not listed. points: the profile of the same samples.
+/// Times without a measurement (lost, repeated pictures) are gaps, not spikes, and are not listed. points:
+/// the profile of the same samples.
 std::vector<Spike> describeSpikes(const FusedTrack &track, const std::vector<ProfilePoint> &points,
                                   Nanoseconds longestGap);
 

@@ -17,7 +17,20 @@ constexpr std::size_t leastSamples = 3; // an acceleration needs three positions
 
 } // namespace
 
-const char *const cannotMeasurePath = "the robot's path cannot be measured";
+Message cannotMeasurePath()
+{
+    return ODO_TEXT("trajectory.path_not_measured", "the robot's path cannot be measured");
+}
+
+tl::unexpected<Error> notEnoughData(std::size_t frames, std::size_t used, Message advice)
+{
+    return fail(ErrorCode::Undetermined, cannotMeasurePath(),
+                joined({ODO_TEXT("trajectory.not_enough_data", "not enough data"),
+                        ODO_TEXT("trajectory.frames_that_tell",
+                                 "of %1 frames %2 give a position that can be used")(frames, used)},
+                       Join::Colon),
+                std::move(advice));
+}
 
 Result<Profile> profileOfTrack(FusedTrack track, const AnalysisOptions &options,
                                const MeasurementNoise &measurement)
@@ -25,16 +38,15 @@ Result<Profile> profileOfTrack(FusedTrack track, const AnalysisOptions &options,
     const SpikeVerdict verdict = flagSpikes(track.samples, options, measurement);
     Profile profile;
     profile.points = makePoints(track.samples, verdict.struck, options, verdict.noise);
-    const auto used = std::count_if(track.samples.begin(), track.samples.end(), [](const Sample &sample) {
-        return sample.position && !isRejected(sample.flags);
-    });
+    const auto used = static_cast<std::size_t>(
+        std::count_if(track.samples.begin(), track.samples.end(),
+                      [](const Sample &sample) { return sample.position && !isRejected(sample.flags); }));
     const bool anyValid = std::any_of(profile.points.begin(), profile.points.end(),
                                       [](const ProfilePoint &point) { return point.valid; });
-    if (static_cast<std::size_t>(used) < leastSamples || !anyValid)
-        return fail(ErrorCode::Undetermined, cannotMeasurePath,
-                    "not enough data: of " + std::to_string(track.samples.size()) + " frames " +
-                        std::to_string(used) + " give a position that can be used",
-                    "choose a longer video, or check the robot's colour and the light");
+    if (used < leastSamples || !anyValid)
+        return notEnoughData(track.samples.size(), used,
+                             ODO_TEXT("trajectory.choose_longer_video",
+                                      "choose a longer video, or check the robot's colour and the light"));
     profile.spikes = describeSpikes(track, profile.points, options.longestBridgedGap);
     profile.metrics = measureRun(track.samples, profile.points);
     if (options.task) {

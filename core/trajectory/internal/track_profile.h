@@ -20,7 +20,10 @@ Result<Profile> profileOfTrack(FusedTrack track, const AnalysisOptions &options,
                                const MeasurementNoise &measurement);
 
 /// How the errors of analysing begin: "the robot's path cannot be measured".
-extern const char *const cannotMeasurePath;
+Message cannotMeasurePath();
+
+/// That so few of the frames give a position.
+tl::unexpected<Error> notEnoughData(std::size_t frames, std::size_t used, Message advice);
 
 /// Standard deviation of a vector's length: √((vᵀPv + tr(P)²/2) / (|v|² + tr(P)/2)). It is that of first
 /// order for a length far above its noise, and the root mean square of the whole noise for a length near

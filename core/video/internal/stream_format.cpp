@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/video/internal/stream_format.h"
 
+#include "core/video/internal/video_words.h"
 #include "core/video/jpeg.h"
 
 #include <algorithm>
@@ -145,23 +146,29 @@ Result<FrameFormat> streamFormat(const VideoInput &input)
 {
     const AVCodecParameters &parameters = *input.stream().codecpar;
     const auto pixelFormat = static_cast<AVPixelFormat>(parameters.format);
-    const std::string what = "cannot open the video " + input.file().string();
+    const Message what = cannotOpenVideo(input.file());
     FrameFormat format;
     format.width = parameters.width;
     format.height = parameters.height;
     if (format.width <= 0 || format.height <= 0)
-        return fail(ErrorCode::InvalidInput, what, "the size of its pictures could not be found out",
-                    "copy it from the camera again");
+        return fail(ErrorCode::InvalidInput, what,
+                    ODO_TEXT("video.size_not_found", "the size of its pictures could not be found out"),
+                    copyFromCamera());
     if (libav::isTooLarge(format.width, format.height))
         return fail(ErrorCode::InvalidInput, what,
-                    "its pictures have more than 100 megapixels or 32000 pixels a side",
-                    "convert it to a smaller size");
+                    ODO_TEXT("video.pictures_too_large",
+                             "its pictures have more than 100 megapixels or 32000 pixels a side"),
+                    ODO_TEXT("video.convert_to_smaller", "convert it to a smaller size"));
     if (!setChromaShifts(pixelFormat, format) || parameters.color_space == AVCOL_SPC_RGB ||
         parameters.color_space == AVCOL_SPC_YCGCO) {
         const char *name = av_get_pix_fmt_name(pixelFormat);
         return fail(ErrorCode::InvalidInput, what,
-                    std::string("its pixel format ") + (name ? name : "(unknown)") + " is not read",
-                    "convert it to 8-bit YUV, e.g. ffmpeg -i FILE -pix_fmt yuv420p NEW.mp4");
+                    name
+                        ? ODO_TEXT("video.pixel_format_not_read",
+                                   "its pixel format %1 is not read")(std::string(name))
+                        : ODO_TEXT("video.unknown_format_not_read", "its pixel format (unknown) is not read"),
+                    ODO_TEXT("video.convert_to_yuv",
+                             "convert it to 8-bit YUV, e.g. ffmpeg -i FILE -pix_fmt yuv420p NEW.mp4"));
     }
     format.fullRange = isFullRange(pixelFormat, parameters);
     format.matrix = matrixOf(parameters);

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/video/internal/video_encoder.h"
 
+#include "core/base/shortage.h"
+
 #include <cstring>
 
 namespace odo {
 
 namespace {
 
-const std::string encoding = "cannot encode the video";
+Message cannotEncode()
+{
+    return ODO_TEXT("video.cannot_encode", "cannot encode the video");
+}
 
 AVPixelFormat pixelFormatFor(const FrameFormat &format, bool jpegNames)
 {
@@ -55,15 +60,17 @@ AVChromaLocation locationOf(ChromaSiting siting)
 Result<void> checkFormat(const FrameFormat &format, VideoCodec codec)
 {
     if (format.width <= 0 || format.height <= 0 || pixelFormatFor(format, false) == AV_PIX_FMT_NONE)
-        return fail(ErrorCode::InvalidInput, encoding,
-                    "frames of this size or chroma format cannot be encoded", "use 4:2:0, 4:2:2 or 4:4:4");
+        return fail(
+            ErrorCode::InvalidInput, cannotEncode(),
+            ODO_TEXT("video.frames_not_encodable", "frames of this size or chroma format cannot be encoded"),
+            ODO_TEXT("video.use_other_chroma", "use 4:2:0, 4:2:2 or 4:4:4"));
     const bool odd = (format.chromaShiftX == 1 && format.width % 2 != 0) ||
                      (format.chromaShiftY == 1 && format.height % 2 != 0);
     if (codec == VideoCodec::H264 && odd)
-        return fail(ErrorCode::InvalidInput, encoding,
-                    "H.264 needs an even width and height, not " + std::to_string(format.width) + "x" +
-                        std::to_string(format.height),
-                    "use MJPEG or FFV1, or another size");
+        return fail(ErrorCode::InvalidInput, cannotEncode(),
+                    ODO_TEXT("video.h264_needs_even", "H.264 needs an even width and height, not %1")(
+                        std::to_string(format.width) + "x" + std::to_string(format.height)),
+                    ODO_TEXT("video.use_mjpeg", "use MJPEG or FFV1, or another size"));
     return {};
 }
 
@@ -117,8 +124,9 @@ Result<libav::CodecPtr> openEncoder(const FrameFormat &format, const VideoWriter
         return tl::unexpected(fits.error());
     const AVCodec *codec = findEncoder(options.codec);
     if (!codec)
-        return fail(ErrorCode::Internal, encoding, "the installed libavcodec has no encoder for it",
-                    "install Debian's libavcodec with libx264");
+        return fail(ErrorCode::Internal, cannotEncode(),
+                    ODO_TEXT("video.no_encoder", "the installed libavcodec has no encoder for it"),
+                    ODO_TEXT("video.install_libx264", "install Debian's libavcodec with libx264"));
     libav::CodecPtr encoder(libav::allocated(avcodec_alloc_context3(codec)));
     encoder->width = format.width;
     encoder->height = format.height;
@@ -131,9 +139,11 @@ Result<libav::CodecPtr> openEncoder(const FrameFormat &format, const VideoWriter
     libav::Options codecOptions;
     setRate(options, *encoder, codecOptions);
     if (const int error = avcodec_open2(encoder.get(), codec, codecOptions.get()); error < 0)
-        return fail(ErrorCode::InvalidInput, encoding,
-                    "the encoder would not start (" + libav::errorText(error) + ")",
-                    "check the size, the frame rate and the quality that were asked for");
+        return fail(ErrorCode::InvalidInput, cannotEncode(),
+                    ODO_TEXT("video.encoder_not_started",
+                             "the encoder would not start (%1)")(foreignWords(libav::errorText(error))),
+                    ODO_TEXT("video.check_what_was_asked",
+                             "check the size, the frame rate and the quality that were asked for"));
     return encoder;
 }
 
@@ -155,9 +165,10 @@ Result<EncodedStream> describeStream(const AVCodecContext &encoder, const FrameF
         error = av_bsf_init(filter);
     }
     if (error < 0)
-        return fail(ErrorCode::Internal, encoding,
-                    "the chroma siting could not be set (" + libav::errorText(error) + ")",
-                    "install Debian's libavcodec");
+        return fail(ErrorCode::Internal, cannotEncode(),
+                    ODO_TEXT("video.siting_not_set", "the chroma siting could not be set (%1)")(
+                        foreignWords(libav::errorText(error))),
+                    ODO_TEXT("video.install_libavcodec", "install Debian's libavcodec"));
     avcodec_parameters_copy(stream.parameters.get(), filter->par_out);
     return stream;
 }
@@ -175,8 +186,8 @@ Result<libav::FramePtr> pictureOf(const Frame &frame, const AVCodecContext &enco
     if (encoder.codec_id == AV_CODEC_ID_MJPEG)
         picture->quality = encoder.global_quality;
     if (const int error = av_frame_get_buffer(picture.get(), 0); error < 0)
-        return fail(ErrorCode::Internal, encoding, libav::errorText(error),
-                    "close other programs and try again");
+        return fail(ErrorCode::Internal, cannotEncode(), foreignWords(libav::errorText(error)),
+                    closeOtherPrograms());
     copyPlane(frame.y, picture->data[0], picture->linesize[0]);
     copyPlane(frame.u, picture->data[1], picture->linesize[1]);
     copyPlane(frame.v, picture->data[2], picture->linesize[2]);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/calibrate/calibrate_job.h"
 
+#include "core/base/subjects.h"
 #include "core/calibration/intrinsic_calibration.h"
 #include "core/files/protected_files.h"
 #include "core/project/project.h"
@@ -14,11 +15,21 @@
 
 namespace odo {
 
+namespace {
+
+Message calibrationOf(const std::string &camera)
+{
+    return ODO_TEXT("workflow.calibration_of_camera", "calibration of camera '%1'")(Named::camera(camera));
+}
+
+} // namespace
+
 CalibrationStorage::CalibrationStorage(const std::filesystem::path &mediaFolder, std::string camera,
                                        IntrinsicCalibration calibration, const BoardSpec &board)
     : m_media(mediaFolder), m_camera(std::move(camera))
 {
-    m_record.origin = "calibrated from " + std::to_string(calibration.picturesUsed()) + " pictures";
+    m_record.origin = ODO_TEXT("workflow.calibrated_from_pictures",
+                               "calibrated from %1 pictures")(calibration.picturesUsed());
     m_record.calibration = std::move(calibration);
     m_record.board = board;
     m_record.softwareVersion = ODOGRAPH_VERSION;
@@ -30,8 +41,9 @@ Result<void> CalibrationStorage::writePictures(const std::vector<BoardPicture> &
     const auto &used = m_record.calibration.pictures;
     for (std::size_t i = 0; i < used.size(); ++i) {
         if (control.isCancelled())
-            return cancelled("calibration of camera '" + m_camera + "'");
-        control.report(double(i) / double(used.size()), "keeping the pictures");
+            return cancelled(calibrationOf(m_camera));
+        control.report(double(i) / double(used.size()),
+                       ODO_TEXT("workflow.keeping_pictures", "keeping the pictures"));
         const auto picture = std::ranges::find(pictures, used[i].view.source, &BoardPicture::source);
         m_record.files.emplace_back(); // those without a picture have none
         if (picture == pictures.end())
@@ -47,18 +59,20 @@ Result<void> CalibrationStorage::writePictures(const std::vector<BoardPicture> &
 
 Result<IntrinsicsRecord> CalibrationStorage::commit(Project &project)
 {
-    const auto stored = project.note("calibrate camera " + m_camera, [&]() -> Result<void> {
-        const auto camera = findOrAddCamera(project, m_camera);
-        if (!camera)
-            return tl::unexpected(camera.error());
-        m_record.camera = camera->id;
-        m_record.made = instantNow();
-        auto added = project.cameras().addIntrinsics(m_record);
-        if (!added)
-            return tl::unexpected(added.error());
-        m_record = std::move(*added);
-        return {};
-    });
+    const auto stored =
+        project.note(ODO_TEXT("workflow.calibrate_camera", "calibrate camera %1")(Named::camera(m_camera)),
+                     [&]() -> Result<void> {
+                         const auto camera = findOrAddCamera(project, m_camera);
+                         if (!camera)
+                             return tl::unexpected(camera.error());
+                         m_record.camera = camera->id;
+                         m_record.made = instantNow();
+                         auto added = project.cameras().addIntrinsics(m_record);
+                         if (!added)
+                             return tl::unexpected(added.error());
+                         m_record = std::move(*added);
+                         return {};
+                     });
     if (!stored)
         return tl::unexpected(stored.error());
     m_media.keep();
@@ -79,7 +93,7 @@ Result<void> CalibrateJob::prepare(Project &project)
 {
     m_mediaFolder = project.mediaFolder();
     for (const auto &file : m_settings.files) {
-        if (auto may = checkMayBeRead(file, '\'' + file.string() + '\''); !may)
+        if (auto may = checkMayBeRead(file, quotedName(Named::file(file))); !may)
             return may;
     }
     return {};
@@ -89,22 +103,27 @@ Result<void> CalibrateJob::run(const JobControl &control)
 {
     for (std::size_t i = 0; i < m_settings.files.size(); ++i) {
         control.report(0.8 * double(i) / double(m_settings.files.size()),
-                       "looking for the board in " + m_settings.files[i].filename().string());
+                       ODO_TEXT("workflow.looking_for_board_in",
+                                "looking for the board in %1")(Named::file(m_settings.files[i].filename())));
         if (auto searched = searchFile(m_settings.files[i], control); !searched)
             return searched;
     }
     if (m_views.empty()) {
-        const std::string why = m_rejected.empty() ? "no picture could be read" : m_rejected.front().reason;
-        return fail(ErrorCode::Undetermined, "calibration of camera '" + m_settings.camera + "'",
-                    "the board was found in none of " + std::to_string(m_rejected.size()) + " pictures (" +
-                        why + ")",
-                    "show the whole board, flat, sharp and evenly lit, and check --pattern and --board");
+        const Message why = m_rejected.empty()
+                                ? Message(ODO_TEXT("workflow.no_picture_read", "no picture could be read"))
+                                : m_rejected.front().reason;
+        return fail(
+            ErrorCode::Undetermined, calibrationOf(m_settings.camera),
+            ODO_TEXT("workflow.board_in_no_picture",
+                     "the board was found in none of %1 pictures (%2)")(m_rejected.size(), why),
+            ODO_TEXT("workflow.show_whole_board",
+                     "show the whole board, flat, sharp and evenly lit, and check --pattern and --board"));
     }
-    control.report(0.85, "computing the intrinsics");
+    control.report(0.85, ODO_TEXT("workflow.computing_intrinsics", "computing the intrinsics"));
     auto calibration = calibrateIntrinsics(m_views, m_widthPx, m_heightPx, m_settings.model, control);
     if (!calibration) {
         Error error = calibration.error();
-        error.what = "calibration of camera '" + m_settings.camera + "'";
+        error.what = calibrationOf(m_settings.camera);
         return tl::unexpected(error);
     }
     m_calibration = std::move(*calibration);
@@ -127,7 +146,7 @@ Result<void> CalibrateJob::searchFile(const std::filesystem::path &file, const J
         },
         control.cancel);
     if (control.isCancelled())
-        return cancelled("calibration of camera '" + m_settings.camera + "'");
+        return cancelled(calibrationOf(m_settings.camera));
     // One unreadable picture among many is refused like one without a board; it must not cost the others.
     if (!visited)
         m_rejected.push_back({file.filename().string(), visited.error().why});
@@ -141,9 +160,9 @@ void CalibrateJob::searchPicture(const Frame &frame, const std::string &name)
         m_heightPx = frame.format.height;
     }
     if (frame.format.width != m_widthPx || frame.format.height != m_heightPx) {
-        m_rejected.push_back({name, "it is " + std::to_string(frame.format.width) + "×" +
-                                        std::to_string(frame.format.height) + ", the first picture " +
-                                        std::to_string(m_widthPx) + "×" + std::to_string(m_heightPx)});
+        m_rejected.push_back(
+            {name, ODO_TEXT("workflow.unlike_first_picture", "it is %1×%2, the first picture %3×%4")(
+                       frame.format.width, frame.format.height, m_widthPx, m_heightPx)});
         return;
     }
     auto view = findBoard(frame, m_settings.board, name);

@@ -7,6 +7,7 @@
 #include "core/video/picture_writer.h"
 #include "core/video/video_reader.h"
 #include "core/workflow/media_copy.h"
+#include "core/workflow/shared_words.h"
 
 #include <algorithm>
 #include <array>
@@ -37,9 +38,9 @@ Result<StoredPicture> CalibrationMedia::write(const std::string &name, const std
 {
     if (png.empty() || m_bytes + png.size() > mostBytes)
         return StoredPicture{};
-    auto file =
-        writeMediaFile(m_folder, name, ".png", {reinterpret_cast<const char *>(png.data()), png.size()},
-                       "calibration picture '" + name + "'");
+    auto file = writeMediaFile(
+        m_folder, name, ".png", {reinterpret_cast<const char *>(png.data()), png.size()},
+        ODO_TEXT("workflow.calibration_picture", "calibration picture '%1'")(Named::file(name)));
     if (!file)
         return tl::unexpected(file.error());
     const std::string path = files::absolute(file->path()).string();
@@ -77,9 +78,11 @@ Result<Frame> pictureOf(const std::filesystem::path &file, std::int64_t frame)
 {
     const auto missing = [&](std::size_t frames) {
         return fail(
-            ErrorCode::NotFound, "frame " + std::to_string(frame) + " of '" + file.filename().string() + "'",
-            "there is no such frame",
-            frames > 1 ? "choose one from 0 to " + std::to_string(frames - 1) : "its only one is frame 0");
+            ErrorCode::NotFound,
+            ODO_TEXT("workflow.frame_of_file", "frame %1 of '%2'")(frame, Named::file(file.filename())),
+            noSuchFrame(),
+            frames > 1 ? chooseFrame(0, static_cast<std::int64_t>(frames) - 1)
+                       : ODO_TEXT("workflow.only_frame", "its only one is frame 0"));
     };
     if (isStillPicture(file)) {
         if (frame != 0)

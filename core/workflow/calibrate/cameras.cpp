@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/calibrate/cameras.h"
 
+#include "core/base/subjects.h"
 #include "core/exchange/intrinsics_yaml.h"
 #include "core/project/project.h"
 #include "core/project/records.h"
 #include "core/project/repositories.h"
+#include "core/workflow/shared_words.h"
 
 namespace odo {
 
@@ -24,10 +26,12 @@ Result<IntrinsicsRecord> importIntrinsics(Project &project, const std::string &c
         return tl::unexpected(intrinsics.error());
     IntrinsicsRecord record;
     record.made = instantNow();
-    record.origin = "imported from " + file.filename().string();
+    const MessageArgument name = Named::file(file.filename());
+    record.origin = ODO_TEXT("workflow.lens_imported_from", "imported from %1")(name);
     record.calibration.intrinsics = std::move(*intrinsics);
     const auto stored = project.note(
-        "import the lens of camera " + camera + " from " + file.filename().string(), [&]() -> Result<void> {
+        ODO_TEXT("workflow.import_lens", "import the lens of camera %1 from %2")(Named::camera(camera), name),
+        [&]() -> Result<void> {
             const auto found = findOrAddCamera(project, camera);
             if (!found)
                 return tl::unexpected(found.error());
@@ -52,8 +56,11 @@ Result<void> exportIntrinsics(Project &project, const std::string &camera, const
     if (!intrinsics)
         return tl::unexpected(intrinsics.error());
     if (!*intrinsics)
-        return fail(ErrorCode::NotFound, "intrinsics of camera '" + camera + "'", "it was never calibrated",
-                    "run odograph calibrate, or odograph intrinsics import");
+        return fail(
+            ErrorCode::NotFound,
+            ODO_TEXT("workflow.intrinsics_of_camera", "intrinsics of camera '%1'")(Named::camera(camera)),
+            ODO_TEXT("workflow.never_calibrated", "it was never calibrated"),
+            ODO_TEXT("workflow.run_calibrate", "run odograph calibrate, or odograph intrinsics import"));
     return writeIntrinsics(target, camera, (*intrinsics)->calibration.intrinsics);
 }
 
@@ -106,8 +113,9 @@ Result<RegisteredCamera> registeredCamera(Project &project, const std::string &c
     if (!registration)
         return tl::unexpected(registration.error());
     if (!*registration)
-        return fail(ErrorCode::NotFound, "camera '" + camera + "'", "it is not registered to the floor",
-                    "register it first, by markers or through another camera");
+        return fail(ErrorCode::NotFound, cameraSubject(camera),
+                    ODO_TEXT("workflow.not_registered_to_floor", "it is not registered to the floor"),
+                    registerItFirst());
     return RegisteredCamera{*found, std::move(**registration)};
 }
 

@@ -82,8 +82,9 @@ Result<LayoutAxesOutcome> changeLayoutAxes(Project &project, const std::string &
     const auto world = layoutsOfWorld(project, outcome.layout);
     if (!world)
         return tl::unexpected(world.error());
-    const auto done =
-        project.change("put the axes of layout " + layout + " elsewhere", [&]() -> Result<void> {
+    const auto done = project.change(
+        ODO_TEXT("workflow.put_axes_elsewhere", "put the axes of layout %1 elsewhere")(Named::layout(layout)),
+        [&]() -> Result<void> {
             for (LayoutRecord each : *world) {
                 each.layout = transformed(each.layout, *newFromOld);
                 if (auto set = project.layouts().setPlaces(each); !set)

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/calibrate/moved_job.h"
 
+#include "core/base/subjects.h"
 #include "core/capture/camera_source.h"
 #include "core/project/project.h"
 #include "core/project/records.h"
 #include "core/project/repositories.h"
 #include "core/workflow/calibrate/calibration_pictures.h"
 #include "core/workflow/calibrate/cameras.h"
+#include "core/workflow/shared_words.h"
 #include "core/workflow/trial_sources.h"
 
 #include <cmath>
@@ -28,9 +30,10 @@ RegistrationCheck::Outcome outcomeOf(MovedCheck::Verdict verdict)
     return RegistrationCheck::Outcome::Still;
 }
 
-std::string checkWords(const std::string &camera)
+Message checkWords(const std::string &camera)
 {
-    return "check whether camera " + camera + " has moved";
+    return ODO_TEXT("workflow.check_whether_moved",
+                    "check whether camera %1 has moved")(Named::camera(camera));
 }
 
 } // namespace
@@ -77,31 +80,32 @@ Result<Frame> MovedJob::picture(const JobControl &control) const
     if (!visited)
         return tl::unexpected(visited.error());
     if (!first)
-        return fail(ErrorCode::Undetermined, m_settings.pictureFile.string(), "it has no picture",
-                    "give another file");
+        return fail(ErrorCode::Undetermined, fileSubject(m_settings.pictureFile),
+                    ODO_TEXT("workflow.file_without_picture", "it has no picture"), giveAnotherFile());
     return *first;
 }
 
 Result<void> MovedJob::run(const JobControl &control)
 {
-    control.report(0, "looking for the markers again");
+    control.report(0, ODO_TEXT("workflow.looking_for_markers_again", "looking for the markers again"));
     const auto frame = picture(control);
     if (!frame)
         return tl::unexpected(frame.error());
-    const std::string name = "camera '" + m_settings.camera + "'";
+    const Message camera = cameraSubject(m_settings.camera);
     const Intrinsics &lens = m_view->camera().intrinsics();
     if (frame->y.width != lens.widthPx || frame->y.height != lens.heightPx)
-        return fail(ErrorCode::InvalidInput, "whether " + name + " has moved cannot be told",
-                    "the picture is " + std::to_string(frame->y.width) + "×" +
-                        std::to_string(frame->y.height) + ", the camera was registered at " +
-                        std::to_string(lens.widthPx) + "×" + std::to_string(lens.heightPx),
-                    "give a picture of that size");
+        return fail(ErrorCode::InvalidInput,
+                    ODO_TEXT("workflow.moved_cannot_be_told", "whether %1 has moved cannot be told")(camera),
+                    ODO_TEXT("workflow.registered_at_another_size",
+                             "the picture is %1, the camera was registered at %2")(
+                        sizeText(frame->y.width, frame->y.height), sizeText(lens.widthPx, lens.heightPx)),
+                    ODO_TEXT("workflow.give_picture_of_that_size", "give a picture of that size"));
     auto check = checkMoved(m_settings.camera, *m_view, m_stored,
                             findAgain(*frame, m_layout, m_stored, m_view->camera()), m_fitPx);
     if (!check)
         return tl::unexpected(check.error());
     if (control.isCancelled())
-        return cancelled(name);
+        return cancelled(camera);
     m_check = std::move(*check);
     return {};
 }
@@ -122,7 +126,7 @@ Result<void> keepNotTold(Project &project, const std::string &camera, const Erro
     return project.note(checkWords(camera), [&] {
         return project.cameras().addCheck(
             registered->registration.id,
-            {instantNow(), RegistrationCheck::Outcome::NotTold, 0, 0, error.message()});
+            {instantNow(), RegistrationCheck::Outcome::NotTold, 0, 0, wholeMessage(error)});
     });
 }
 

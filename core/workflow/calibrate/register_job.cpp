@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/calibrate/register_job.h"
 
+#include "core/base/subjects.h"
 #include "core/calibration/marker_detection.h"
 #include "core/exchange/labelled_points.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/workflow/calibrate/calibration_pictures.h"
 #include "core/workflow/calibrate/cameras.h"
+#include "core/workflow/shared_words.h"
 #include "core/workflow/trial_sources.h"
 
 #include <algorithm>
@@ -18,6 +20,18 @@ namespace {
 // Markers do not move; a few pictures are looked at in case somebody stands before one in the first.
 constexpr int markerVideoStep = 10;
 constexpr int mostPictures = 12;
+
+Message registrationOf(const std::string &camera)
+{
+    return ODO_TEXT("workflow.registration_of_camera", "registration of camera '%1'")(Named::camera(camera));
+}
+
+Message pictureSizeNotKnown()
+{
+    return joined({ODO_TEXT("workflow.picture_size_not_known", "the size of its pictures is not known"),
+                   ODO_TEXT("workflow.neither_lens_nor_recording", "it has no intrinsics and no recording")},
+                  Join::Colon);
+}
 
 } // namespace
 
@@ -79,7 +93,7 @@ Result<void> RegisterJob::run(const JobControl &control)
     auto registration = registerFloor(m_layout, m_settings.pixels, *camera, m_intrinsicsKnown);
     if (!registration) {
         Error error = registration.error();
-        error.what = "registration of camera '" + m_settings.camera + "'";
+        error.what = registrationOf(m_settings.camera);
         return tl::unexpected(error);
     }
     m_record.pixels = m_settings.pixels;
@@ -102,10 +116,14 @@ Result<void> RegisterJob::keepPicture()
 
 Result<void> RegisterJob::findInPictures(const JobControl &control)
 {
-    const std::string what = "markers for camera '" + m_settings.camera + "'";
+    const Message what =
+        ODO_TEXT("workflow.markers_for_camera", "markers for camera '%1'")(Named::camera(m_settings.camera));
     if (m_settings.pictureFile.empty())
-        return fail(ErrorCode::NotFound, what, "neither their pixels nor a picture to look in was given",
-                    "give --pixels pixels.csv, --image picture.png or --video clip.mp4");
+        return fail(ErrorCode::NotFound, what,
+                    ODO_TEXT("workflow.no_pixels_no_picture",
+                             "neither their pixels nor a picture to look in was given"),
+                    ODO_TEXT("workflow.give_pixels_or_picture",
+                             "give --pixels pixels.csv, --image picture.png or --video clip.mp4"));
     const bool wanted = m_settings.pixels.empty();
     MarkerSearch search{std::nullopt, m_intrinsicsKnown, m_settings.hints};
     if (m_intrinsicsKnown) {
@@ -115,12 +133,15 @@ Result<void> RegisterJob::findInPictures(const JobControl &control)
         search.camera = std::move(*camera);
     }
     tl::unexpected<Error> lastProblem =
-        fail(ErrorCode::Undetermined, what, "the video has no picture", "give another file");
+        fail(ErrorCode::Undetermined, what,
+             ODO_TEXT("workflow.video_without_picture", "the video has no picture"), giveAnotherFile());
     int looked = 0;
     auto visited = visitPictures(
         m_settings.pictureFile, markerVideoStep,
         [&](const Frame &frame, const std::string &name) {
-            control.report(double(looked) / mostPictures, "looking for the markers in " + name);
+            control.report(double(looked) / mostPictures,
+                           ODO_TEXT("workflow.looking_for_markers_in",
+                                    "looking for the markers in %1")(Named::file(name)));
             if (!m_intrinsicsKnown) {
                 m_intrinsics.widthPx = frame.format.width;
                 m_intrinsics.heightPx = frame.format.height;
@@ -155,14 +176,16 @@ Result<CameraModel> RegisterJob::cameraModel() const
         return CameraModel::create(m_intrinsics);
     if (m_intrinsics.widthPx > 0)
         return CameraModel::assumed(m_intrinsics.widthPx, m_intrinsics.heightPx);
-    return fail(ErrorCode::NotFound, "registration of camera '" + m_settings.camera + "'",
-                "the size of its pictures is not known: it has no intrinsics and no recording",
-                "calibrate it, import its intrinsics, or give --image or --video as well");
+    return fail(ErrorCode::NotFound, registrationOf(m_settings.camera), pictureSizeNotKnown(),
+                ODO_TEXT("workflow.calibrate_or_give_picture",
+                         "calibrate it, import its intrinsics, or give --image or --video as well"));
 }
 
 Result<RegistrationRecord> registerWithLensInForce(Project &project, const std::string &camera)
 {
-    const std::string what = "registration of camera '" + camera + "' with the lens in force";
+    const Message what =
+        ODO_TEXT("workflow.registration_with_lens_in_force",
+                 "registration of camera '%1' with the lens in force")(Named::camera(camera));
     const auto registered = registeredCamera(project, camera);
     if (!registered)
         return tl::unexpected(registered.error());
@@ -170,8 +193,10 @@ Result<RegistrationRecord> registerWithLensInForce(Project &project, const std::
     if (!intrinsics)
         return tl::unexpected(intrinsics.error());
     if (!*intrinsics || (*intrinsics)->id == registered->registration.intrinsics)
-        return fail(ErrorCode::InvalidInput, what, "it was made with it already",
-                    "calibrate the lens first, or put another calibration in force");
+        return fail(ErrorCode::InvalidInput, what,
+                    ODO_TEXT("workflow.made_with_it_already", "it was made with it already"),
+                    ODO_TEXT("workflow.calibrate_lens_first",
+                             "calibrate the lens first, or put another calibration in force"));
     const auto layout = project.layouts().get(registered->registration.layout);
     if (!layout)
         return tl::unexpected(layout.error());
@@ -181,8 +206,10 @@ Result<RegistrationRecord> registerWithLensInForce(Project &project, const std::
     if (std::ranges::any_of(*cameras, [&](const CameraRecord &each) {
             return isLayoutThrough(layout->layout.name, each.name);
         }))
-        return fail(ErrorCode::InvalidInput, what, "it was registered through another camera",
-                    "register it through that camera again");
+        return fail(
+            ErrorCode::InvalidInput, what,
+            ODO_TEXT("workflow.registered_through_another", "it was registered through another camera"),
+            ODO_TEXT("workflow.register_through_it_again", "register it through that camera again"));
     RegisterSettings settings{camera,
                               layout->layout.name,
                               {},
@@ -195,13 +222,16 @@ Result<RegistrationRecord> registerWithLensInForce(Project &project, const std::
     if (auto done = job.run({}); !done)
         return tl::unexpected(done.error());
     std::optional<RegistrationRecord> record;
-    const auto stored = project.note("register camera " + camera + " again", [&]() -> Result<void> {
-        auto made = storeFromOldMarkers(project, camera, job.record(), registered->registration.lastCheck);
-        if (!made)
-            return tl::unexpected(made.error());
-        record = std::move(*made);
-        return {};
-    });
+    const auto stored = project.note(
+        ODO_TEXT("workflow.register_camera_again", "register camera %1 again")(Named::camera(camera)),
+        [&]() -> Result<void> {
+            auto made =
+                storeFromOldMarkers(project, camera, job.record(), registered->registration.lastCheck);
+            if (!made)
+                return tl::unexpected(made.error());
+            record = std::move(*made);
+            return {};
+        });
     if (!stored)
         return tl::unexpected(stored.error());
     return *record;
@@ -209,13 +239,15 @@ Result<RegistrationRecord> registerWithLensInForce(Project &project, const std::
 
 Result<void> RegisterJob::commit(Project &project)
 {
-    auto committed = project.note("register camera " + m_settings.camera, [&]() -> Result<void> {
-        const auto stored = storeRegistration(project, m_settings.camera, m_record);
-        if (!stored)
-            return tl::unexpected(stored.error());
-        m_record = *stored;
-        return {};
-    });
+    auto committed = project.note(
+        ODO_TEXT("workflow.register_camera", "register camera %1")(Named::camera(m_settings.camera)),
+        [&]() -> Result<void> {
+            const auto stored = storeRegistration(project, m_settings.camera, m_record);
+            if (!stored)
+                return tl::unexpected(stored.error());
+            m_record = *stored;
+            return {};
+        });
     if (committed && m_media)
         m_media->keep();
     m_media.reset(); // where it was not stored, its picture goes
@@ -226,9 +258,10 @@ namespace {
 
 constexpr const char *throughWord = " through ";
 
-std::string subject(const RegisterThroughSettings &settings)
+Message subject(const RegisterThroughSettings &settings)
 {
-    return "registration of camera '" + settings.camera + "' through '" + settings.through + "'";
+    return ODO_TEXT("workflow.registration_through", "registration of camera '%1' through '%2'")(
+        Named::camera(settings.camera), Named::camera(settings.through));
 }
 
 std::string freeName(const std::vector<LayoutRecord> &layouts, const std::string &wanted)
@@ -250,7 +283,8 @@ Result<void> RegisterThroughJob::prepare(Project &project)
 {
     if (m_settings.camera == m_settings.through)
         return fail(ErrorCode::InvalidInput, subject(m_settings),
-                    "a camera cannot be registered through itself", "name another camera that is registered");
+                    ODO_TEXT("workflow.through_itself", "a camera cannot be registered through itself"),
+                    ODO_TEXT("workflow.name_another_camera", "name another camera that is registered"));
     const auto through = project.cameras().find(m_settings.through);
     if (!through)
         return tl::unexpected(through.error());
@@ -259,8 +293,9 @@ Result<void> RegisterThroughJob::prepare(Project &project)
         return tl::unexpected(registration.error());
     if (!*registration)
         return fail(ErrorCode::NotFound, subject(m_settings),
-                    "camera '" + m_settings.through + "' is not registered",
-                    "register it first, by markers or through another camera");
+                    ODO_TEXT("workflow.camera_not_registered",
+                             "camera '%1' is not registered")(Named::camera(m_settings.through)),
+                    registerItFirst());
     auto view = floorViewOf(project, **registration);
     if (!view)
         return tl::unexpected(view.error());
@@ -290,16 +325,16 @@ Result<void> RegisterThroughJob::findCamera(Project &project)
     if (!recording)
         return tl::unexpected(recording.error());
     if (!*recording)
-        return fail(ErrorCode::NotFound, subject(m_settings),
-                    "the size of its pictures is not known: it has no intrinsics and no recording",
-                    "calibrate it, import its intrinsics, or import a trial with it first");
+        return fail(ErrorCode::NotFound, subject(m_settings), pictureSizeNotKnown(),
+                    ODO_TEXT("workflow.calibrate_or_import_trial",
+                             "calibrate it, import its intrinsics, or import a trial with it first"));
     m_camera = CameraModel::assumed((*recording)->widthPx, (*recording)->heightPx);
     return {};
 }
 
 Result<void> RegisterThroughJob::run(const JobControl &)
 {
-    auto chained = registerThrough(*m_through, "camera '" + m_settings.through + "'", m_settings.points,
+    auto chained = registerThrough(*m_through, cameraSubject(m_settings.through), m_settings.points,
                                    *m_camera, m_intrinsicsKnown);
     if (!chained) {
         Error error = chained.error();
@@ -311,14 +346,18 @@ Result<void> RegisterThroughJob::run(const JobControl &)
     m_record.registration = std::move(chained->registration);
     m_record.assumedIntrinsics = m_record.registration.intrinsics;
     m_record.picture = m_settings.picture;
-    m_record.registration.verdict +=
-        " It was made through registration " + std::to_string(m_throughRegistration) + " of the project.";
+    m_record.registration.verdict =
+        joined({std::move(m_record.registration.verdict),
+                ODO_TEXT("workflow.made_through_registration",
+                         "It was made through registration %1 of the project.")(m_throughRegistration)},
+               Join::Space);
     return {};
 }
 
 Result<void> RegisterThroughJob::commit(Project &project)
 {
-    return project.note("register camera " + m_settings.camera + " through camera " + m_settings.through,
+    return project.note(ODO_TEXT("workflow.register_camera_through", "register camera %1 through camera %2")(
+                            Named::camera(m_settings.camera), Named::camera(m_settings.through)),
                         [&]() -> Result<void> {
                             const auto layouts = project.layouts().all();
                             if (!layouts)
@@ -373,7 +412,8 @@ Result<void> RegisterJointJob::prepare(Project &project)
 
 Result<void> RegisterJointJob::run(const JobControl &control)
 {
-    control.report(0, "fitting " + std::to_string(m_cameras.size()) + " cameras together");
+    control.report(
+        0, ODO_TEXT("workflow.fitting_cameras_together", "fitting %1 cameras together")(m_cameras.size()));
     auto joint = registerJointly(m_layout, m_cameras, m_settings.tapeSigmaM);
     if (!joint)
         return tl::unexpected(joint.error());
@@ -384,7 +424,9 @@ Result<void> RegisterJointJob::run(const JobControl &control)
 Result<void> RegisterJointJob::commit(Project &project)
 {
     return project.note(
-        "register the cameras of layout " + m_settings.layout + " together", [&]() -> Result<void> {
+        ODO_TEXT("workflow.register_cameras_together",
+                 "register the cameras of layout %1 together")(Named::layout(m_settings.layout)),
+        [&]() -> Result<void> {
             for (std::size_t i = 0; i < m_records.size(); ++i) {
                 m_records[i].registration = m_joint.registrations[i];
                 const auto stored =

@@ -4,9 +4,11 @@
 #include "core/project/project.h"
 #include "core/project/recording_rows.h"
 #include "core/project/repositories.h"
+#include "core/workflow/shared_words.h"
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <set>
 
 namespace odo {
@@ -54,9 +56,12 @@ Result<Revision> revisionOf(Project &project, const RegistrationRecord &record)
     revision.id = record.id;
     revision.made = record.made;
     revision.softwareVersion = record.softwareVersion;
-    revision.origin = "layout '" + layout->layout.name + "', ";
-    revision.origin += record.intrinsics == 0 ? "lens not calibrated"
-                                              : "lens of calibration " + std::to_string(record.intrinsics);
+    const MessageArgument name = Named::layout(layout->layout.name);
+    revision.origin =
+        record.intrinsics == 0
+            ? ODO_TEXT("workflow.by_layout_without_lens", "layout '%1', lens not calibrated")(name)
+            : ODO_TEXT("workflow.by_layout_and_lens",
+                       "layout '%1', lens of calibration %2")(name, record.intrinsics);
     revision.evidence = static_cast<int>(record.registration.markers.size());
     revision.rmsPx = record.registration.rmsPx;
     revision.verdict = record.registration.verdict;
@@ -121,11 +126,16 @@ Result<void> chooseRevision(Project &project, const std::string &camera, Revisio
     const bool isCalibration = kind == Revision::Kind::Calibration;
     if (!isThere)
         return fail(ErrorCode::NotFound,
-                    std::string(isCalibration ? "calibration " : "registration ") + std::to_string(id),
-                    "camera '" + camera + "' has none of that number",
-                    "see its revisions for those there are");
-    return project.change(std::string("choose ") + (isCalibration ? "calibration " : "registration ") +
-                              std::to_string(id) + " of camera " + camera,
+                    isCalibration ? ODO_TEXT("workflow.calibration", "calibration %1")(id)
+                                  : ODO_TEXT("workflow.registration", "registration %1")(id),
+                    ODO_TEXT("workflow.none_of_that_number",
+                             "camera '%1' has none of that number")(Named::camera(camera)),
+                    ODO_TEXT("workflow.see_revisions", "see its revisions for those there are"));
+    return project.change(isCalibration
+                              ? ODO_TEXT("workflow.choose_calibration",
+                                         "choose calibration %1 of camera %2")(id, Named::camera(camera))
+                              : ODO_TEXT("workflow.choose_registration",
+                                         "choose registration %1 of camera %2")(id, Named::camera(camera)),
                           [&] {
                               return isCalibration ? project.cameras().chooseIntrinsics(id)
                                                    : project.cameras().chooseRegistration(id);
@@ -158,23 +168,17 @@ Result<std::vector<std::string>> outdatedTrials(Project &project)
 
 namespace {
 
-std::string sizeText(int width, int height)
-{
-    return std::to_string(width) + "×" + std::to_string(height);
-}
-
-void warnOfAge(const std::string &what, Instant made, Instant now, std::chrono::days oldAfter,
-               const char *advice, std::vector<std::string> &warnings)
+/// The days, of what is older than that.
+std::optional<std::int64_t> daysOfOld(Instant made, Instant now, std::chrono::days oldAfter)
 {
     const auto age = std::chrono::floor<std::chrono::days>(now - made);
-    if (age > oldAfter)
-        warnings.push_back(what + " is " + std::to_string(age.count()) + " days old: " + advice + ".");
+    return age > oldAfter ? std::optional<std::int64_t>(age.count()) : std::nullopt;
 }
 
 } // namespace
 
-Result<std::vector<std::string>> calibrationWarnings(Project &project, const CameraRecord &camera,
-                                                     Instant now, std::chrono::days oldAfter)
+Result<std::vector<Message>> calibrationWarnings(Project &project, const CameraRecord &camera, Instant now,
+                                                 std::chrono::days oldAfter)
 {
     const auto intrinsics = project.cameras().currentIntrinsics(camera.id);
     if (!intrinsics)
@@ -185,31 +189,45 @@ Result<std::vector<std::string>> calibrationWarnings(Project &project, const Cam
     const auto recording = project.trials().newestRecording(camera.id);
     if (!recording)
         return tl::unexpected(recording.error());
-    std::vector<std::string> warnings;
-    const std::string name = "camera '" + camera.name + "'";
+    std::vector<Message> warnings;
+    const auto warn = [&warnings](Message what, Message advice) {
+        warnings.push_back(joined({std::move(what), std::move(advice)}, Join::Colon));
+    };
+    const MessageArgument name = Named::camera(camera.name);
     if (!*intrinsics) {
-        warnings.push_back("The lens of " + name +
-                           " was never calibrated, its distortion is taken as none: calibrate it.");
+        warn(ODO_TEXT("workflow.lens_never_calibrated",
+                      "The lens of camera '%1' was never calibrated, its distortion is taken as none")(name),
+             ODO_TEXT("workflow.calibrate_it", "calibrate it."));
     } else {
-        warnOfAge("The lens calibration of " + name, (*intrinsics)->made, now, oldAfter,
-                  "if zoom, focus or the camera's settings were touched since, calibrate it again", warnings);
+        if (const auto days = daysOfOld((*intrinsics)->made, now, oldAfter))
+            warn(ODO_TEXT("workflow.old_calibration",
+                          "The lens calibration of camera '%1' is %2 days old")(name, *days),
+                 ODO_TEXT("workflow.calibrate_if_touched",
+                          "if zoom, focus or the camera's settings were touched since, calibrate it again."));
         const Intrinsics &lens = (*intrinsics)->calibration.intrinsics;
         if (*recording && ((*recording)->widthPx != lens.widthPx || (*recording)->heightPx != lens.heightPx))
-            warnings.push_back("The newest recording of " + name + " is " +
-                               sizeText((*recording)->widthPx, (*recording)->heightPx) +
-                               ", its lens was calibrated at " + sizeText(lens.widthPx, lens.heightPx) +
-                               ": calibrate it at the size it records.");
+            warn(ODO_TEXT("workflow.recorded_at_another_size",
+                          "The newest recording of camera '%1' is %2, its lens was calibrated at %3")(
+                     name, sizeText((*recording)->widthPx, (*recording)->heightPx),
+                     sizeText(lens.widthPx, lens.heightPx)),
+                 ODO_TEXT("workflow.calibrate_at_its_size", "calibrate it at the size it records."));
     }
     if (!*registration)
         return warnings;
-    warnOfAge("The floor registration of " + name, (*registration)->made, now, oldAfter,
-              "check that the camera has not moved, or register it again", warnings);
+    if (const auto days = daysOfOld((*registration)->made, now, oldAfter))
+        warn(ODO_TEXT("workflow.old_registration",
+                      "The floor registration of camera '%1' is %2 days old")(name, *days),
+             ODO_TEXT("workflow.check_or_register_again",
+                      "check that the camera has not moved, or register it again."));
     if (*intrinsics && (*registration)->intrinsics != (*intrinsics)->id)
-        warnings.push_back("The floor registration of " + name + " was made " +
-                           ((*registration)->intrinsics == 0
-                                ? "before its lens was calibrated"
-                                : "with another calibration of its lens than the one in force") +
-                           ": register it again.");
+        warn((*registration)->intrinsics == 0
+                 ? ODO_TEXT("workflow.registered_before_calibration",
+                            "The floor registration of camera '%1' was made before its lens was calibrated")(
+                       name)
+                 : ODO_TEXT("workflow.registered_with_other_lens",
+                            "The floor registration of camera '%1' was made with another calibration of its "
+                            "lens than the one in force")(name),
+             ODO_TEXT("workflow.register_it_again", "register it again."));
     return warnings;
 }
 

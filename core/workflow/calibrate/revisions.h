@@ -19,10 +19,10 @@ struct Revision
     RecordId id = 0;
     Instant made;
     std::string softwareVersion; ///< empty: not known
-    std::string origin;          ///< "calibrated from 20 pictures", "layout 'Gym', lens of calibration 3"
+    Message origin;              ///< "calibrated from 20 pictures", "layout 'Gym', lens of calibration 3"
     int evidence = 0;            ///< pictures of a calibration, markers of a registration
     double rmsPx = 0;            ///< 0: not known
-    std::string verdict;
+    Message verdict;
     bool isCurrent = false; ///< in force
     /// that it was made from, of a calibration the first; empty: none was kept
     std::filesystem::path picture;
@@ -47,8 +47,7 @@ Result<std::vector<std::string>> outdatedTrials(Project &project);
 /// older intrinsics than the newest. Another size: the newest recording is of other pictures than the
 /// intrinsics. Never calibrated. A camera that is not registered has no warning of a registration. Project's
 /// thread.
-Result<std::vector<std::string>> calibrationWarnings(Project &project, const CameraRecord &camera,
-                                                     Instant now,
-                                                     std::chrono::days oldAfter = std::chrono::days(90));
+Result<std::vector<Message>> calibrationWarnings(Project &project, const CameraRecord &camera, Instant now,
+                                                 std::chrono::days oldAfter = std::chrono::days(90));
 
 } // namespace odo

@@ -3,6 +3,7 @@
 
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "core/workflow/shared_words.h"
 
 #include <algorithm>
 
@@ -10,24 +11,30 @@ namespace odo {
 
 namespace {
 
+Message comparisonOf(const std::string &trial)
+{
+    return ODO_TEXT("workflow.comparison_of_trial", "comparison of trial '%1'")(Named::trial(trial));
+}
+
 Result<AnalysisRecord> analysisOf(Project &project, const TrialRecord &trial, const std::string &robot)
 {
     const auto analyses = project.analyses().current(trial.id);
     if (!analyses)
         return tl::unexpected(analyses.error());
-    const std::string what = "comparison of trial '" + trial.name + "'";
+    const Message what = comparisonOf(trial.name);
     if (analyses->empty())
-        return fail(ErrorCode::NotFound, what, "it has not been tracked yet", "track it first");
-    std::string names;
+        return fail(ErrorCode::NotFound, what, notTrackedYet(), trackItFirst());
+    std::vector<std::string> names;
     for (const AnalysisRecord &analysis : *analyses) {
         if (analysis.robotName == robot || (robot.empty() && analyses->size() == 1))
             return analysis;
-        names += (names.empty() ? "'" : ", '") + analysis.robotName + "'";
+        names.push_back(analysis.robotName);
     }
     if (robot.empty())
-        return fail(ErrorCode::Undetermined, what, "it has several robots: " + names, "choose one of them");
-    return fail(ErrorCode::NotFound, what, "robot '" + robot + "' was not tracked in it, but " + names,
-                "track it, or choose another");
+        return fail(ErrorCode::Undetermined, what, severalRobots(names),
+                    ODO_TEXT("workflow.choose_one_of_them", "choose one of them"));
+    return fail(ErrorCode::NotFound, what, robotNotTracked(robot, names),
+                ODO_TEXT("workflow.track_or_choose_another", "track it, or choose another"));
 }
 
 Result<std::optional<TaskRecord>> commonTask(Project &project, const std::vector<ComparedTrial> &runs)
@@ -75,12 +82,15 @@ Result<ComparedTrials> readComparedTrials(Project &project, const CompareSetting
         const bool isTwice = std::ranges::any_of(
             read.runs, [&](const ComparedTrial &other) { return other.analysis.id == analysis->id; });
         if (isTwice)
-            return fail(ErrorCode::InvalidInput, "comparison of trial '" + run.trial + "'",
-                        "a run cannot be compared with itself", "choose another one");
+            return fail(ErrorCode::InvalidInput, comparisonOf(run.trial),
+                        ODO_TEXT("workflow.compared_with_itself", "a run cannot be compared with itself"),
+                        chooseAnotherOne());
         read.runs.push_back({std::move(*trial), std::move(*analysis)});
     }
     if (read.runs.size() < 2)
-        return fail(ErrorCode::InvalidInput, "comparison", "it takes two runs", "choose another run as well");
+        return fail(ErrorCode::InvalidInput, ODO_TEXT("workflow.comparison", "comparison"),
+                    ODO_TEXT("workflow.takes_two_runs", "it takes two runs"),
+                    ODO_TEXT("workflow.choose_another_run", "choose another run as well"));
     auto task = commonTask(project, read.runs);
     if (!task)
         return tl::unexpected(task.error());
@@ -105,7 +115,7 @@ Result<TrialComparison> compareTrials(const ComparedTrials &trials, const Compar
     options.shareCalibration = trials.shareCalibration;
     std::vector<ComparedRun> runs;
     for (const ComparedTrial &run : trials.runs)
-        runs.push_back({runName(run), &run.analysis.profile});
+        runs.push_back({nameAlone(runName(run)), &run.analysis.profile});
     auto comparison = compareRuns(runs, options);
     if (!comparison)
         return tl::unexpected(comparison.error());

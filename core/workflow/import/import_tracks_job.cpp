@@ -3,6 +3,7 @@
 
 #include "core/analysis/noise_level.h"
 #include "core/base/file_system.h"
+#include "core/base/subjects.h"
 #include "core/exchange/file_name.h"
 #include "core/exchange/track_export.h"
 #include "core/files/protected_files.h"
@@ -13,8 +14,8 @@
 #include "core/project/repositories.h"
 #include "core/trajectory/imported_track.h"
 #include "core/workflow/import/teams.h"
+#include "core/workflow/shared_words.h"
 #include "core/workflow/track/task_analysis.h"
-#include "core/workflow/track/track_warnings.h"
 #include "core/workflow/track/view_tracking.h"
 
 #include <algorithm>
@@ -49,15 +50,16 @@ Result<FileTrack> trackOf(TrackFile file, const std::string &robot, const std::f
 {
     if (file.tracks.size() == 1)
         return std::move(file.tracks.front());
-    std::string names;
+    std::vector<std::string> names;
     for (FileTrack &track : file.tracks) {
         if (track.name == robot || track.name == trackerName(robot))
             return std::move(track);
-        names += (names.empty() ? "'" : ", '") + track.name + "'";
+        names.push_back(track.name);
     }
-    return fail(ErrorCode::NotFound, "file '" + path.string() + "'",
-                "none of its tracks is called '" + robot + "'; it has " + names,
-                "give the robot the name of one of them");
+    return fail(ErrorCode::NotFound, quotedFileSubject(path),
+                ODO_TEXT("workflow.no_track_of_that_name", "none of its tracks is called '%1'; it has %2")(
+                    Named::robot(robot), quotedNames(names, MessageArgument::Kind::Label)),
+                ODO_TEXT("workflow.name_robot_after_track", "give the robot the name of one of them"));
 }
 
 /// Whether every position has a σ above zero.
@@ -74,16 +76,18 @@ ImportTracksJob::ImportTracksJob(ImportTracksSettings settings) : m_settings(std
 
 Result<void> ImportTracksJob::checkTracks() const
 {
-    const std::string what = "import of trial '" + m_settings.trial + "'";
+    const Message what = importSubject(m_settings.trial);
     if (m_settings.tracks.empty())
-        return fail(ErrorCode::InvalidInput, what, "no track was given",
-                    "give one or more, like --track R=run.csv");
+        return fail(ErrorCode::InvalidInput, what, ODO_TEXT("workflow.no_track_given", "no track was given"),
+                    ODO_TEXT("workflow.give_tracks", "give one or more, like --track R=run.csv"));
     std::set<std::string> names;
     for (const auto &[robot, file] : m_settings.tracks) {
         if (!names.insert(robot).second)
-            return fail(ErrorCode::InvalidInput, what, "robot '" + robot + "' was given two tracks",
-                        "give each robot one");
-        if (auto may = checkMayBeRead(file, "'" + file.string() + "'"); !may)
+            return fail(ErrorCode::InvalidInput, what,
+                        ODO_TEXT("workflow.robot_given_two_tracks",
+                                 "robot '%1' was given two tracks")(Named::robot(robot)),
+                        ODO_TEXT("workflow.give_each_robot_one", "give each robot one"));
+        if (auto may = checkMayBeRead(file, quotedName(Named::file(file))); !may)
             return may;
     }
     return {};
@@ -94,8 +98,7 @@ Result<void> ImportTracksJob::prepare(Project &project)
     if (auto checked = checkTracks(); !checked)
         return checked;
     if (project.trials().find(m_settings.trial))
-        return fail(ErrorCode::AlreadyExists, "import of trial '" + m_settings.trial + "'",
-                    "the project has a trial of that name", "choose another name");
+        return trialIsThere(importSubject(m_settings.trial));
     m_trial.name = m_settings.trial;
     m_trial.task = m_settings.task;
     m_trial.syncMethod = "none";
@@ -129,8 +132,11 @@ Result<void> ImportTracksJob::readRobots(Project &project)
         RobotRecord fresh;
         fresh.name = track.first;
         fresh.colour = freshColour(*robots);
-        m_warnings.push_back("robot '" + fresh.name + "' is new: it was added with the colour " +
-                             fresh.colour->toString());
+        m_warnings.push_back(
+            joined({ODO_TEXT("workflow.robot_is_new", "robot '%1' is new")(Named::robot(fresh.name)),
+                    ODO_TEXT("workflow.added_with_colour",
+                             "it was added with the colour %1")(fresh.colour->toString())},
+                   Join::Colon));
         robots->push_back(fresh);
         m_imported.push_back({std::move(fresh), {}, {}});
     }
@@ -144,8 +150,9 @@ Result<void> ImportTracksJob::run(const JobControl &control)
         return read;
     setClock();
     for (std::size_t robot = 0; robot < m_imported.size(); ++robot) {
-        control.report(0.5 + 0.5 * double(robot) / double(m_imported.size()),
-                       "analysing " + m_imported[robot].robot.name);
+        control.report(
+            0.5 + 0.5 * double(robot) / double(m_imported.size()),
+            ODO_TEXT("workflow.analysing_robot", "analysing %1")(Named::robot(m_imported[robot].robot.name)));
         if (auto analysed = analyse(robot); !analysed)
             return analysed;
     }
@@ -169,7 +176,7 @@ Result<void> ImportTracksJob::readFiles(const JobControl &control)
             return tl::unexpected(hash.error());
         const std::string name = path.filename().string();
         // files may be called as nothing else may
-        source.file = checkName("track", name) ? name : fileNameOf(name);
+        source.file = checkName(RecordKind::Track, name) ? name : fileNameOf(name);
         source.sha256 = *hash;
         std::error_code problem; // the file was just read; 0 where it went since
         const auto bytes = files::sizeOf(path, problem);
@@ -214,12 +221,16 @@ void ImportTracksJob::makeSamples(std::size_t robot)
     for (std::size_t i = 0; i < m_series.back().size(); ++i)
         level.add({m_series.back().sample(i)});
     source.noiseM = level.sigmaM();
-    source.reading = "positions to " + formatNumber(toMillimetres(source.noiseM), 2) + " mm, " +
-                     (isStated ? "as the file says" : "as estimated from them");
+    const MessageArgument noise = quantity(toMillimetres(source.noiseM), 2, "mm");
+    std::vector<Message> reading{
+        isStated ? ODO_TEXT("workflow.error_stated", "positions to %1, as the file says")(noise)
+                 : ODO_TEXT("workflow.error_estimated", "positions to %1, as estimated from them")(noise)};
     if (!read.track.empty())
-        source.reading += "; the file's track '" + read.track + "'";
+        reading.push_back(ODO_TEXT("workflow.track_of_file", "the file's track '%1'")(read.track));
     if (m_zero != Nanoseconds(0))
-        source.reading += "; its times count from " + formatNumber(toSeconds(m_zero), 3) + " s";
+        reading.push_back(ODO_TEXT("workflow.times_count_from",
+                                   "its times count from %1")(quantity(toSeconds(m_zero), 3, "s")));
+    source.reading = joined(std::move(reading), Join::Semicolon);
 }
 
 /// As they were read, or with the flags of their analysis; they end when the job is cancelled.
@@ -228,7 +239,7 @@ SampleSource ImportTracksJob::samplesOf(std::size_t robot, std::span<const Sampl
     const auto chunk = [this, robot, flags](std::size_t first,
                                             std::size_t count) -> Result<std::vector<Sample>> {
         if (m_control.isCancelled())
-            return cancelled("import of trial '" + m_settings.trial + "'");
+            return cancelled(importSubject(m_settings.trial));
         std::vector<Sample> samples;
         samples.reserve(count);
         for (std::size_t i = first; i < first + count; ++i) {
@@ -252,20 +263,21 @@ Result<void> ImportTracksJob::analyse(std::size_t robot)
     if (!options)
         return tl::unexpected(options.error());
     const double share = 0.5 / double(m_imported.size());
-    const JobControl part{m_control.cancel, [&](double fraction, const std::string &text) {
+    const JobControl part{m_control.cancel, [&](double fraction, const Message &text) {
                               m_control.report(0.5 + share * (double(robot) + fraction), text);
                           }};
     auto analysed = analyseByTask([&](const AnalysisOptions &by) { return analyseImported(raw, by, part); },
                                   *options, m_task);
     if (m_control.isCancelled())
-        return cancelled("import of trial '" + m_settings.trial + "'");
+        return cancelled(importSubject(m_settings.trial));
     if (!analysed) {
         Error error = analysed.error();
-        error.what = robotInTrial(record.name, m_settings.trial);
+        error.what = robotInTrialSubject(record.name, m_settings.trial);
         return tl::unexpected(error);
     }
-    if (!analysed->doubt.empty())
-        m_warnings.push_back(robotInTrial(record.name, m_settings.trial) + ": " + analysed->doubt);
+    if (!analysed->doubt.isEmpty())
+        m_warnings.push_back(
+            joined({robotInTrialSubject(record.name, m_settings.trial), analysed->doubt}, Join::Colon));
     analysis = newAnalysis(m_trial, record, {}, std::move(analysed->options));
     analysis.task = m_task ? m_task->id : 0;
     analysis.profile = std::move(analysed->profile);
@@ -274,7 +286,7 @@ Result<void> ImportTracksJob::analyse(std::size_t robot)
 
 Result<void> ImportTracksJob::commit(Project &project)
 {
-    return project.note("import trial " + m_settings.trial, [&] { return store(project); });
+    return project.note(importChange(m_settings.trial), [&] { return store(project); });
 }
 
 Result<void> ImportTracksJob::store(Project &project)

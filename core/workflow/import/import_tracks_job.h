@@ -47,7 +47,7 @@ public:
     /// after run; with their numbers after commit
     const std::vector<Imported> &imported() const { return m_imported; }
     /// Whole sentences on what the user should know although the import succeeded.
-    const std::vector<std::string> &warnings() const { return m_warnings; }
+    const std::vector<Message> &warnings() const { return m_warnings; }
 
 private:
     Result<void> checkTracks() const;
@@ -75,7 +75,7 @@ private:
     JobControl m_control; ///< of run; storing long tracks asks it too
     std::vector<Imported> m_imported;
     TrialRecord m_trial;
-    std::vector<std::string> m_warnings;
+    std::vector<Message> m_warnings;
 };
 
 } // namespace odo

@@ -3,6 +3,7 @@
 
 #include "core/base/file_system.h"
 #include "core/base/job_control.h"
+#include "core/base/subjects.h"
 #include "core/files/protected_files.h"
 #include "core/project/limits.h"
 #include "core/project/project.h"
@@ -14,6 +15,7 @@
 #include "core/workflow/calibrate/cameras.h"
 #include "core/workflow/import/teams.h"
 #include "core/workflow/media_copy.h"
+#include "core/workflow/shared_words.h"
 #include "core/workflow/track/robot_names.h"
 #include "core/workflow/trial_sources.h"
 
@@ -53,11 +55,12 @@ std::vector<std::vector<MotionTrack>> tracksOf(const std::vector<RegisteredView>
     return motionTracks(seen, named, names);
 }
 
-std::string whyNoTracks(const RegisteredView &view, const std::vector<RobotRecord> &robots)
+Message whyNoTracks(const RegisteredView &view, const std::vector<RobotRecord> &robots)
 {
     if (!view.floorView)
-        return "camera '" + view.recording.cameraName + "' is not registered to the floor";
-    return robots.empty() ? "the project has no robot to look for" : std::string();
+        return ODO_TEXT("workflow.camera_not_on_floor", "camera '%1' is not registered to the floor")(
+            Named::camera(view.recording.cameraName));
+    return robots.empty() ? noRobotToLookFor() : Message();
 }
 
 } // namespace
@@ -111,29 +114,32 @@ ImportTrialJob::~ImportTrialJob()
 
 Result<void> ImportTrialJob::prepare(Project &project)
 {
-    const std::string what = "import of trial '" + m_settings.trial + "'";
+    const Message what = importSubject(m_settings.trial);
     if (m_settings.videos.empty())
-        return fail(ErrorCode::InvalidInput, what, "no video was given",
-                    "give one view or more, like --video A=a.mp4");
+        return fail(ErrorCode::InvalidInput, what, ODO_TEXT("workflow.no_video_given", "no video was given"),
+                    ODO_TEXT("workflow.give_views", "give one view or more, like --video A=a.mp4"));
     if (m_settings.videos.size() > mostViews)
         return fail(ErrorCode::InvalidInput, what,
-                    "it has " + std::to_string(m_settings.videos.size()) + " views",
-                    "use at most " + std::to_string(mostViews));
+                    ODO_TEXT("workflow.too_many_views", "it has %1 views")(m_settings.videos.size()),
+                    ODO_TEXT("workflow.use_at_most", "use at most %1")(mostViews));
     if (m_settings.rate && !(*m_settings.rate >= lowestFrameRate && *m_settings.rate <= highestFrameRate))
-        return fail(ErrorCode::InvalidInput, what,
-                    "its frame rate is not between 0.1 and 100,000 frames a second",
-                    "give the rate at which the camera took the frames");
+        return fail(
+            ErrorCode::InvalidInput, what,
+            ODO_TEXT("workflow.unusual_frame_rate",
+                     "its frame rate is not between 0.1 and 100,000 frames a second"),
+            ODO_TEXT("workflow.give_camera_rate", "give the rate at which the camera took the frames"));
     if (auto checked = checkSteps(); !checked)
         return checked;
     if (project.trials().find(m_settings.trial))
-        return fail(ErrorCode::AlreadyExists, what, "the project has a trial of that name",
-                    "choose another name");
+        return trialIsThere(what);
     std::set<std::string> names;
     for (const auto &[camera, file] : m_settings.videos) {
         if (!names.insert(camera).second)
-            return fail(ErrorCode::InvalidInput, what, "camera '" + camera + "' was given two videos",
-                        "give each view its own camera");
-        if (auto may = checkMayBeRead(file, "'" + file.string() + "'"); !may)
+            return fail(ErrorCode::InvalidInput, what,
+                        ODO_TEXT("workflow.camera_given_two_videos",
+                                 "camera '%1' was given two videos")(Named::camera(camera)),
+                        giveEachViewItsCamera());
+        if (auto may = checkMayBeRead(file, quotedName(Named::file(file))); !may)
             return may;
     }
     m_trial.name = m_settings.trial;
@@ -195,9 +201,11 @@ Result<void> ImportTrialJob::readVideo(std::size_t view, const CancelToken &canc
     if (!reader)
         return tl::unexpected(reader.error());
     const VideoInfo &info = (*reader)->info();
-    for (const std::string &warning : {info.warning, unevenRateWords(info.frameTimes)}) {
-        if (!warning.empty())
-            m_warnings.push_back("video '" + file.filename().string() + "': " + warning);
+    for (const Message &warning : {info.warning, unevenRateWords(info.frameTimes)}) {
+        if (!warning.isEmpty())
+            m_warnings.push_back(
+                joined({ODO_TEXT("workflow.video", "video '%1'")(Named::file(file.filename())), warning},
+                       Join::Colon));
     }
     RecordingRecord recording;
     recording.cameraName = camera;
@@ -226,10 +234,12 @@ Result<void> ImportTrialJob::checkSteps()
         given == 0 ||
         (given == 1 && (others == 0 || m_settings.steps.front().how != ImportSettings::Sync::Told));
     if (given != others && !forAll)
-        return fail(ErrorCode::InvalidInput, "import of trial '" + m_settings.trial + "'",
-                    std::to_string(others + 1) + " views were given and the offsets of " +
-                        std::to_string(given),
-                    "give one offset for each view but the first, like --sync 0.1,0.2, or use --sync auto");
+        return fail(
+            ErrorCode::InvalidInput, importSubject(m_settings.trial),
+            ODO_TEXT("workflow.offsets_of_other_count",
+                     "%1 views were given and the offsets of %2")(others + 1, given),
+            ODO_TEXT("workflow.give_offset_for_each",
+                     "give one offset for each view but the first, like --sync 0.1,0.2, or use --sync auto"));
     if (forAll)
         m_settings.steps.resize(others, given > 0 ? m_settings.steps.front() : ImportSettings::ViewStep{});
     return {};
@@ -275,14 +285,16 @@ Result<void> ImportTrialJob::findOffsets(const std::vector<std::size_t> &toFind,
     for (std::size_t i = 0; i < toFind.size(); ++i) {
         RecordingRecord &recording = m_recordings[toFind[i]];
         const Result<FoundOffset> &offset = (*found)[i];
-        const std::string what = "synchronisation of view '" + recording.cameraName + "': ";
+        const Message what = ODO_TEXT("workflow.synchronisation_of_view",
+                                      "synchronisation of view '%1'")(Named::camera(recording.cameraName));
         if (!offset) {
-            m_warnings.push_back(what + offset.error().why + ", so it is taken as begun together; " +
-                                 offset.error().advice);
+            const Message taken = ODO_TEXT("workflow.taken_as_begun_together",
+                                           "%1, so it is taken as begun together")(offset.error().why);
+            m_warnings.push_back(wholeMessage(what, taken, offset.error().advice));
             continue;
         }
-        for (const std::string &remark : offset->remarks)
-            m_warnings.push_back(what + remark);
+        for (const Message &remark : offset->remarks)
+            m_warnings.push_back(joined({what, remark}, Join::Colon));
         recording.syncMethod = offset->fromFlash ? "flash" : "auto";
         recording.startOffsetS = offset->clock.offsetS;
         recording.startOffsetSigmaS = offset->clock.sigmaS;
@@ -303,23 +315,31 @@ Result<void> ImportTrialJob::compareViews()
         const RecordingRecord &other = m_recordings[view];
         const double startS = other.startOffsetS, endS = startS + durationOf(other);
         const double commonS = std::min(endS, firstEndS) - std::max(startS, 0.0);
+        const MessageArgument firstName = Named::camera(m_recordings[0].cameraName),
+                              otherName = Named::camera(other.cameraName);
         if (commonS <= 0)
-            return fail(ErrorCode::InvalidInput, "import of trial '" + m_settings.trial + "'",
-                        "views '" + m_recordings[0].cameraName + "' and '" + other.cameraName +
-                            "' have no time in common with an offset of " + secondsText(startS),
-                        "check the files and the --sync offset");
-        if (commonS < 0.9 * std::max(firstEndS, durationOf(other)))
+            return fail(ErrorCode::InvalidInput, importSubject(m_settings.trial),
+                        ODO_TEXT("workflow.no_common_time",
+                                 "views '%1' and '%2' have no time in common with an offset of %3")(
+                            firstName, otherName, quantity(startS, 2, "s")),
+                        ODO_TEXT("workflow.check_files_and_offset", "check the files and the --sync offset"));
+        const auto warn = [&](Message why, Message advice) {
             m_warnings.push_back(
-                "views '" + m_recordings[0].cameraName + "' and '" + other.cameraName +
-                "': " + secondsText(firstEndS) + " and " + secondsText(durationOf(other)) + " long, " +
-                secondsText(commonS) +
-                " in common; outside it only one view measures, so check that both belong to one run");
+                wholeMessage(ODO_TEXT("workflow.two_views", "views '%1' and '%2'")(firstName, otherName),
+                             std::move(why), std::move(advice)));
+        };
+        if (commonS < 0.9 * std::max(firstEndS, durationOf(other)))
+            warn(ODO_TEXT("workflow.little_common_time", "%1 and %2 long, %3 in common")(
+                     quantity(firstEndS, 2, "s"), quantity(durationOf(other), 2, "s"),
+                     quantity(commonS, 2, "s")),
+                 ODO_TEXT("workflow.check_views_of_one_run",
+                          "outside it only one view measures, so check that both belong to one run"));
         const double a = m_recordings[0].framesPerSecond, b = other.framesPerSecond;
         if (a > 0 && b > 0 && std::abs(a - b) > 0.02 * a)
-            m_warnings.push_back(
-                "views '" + m_recordings[0].cameraName + "' and '" + other.cameraName +
-                "': " + std::to_string(std::lround(a)) + " and " + std::to_string(std::lround(b)) +
-                " frames/s; the views are joined by time, check --rate if one is slow motion");
+            warn(ODO_TEXT("workflow.unequal_rates", "%1 and %2")(std::lround(a),
+                                                                 quantity(std::round(b), 0, "frames/s")),
+                 ODO_TEXT("workflow.check_rate",
+                          "the views are joined by time, check --rate if one is slow motion"));
     }
     return {};
 }
@@ -339,7 +359,7 @@ Result<void> ImportTrialJob::copyVideo(std::size_t view, const JobControl &contr
 
 Result<void> ImportTrialJob::commit(Project &project)
 {
-    auto committed = project.note("import trial " + m_settings.trial, [&]() -> Result<void> {
+    auto committed = project.note(importChange(m_settings.trial), [&]() -> Result<void> {
         for (RecordingRecord &recording : m_recordings) {
             const auto camera = findOrAddCamera(project, recording.cameraName);
             if (!camera)

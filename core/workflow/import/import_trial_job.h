@@ -52,7 +52,7 @@ public:
     const std::vector<RecordingRecord> &recordings() const { return m_recordings; } ///< after run
     /// What the user should know although the import succeeded: unequal lengths, no synchronisation, damaged
     /// ends.
-    const std::vector<std::string> &warnings() const { return m_warnings; }
+    const std::vector<Message> &warnings() const { return m_warnings; }
 
 private:
     Result<void> readVideo(std::size_t view, const CancelToken &cancel);
@@ -70,7 +70,7 @@ private:
     TrialRecord m_trial;
     std::vector<RecordingRecord> m_recordings;
     std::vector<ClaimedFile> m_files; ///< until they are the trial's
-    std::vector<std::string> m_warnings;
+    std::vector<Message> m_warnings;
 };
 
 } // namespace odo

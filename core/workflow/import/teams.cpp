@@ -49,18 +49,19 @@ Result<RosterOutcome> importRoster(Project &project, const std::filesystem::path
     for (const TeamRecord &team : *teams)
         known.emplace(team.name, team);
     RosterOutcome outcome;
-    const std::string name = file.filename().string();
-    const auto done = project.change("import the roster " + name, [&]() -> Result<void> {
-        std::vector<std::string> bad;
-        for (const RosterEntry &entry : *entries)
-            if (const auto stored = store(project, entry, known, outcome); !stored)
-                bad.push_back("line " + std::to_string(entry.line) + ": " + stored.error().what + ": " +
-                              stored.error().why);
-        if (bad.empty())
-            return {};
-        return fail(ErrorCode::InvalidInput, "roster '" + name + "'", joinedLines(bad),
-                    "mend these lines; nothing was imported");
-    });
+    const MessageArgument name = Named::file(file.filename());
+    const auto done = project.change(
+        ODO_TEXT("workflow.import_roster", "import the roster %1")(name), [&]() -> Result<void> {
+            std::vector<Message> bad;
+            for (const RosterEntry &entry : *entries)
+                if (const auto stored = store(project, entry, known, outcome); !stored)
+                    bad.push_back(joined({ODO_TEXT("workflow.roster_line", "line %1")(entry.line),
+                                          stored.error().what, stored.error().why},
+                                         Join::Colon));
+            if (bad.empty())
+                return {};
+            return wrongLines(file, std::move(bad));
+        });
     if (!done)
         return tl::unexpected(done.error());
     return outcome;

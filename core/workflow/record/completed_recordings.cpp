@@ -2,16 +2,17 @@
 #include "core/workflow/record/completed_recordings.h"
 
 #include "core/base/file_system.h"
+#include "core/base/subjects.h"
 #include "core/capture/recording_outcome.h"
 #include "core/project/project.h"
 #include "core/project/project_media.h"
 #include "core/project/recording_rows.h"
 #include "core/project/repositories.h"
 #include "core/video/video_reader.h"
+#include "core/workflow/shared_words.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <fstream>
 #include <iterator>
 
@@ -88,9 +89,9 @@ Result<void> RecoverJob::run(const JobControl &control)
 {
     for (std::size_t i = 0; i < m_trials.size(); ++i) {
         control.report(static_cast<double>(i) / static_cast<double>(m_trials.size()),
-                       "completing a recording that was cut off");
+                       ODO_TEXT("workflow.completing_recording", "completing a recording that was cut off"));
         if (control.isCancelled())
-            return cancelled("completing the recordings");
+            return cancelled(ODO_TEXT("workflow.completing_recordings", "completing the recordings"));
         if (auto recovered = recover(m_trials[i], control.cancel); !recovered)
             return recovered;
     }
@@ -102,7 +103,7 @@ Result<void> RecoverJob::recover(Unfinished &unfinished, const CancelToken &canc
     std::vector<EndedView> ended;
     for (View &view : unfinished.views) {
         if (!files::exists(view.file) && (!view.times.pictures.empty() || !m_lock)) {
-            unfinished.missing = view.file.string();
+            unfinished.missing = view.file;
             return {};
         }
         const auto reader = VideoReader::open(view.file, cancel);
@@ -144,29 +145,41 @@ Result<void> RecoverJob::commit(Project &project)
 Result<void> RecoverJob::complete(Project &project, Unfinished &unfinished)
 {
     TrialRecord &trial = unfinished.trial;
-    const std::string who = "trial '" + trial.name + "': its recording was cut off; ";
+    const auto tell = [&](Message outcome, Message advice = {}) {
+        const Message what = joined(
+            {trialSubject(trial.name), ODO_TEXT("workflow.recording_cut_off", "its recording was cut off")},
+            Join::Colon);
+        m_told.push_back(
+            joined({what, joined({std::move(outcome), std::move(advice)}, Join::Colon)}, Join::Semicolon));
+    };
     if (!unfinished.missing.empty()) {
-        m_told.push_back(who + unfinished.missing +
-                         " is missing: put the file back in its place, and open the project again");
+        tell(
+            ODO_TEXT("workflow.file_is_missing", "%1 is missing")(Named::file(unfinished.missing)),
+            ODO_TEXT("workflow.put_file_back", "put the file back in its place, and open the project again"));
         return {};
     }
     if (unfinished.recordings.empty()) {
-        m_told.push_back(who + "nothing of it had reached the disk, and it is left out: record it again");
-        if (auto removed = project.note("leave out " + trial.name + ", of which nothing was recorded",
-                                        [&] { return project.trials().removeUnfinished(trial.id); });
+        tell(ODO_TEXT("workflow.trial_left_out", "nothing of it had reached the disk, and it is left out"),
+             ODO_TEXT("workflow.record_it_again", "record it again"));
+        if (auto removed = project.note(
+                ODO_TEXT("workflow.leave_out_trial",
+                         "leave out %1, of which nothing was recorded")(Named::trial(trial.name)),
+                [&] { return project.trials().removeUnfinished(trial.id); });
             !removed)
             return removed;
         removeEmpty(unfinished);
         return {};
     }
     describeTrial(trial, unfinished.recordings);
-    char words[96];
-    std::snprintf(words, sizeof words, "%.1f s of %zu %s are kept, all but the last second at most",
-                  trial.durationS, unfinished.recordings.size(),
-                  unfinished.recordings.size() == 1 ? "view" : "views");
-    m_told.push_back(who + words);
+    const MessageArgument length = quantity(trial.durationS, 1, "s");
+    const std::size_t views = unfinished.recordings.size();
+    tell(views == 1 ? ODO_TEXT("workflow.view_is_kept",
+                               "%1 of %2 view are kept, all but the last second at most")(length, views)
+                    : ODO_TEXT("workflow.views_are_kept",
+                               "%1 of %2 views are kept, all but the last second at most")(length, views));
     if (auto completed =
-            project.note("complete " + trial.name + ", whose recording was cut off",
+            project.note(ODO_TEXT("workflow.complete_trial",
+                                  "complete %1, whose recording was cut off")(Named::trial(trial.name)),
                          [&] { return project.trials().complete(trial, unfinished.recordings); });
         !completed)
         return completed;
@@ -180,13 +193,13 @@ void RecoverJob::removeEmpty(const Unfinished &unfinished)
         files::remove(file);
 }
 
-Result<std::vector<std::string>> recoverTrials(Project &project, const JobControl &control)
+Result<std::vector<Message>> recoverTrials(Project &project, const JobControl &control)
 {
     RecoverJob job;
     if (auto prepared = job.prepare(project); !prepared)
         return tl::unexpected(prepared.error());
     if (!job.isNeeded())
-        return std::vector<std::string>{};
+        return std::vector<Message>{};
     if (auto done = job.run(control); !done)
         return tl::unexpected(done.error());
     if (auto done = job.commit(project); !done)
@@ -216,7 +229,8 @@ Result<void> HashJob::run(const JobControl &control)
 {
     for (std::size_t i = 0; i < m_files.size(); ++i) {
         control.report(static_cast<double>(i) / static_cast<double>(m_files.size()),
-                       "making the hash of " + m_files[i].path.filename().string());
+                       ODO_TEXT("workflow.making_hash",
+                                "making the hash of %1")(Named::file(m_files[i].path.filename())));
         auto hash = fileSha256(m_files[i].path, control);
         if (hash)
             m_files[i].sha256 = std::move(*hash);
@@ -275,9 +289,7 @@ Result<std::vector<RecordingRecord>> describeRecordings(const std::vector<EndedV
         std::error_code problem;
         record.bytes = static_cast<std::int64_t>(files::sizeOf(view.file, problem));
         if (problem)
-            return fail(ErrorCode::Io, "file '" + view.file.string() + "'",
-                        "it cannot be looked at (" + problem.message() + ")",
-                        "check that the file is there and may be read");
+            return cannotBeLookedAt(quotedFileSubject(view.file), problem);
         records.push_back(std::move(record));
     }
     return records;

@@ -29,7 +29,7 @@ public:
     /// After prepare: whether there is anything to do; run and commit may be left out where not.
     bool isNeeded() const { return !m_trials.empty(); }
     /// After commit: a sentence for each trial.
-    const std::vector<std::string> &told() const { return m_told; }
+    const std::vector<Message> &told() const { return m_told; }
 
 private:
     struct View
@@ -43,7 +43,7 @@ private:
         TrialRecord trial;
         std::vector<View> views;
         std::vector<RecordingRecord> recordings;  ///< after run
-        std::string missing;                      ///< a file that is not there; then the trial stays as it is
+        std::filesystem::path missing;            ///< a file that is not there; then the trial stays as it is
         std::vector<std::filesystem::path> empty; ///< files that no picture has come into
     };
     Result<void> recover(Unfinished &unfinished, const CancelToken &cancel) const;
@@ -53,12 +53,12 @@ private:
     std::filesystem::path m_mediaFolder;
     std::unique_ptr<RecordingLock> m_lock;
     std::vector<Unfinished> m_trials;
-    std::vector<std::string> m_told;
+    std::vector<Message> m_told;
 };
 
 /// Completes them at once, hashes too, on the project's thread, and gives a sentence for each: what the
 /// command line does on opening a project to write.
-Result<std::vector<std::string>> recoverTrials(Project &project, const JobControl &control);
+Result<std::vector<Message>> recoverTrials(Project &project, const JobControl &control);
 
 /// Makes the hashes of recordings that have none yet: a recording ends without them, because reading
 /// gigabytes again would hold up its result, and whoever closes the window. What is cancelled is made the

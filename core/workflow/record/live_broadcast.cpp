@@ -3,6 +3,7 @@
 
 #include "core/base/shortage.h"
 #include "core/base/steady_now.h"
+#include "core/workflow/shared_words.h"
 
 #include <algorithm>
 #include <arpa/inet.h>
@@ -27,6 +28,16 @@ std::string shown(const BroadcastTarget &target)
     return target.address + ":" + std::to_string(target.port);
 }
 
+Message addressSubject(const std::string &address)
+{
+    return ODO_TEXT("workflow.address_of_live_positions", "address '%1' of live positions")(address);
+}
+
+Message livePositionsTo(const BroadcastTarget &target)
+{
+    return ODO_TEXT("workflow.live_positions_to", "live positions to %1")(shown(target));
+}
+
 /// 0 at red, 120 at green; nullopt of a grey.
 std::optional<double> hueOf(RgbColour colour)
 {
@@ -44,8 +55,9 @@ Result<in_addr> addressOf(const BroadcastTarget &target)
 {
     in_addr address{};
     if (inet_pton(AF_INET, target.address.c_str(), &address) != 1 || target.port == 0)
-        return fail(ErrorCode::InvalidInput, "address '" + shown(target) + "' of live positions",
-                    "it is no IPv4 address with a port", "write it like 224.5.23.2:10006");
+        return fail(ErrorCode::InvalidInput, addressSubject(shown(target)),
+                    ODO_TEXT("workflow.no_address_with_port", "it is no IPv4 address with a port"),
+                    ODO_TEXT("workflow.write_address", "write it like 224.5.23.2:10006"));
     return address;
 }
 
@@ -58,14 +70,18 @@ Result<void> setMulticast(int socket, const BroadcastTarget &target)
     interface.imr_ifindex = static_cast<int>(if_nametoindex(target.interface.c_str()));
     const unsigned char hops = 1, heardHere = 1;
     if (interface.imr_ifindex == 0)
-        return fail(ErrorCode::InvalidInput, "interface '" + target.interface + "' of live positions",
-                    "this machine has none of that name",
-                    "choose one that `ip link` names, or lo to stay on this machine");
+        return fail(ErrorCode::InvalidInput,
+                    ODO_TEXT("workflow.interface_of_live_positions",
+                             "interface '%1' of live positions")(target.interface),
+                    ODO_TEXT("workflow.no_such_interface", "this machine has none of that name"),
+                    ODO_TEXT("workflow.choose_interface",
+                             "choose one that `ip link` names, or lo to stay on this machine"));
     if (setsockopt(socket, IPPROTO_IP, IP_MULTICAST_IF, &interface, sizeof interface) != 0 ||
         setsockopt(socket, IPPROTO_IP, IP_MULTICAST_TTL, &hops, sizeof hops) != 0 ||
         setsockopt(socket, IPPROTO_IP, IP_MULTICAST_LOOP, &heardHere, sizeof heardHere) != 0)
-        return fail(ErrorCode::Io, "live positions to " + shown(target),
-                    "interface '" + target.interface + "' takes no multicast", "choose another one");
+        return fail(ErrorCode::Io, livePositionsTo(target),
+                    ODO_TEXT("workflow.no_multicast", "interface '%1' takes no multicast")(target.interface),
+                    chooseAnotherOne());
     return {};
 }
 
@@ -84,7 +100,7 @@ Result<BroadcastTarget> parseBroadcastTarget(const std::string &text, BroadcastT
     }
     if (const auto address = addressOf(target); !address) {
         Error error = address.error();
-        error.what = "address '" + text + "' of live positions";
+        error.what = addressSubject(text);
         return tl::unexpected(error);
     }
     return target;
@@ -115,8 +131,9 @@ Result<std::unique_ptr<LiveBroadcast>> LiveBroadcast::create(const BroadcastTarg
         return tl::unexpected(address.error());
     const int socket = ::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
     if (socket < 0)
-        return fail(ErrorCode::Io, "live positions to " + shown(target), "this machine gives no socket",
-                    "close other programs and try again");
+        return fail(ErrorCode::Io, livePositionsTo(target),
+                    ODO_TEXT("workflow.no_socket", "this machine gives no socket"),
+                    ODO_TEXT("workflow.close_other_programs", "close other programs and try again"));
     if (isMulticastGroup(target.address)) {
         if (auto set = setMulticast(socket, target); !set) {
             close(socket);
@@ -124,7 +141,7 @@ Result<std::unique_ptr<LiveBroadcast>> LiveBroadcast::create(const BroadcastTarg
         }
     }
     std::unique_ptr<LiveBroadcast> broadcast(new LiveBroadcast(socket, target, robots));
-    auto thread = startThread("live positions to " + shown(target), [&live = *broadcast] { live.sendAll(); });
+    auto thread = startThread(livePositionsTo(target), [&live = *broadcast] { live.sendAll(); });
     if (!thread)
         return tl::unexpected(thread.error());
     broadcast->m_thread = std::move(*thread);

@@ -26,14 +26,15 @@ bool fits(const LiveView &view, const FrameFormat &format)
 
 } // namespace
 
-std::string liveWords(const LiveFigures &figures)
+Message liveWords(const LiveFigures &figures)
 {
     if (figures.latencyMedianS <= 0)
         return {};
-    std::string words =
-        "the map is " + std::to_string(std::lround(1e3 * figures.latencyMedianS)) + " ms behind";
-    return words +
-           (figures.dropped == 0 ? ", none skipped" : ", " + std::to_string(figures.dropped) + " skipped");
+    const MessageArgument behind = quantity(std::round(1e3 * figures.latencyMedianS), 0, "ms");
+    return figures.dropped == 0
+               ? ODO_TEXT("workflow.map_behind", "the map is %1 behind, none skipped")(behind)
+               : ODO_TEXT("workflow.map_behind_and_skipping",
+                          "the map is %1 behind, %2 skipped")(behind, figures.dropped);
 }
 
 Result<TaskAnalysis> analyseRun(const LiveRun &run, const AnalysisOptions &options,
@@ -75,7 +76,8 @@ Result<std::unique_ptr<LiveTracker>> LiveTracker::create(const std::vector<LiveV
     }
     for (std::size_t v = 0; v < live->m_views.size(); ++v) {
         live->m_views[v].feed = std::move(feeds[v]);
-        auto thread = startThread("live tracking", [&live = *live, v] { live.follow(v); });
+        auto thread = startThread(ODO_TEXT("workflow.live_tracking", "live tracking"),
+                                  [&live = *live, v] { live.follow(v); });
         if (!thread)
             return tl::unexpected(thread.error());
         live->m_views[v].thread = std::move(*thread);

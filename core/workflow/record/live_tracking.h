@@ -44,7 +44,7 @@ struct LiveFigures
            latencyP99S = 0; ///< of the last ten seconds' positions, from exposure; 0 of none
 };
 /// "the map is 38 ms behind, none skipped"; empty while nothing has been placed.
-std::string liveWords(const LiveFigures &figures);
+Message liveWords(const LiveFigures &figures);
 
 /// What live tracking has seen of a robot in a run: enough for the ordinary analysis.
 struct LiveRun

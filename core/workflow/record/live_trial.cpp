@@ -8,6 +8,7 @@
 #include "core/workflow/calibrate/cameras.h"
 #include "core/workflow/media_copy.h"
 #include "core/workflow/record/completed_recordings.h"
+#include "core/workflow/shared_words.h"
 
 #include <algorithm>
 #include <chrono>
@@ -18,9 +19,9 @@ namespace {
 
 constexpr double slowFromS = 1;
 
-std::string picturesText(std::uint64_t count)
+Message viewSubject(const std::string &camera)
 {
-    return std::to_string(count) + (count == 1 ? " picture was" : " pictures were");
+    return ODO_TEXT("workflow.view", "view '%1'")(Named::camera(camera));
 }
 
 } // namespace
@@ -32,9 +33,11 @@ Result<std::shared_ptr<LiveTrial>> LiveTrial::begin(Project &project, TrialRecor
     // Its disk may have been taken out of the file system: then the media folder would be made on another
     // one.
     if (!files::exists(project.file()))
-        return fail(ErrorCode::NotFound, "recording of trial '" + trial.name + "'",
-                    "the project's file is no longer there",
-                    "put its disk or folder back where it was; nothing was recorded");
+        return fail(ErrorCode::NotFound, recordingSubject(trial.name),
+                    ODO_TEXT("workflow.project_file_gone", "the project's file is no longer there"),
+                    joined({ODO_TEXT("workflow.put_disk_back", "put its disk or folder back where it was"),
+                            ODO_TEXT("workflow.nothing_recorded", "nothing was recorded")},
+                           Join::Semicolon));
     auto lock = RecordingLock::take(project.mediaFolder());
     if (!lock)
         return tl::unexpected(lock.error());
@@ -152,7 +155,7 @@ Result<void> LiveTrial::prepare(Project &project)
 
 Result<void> LiveTrial::run(const JobControl &control)
 {
-    control.report(0, "writing the last pictures");
+    control.report(0, ODO_TEXT("workflow.writing_last_pictures", "writing the last pictures"));
     const std::vector<ViewHealth> health = m_session.health().views;
     m_outcome = m_session.stopRecording();
     m_recording = false;
@@ -162,7 +165,8 @@ Result<void> LiveTrial::run(const JobControl &control)
         const ViewRecording &outcome = m_outcome.views[i];
         warnOf(outcome, view.record.cameraName, comesByWire(m_session.description(i).kind));
         if (health[i].slow)
-            m_warnings.push_back("view '" + view.record.cameraName + "': " + health[i].slow->error.message());
+            m_warnings.push_back(joined(
+                {viewSubject(view.record.cameraName), wholeMessage(health[i].slow->error)}, Join::Colon));
         const auto added = [](const auto &all, std::size_t stored) {
             using Times = std::decay_t<decltype(all)>;
             return Times(all.begin() + static_cast<std::ptrdiff_t>(std::min(stored, all.size())), all.end());
@@ -190,19 +194,22 @@ Result<void> LiveTrial::commit(Project &project)
 {
     if (m_recordings.empty()) {
         const std::optional<Error> &problem = m_outcome.views.front().problem;
-        const std::string why = problem ? problem->why : "no camera gave a picture";
         if (auto discarded = discard(project); !discarded)
             return discarded;
-        return fail(ErrorCode::Io, "recording of trial '" + m_trial.name + "'", why,
+        return fail(ErrorCode::Io, recordingSubject(m_trial.name),
+                    problem ? problem->why
+                            : ODO_TEXT("workflow.no_camera_gave_picture", "no camera gave a picture"),
                     problem ? problem->advice
-                            : "check that they are connected and not used by another program");
+                            : ODO_TEXT("workflow.check_they_are_connected",
+                                       "check that they are connected and not used by another program"));
     }
-    auto completed = project.note("record " + m_trial.name, [&]() -> Result<void> {
-        if (auto appended = appendPending(project); !appended)
-            return appended;
-        describeTrial(m_trial, m_recordings);
-        return project.trials().complete(m_trial, m_recordings);
-    });
+    auto completed = project.note(ODO_TEXT("workflow.record", "record %1")(Named::trial(m_trial.name)),
+                                  [&]() -> Result<void> {
+                                      if (auto appended = appendPending(project); !appended)
+                                          return appended;
+                                      describeTrial(m_trial, m_recordings);
+                                      return project.trials().complete(m_trial, m_recordings);
+                                  });
     if (!completed)
         return completed;
     for (std::size_t i = 0; i < m_views.size(); ++i) {
@@ -241,31 +248,53 @@ Result<void> LiveTrial::discard(Project &project)
 
 void LiveTrial::warnOf(const ViewRecording &view, const std::string &camera, bool byWire)
 {
-    const std::string who = "view '" + camera + "': ";
-    if (view.taken.empty())
-        m_warnings.push_back(who + "it is left out, because nothing was recorded of it" +
-                             (view.problem ? ": " + view.problem->message()
-                                           : "; check its cable, and whether another program uses it"));
+    const auto warn = [&](Message why, Message advice = {}) {
+        m_warnings.push_back(wholeMessage(viewSubject(camera), std::move(why), std::move(advice)));
+    };
+    const Message leftOut =
+        ODO_TEXT("workflow.view_left_out", "it is left out, because nothing was recorded of it");
+    if (view.taken.empty() && view.problem)
+        warn(joined({leftOut, wholeMessage(*view.problem)}, Join::Colon));
+    else if (view.taken.empty())
+        warn(leftOut,
+             ODO_TEXT("workflow.check_its_cable", "check its cable, and whether another program uses it"));
     else if (view.problem)
-        m_warnings.push_back(who + "it ended early, because " + view.problem->message());
+        warn(
+            ODO_TEXT("workflow.view_ended_early", "it ended early, because %1")(wholeMessage(*view.problem)));
     for (const RecordingGap &gap : view.gaps)
-        m_warnings.push_back(who + "nothing came for " + secondsText(toSeconds(gap.length), 1) +
-                             ", because " + gap.why.message());
+        warn(ODO_TEXT("workflow.nothing_came", "nothing came for %1, because %2")(
+            quantity(toSeconds(gap.length), 1, "s"), wholeMessage(gap.why)));
     if (view.longestWaitS > slowFromS && view.lostByUs == 0)
-        m_warnings.push_back(who + "pictures waited up to " + secondsText(view.longestWaitS, 1) +
-                             " for the disk, and none was lost; record to a faster disk");
+        warn(ODO_TEXT("workflow.waited_for_disk", "pictures waited up to %1 for the disk, and none was lost")(
+                 quantity(view.longestWaitS, 1, "s")),
+             ODO_TEXT("workflow.record_to_faster_disk", "record to a faster disk"));
     if (view.lostByUs > 0)
-        m_warnings.push_back(who + picturesText(view.lostByUs) +
-                             " lost because this computer or its disk was too slow; " +
-                             "record to a faster disk, or fewer cameras at once");
+        warn(view.lostByUs == 1
+                 ? Message(ODO_TEXT("workflow.picture_lost_here",
+                                    "1 picture was lost because this computer or its disk was too slow"))
+                 : ODO_TEXT("workflow.pictures_lost_here",
+                            "%1 pictures were lost because this computer or its disk was too slow")(
+                       view.lostByUs),
+             ODO_TEXT("workflow.faster_disk_or_fewer_cameras",
+                      "record to a faster disk, or fewer cameras at once"));
     if (view.lostOnWire > 0 && byWire)
-        m_warnings.push_back(who + picturesText(view.lostOnWire) +
-                             " lost between the camera and this program; " +
-                             "check cable, bandwidth and what else this machine does");
+        warn(view.lostOnWire == 1
+                 ? Message(ODO_TEXT("workflow.picture_lost_on_wire",
+                                    "1 picture was lost between the camera and this program"))
+                 : ODO_TEXT("workflow.pictures_lost_on_wire",
+                            "%1 pictures were lost between the camera and this program")(view.lostOnWire),
+             ODO_TEXT("workflow.check_cable_and_bandwidth",
+                      "check cable, bandwidth and what else this machine does"));
     else if (view.lostOnWire > 0)
-        m_warnings.push_back(who + picturesText(view.lostOnWire) +
-                             " lost because this machine was too slow to make them in time; " +
-                             "close other programs, or take fewer such cameras at once");
+        warn(view.lostOnWire == 1
+                 ? Message(
+                       ODO_TEXT("workflow.picture_made_too_late",
+                                "1 picture was lost because this machine was too slow to make them in time"))
+                 : ODO_TEXT("workflow.pictures_made_too_late",
+                            "%1 pictures were lost because this machine was too slow to make them in time")(
+                       view.lostOnWire),
+             ODO_TEXT("workflow.take_fewer_cameras",
+                      "close other programs, or take fewer such cameras at once"));
 }
 
 } // namespace odo

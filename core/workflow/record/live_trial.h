@@ -49,8 +49,8 @@ public:
         return m_recordings;
     }                                                             ///< after run: of views with pictures
     const RecordingOutcome &outcome() const { return m_outcome; } ///< after run: of all views of the session
-    const std::vector<std::string> &warnings() const { return m_warnings; } ///< after run
-    void addWarning(std::string sentence) { m_warnings.push_back(std::move(sentence)); }
+    const std::vector<Message> &warnings() const { return m_warnings; } ///< after run
+    void addWarning(Message warning) { m_warnings.push_back(std::move(warning)); }
 
 private:
     struct View
@@ -77,7 +77,7 @@ private:
     std::vector<RecordId> m_newCameras;
     std::vector<RecordingRecord> m_recordings;
     RecordingOutcome m_outcome;
-    std::vector<std::string> m_warnings;
+    std::vector<Message> m_warnings;
     bool m_recording = false;
 };
 

@@ -7,6 +7,7 @@
 #include "core/workflow/record/completed_recordings.h"
 #include "core/workflow/record/line_up.h"
 #include "core/workflow/record/live_tracking.h"
+#include "core/workflow/shared_words.h"
 #include "core/workflow/trial_sources.h"
 
 #include <algorithm>
@@ -23,32 +24,32 @@ using Clock = std::chrono::steady_clock;
 
 constexpr auto lookEach = 50ms, appendEach = 1000ms, longestStart = 10000ms;
 
-std::string whatOf(const RecordSettings &settings)
-{
-    return "recording of trial '" + settings.trial + "'";
-}
-
 Result<void> checkSettings(Project &project, const RecordSettings &settings)
 {
-    const std::string what = whatOf(settings);
+    const Message what = recordingSubject(settings.trial);
     if (settings.cameras.empty())
-        return fail(ErrorCode::InvalidInput, what, "no camera was given",
-                    "give one or more, like --camera A=sim:A");
+        return fail(ErrorCode::InvalidInput, what,
+                    ODO_TEXT("workflow.no_camera_given", "no camera was given"),
+                    ODO_TEXT("workflow.give_cameras", "give one or more, like --camera A=sim:A"));
     if (!(settings.seconds > 0 && settings.seconds <= longestRecordingS))
-        return fail(ErrorCode::InvalidInput, what, "it would take no time, or more than a day",
-                    "give the seconds, like 10");
+        return fail(ErrorCode::InvalidInput, what,
+                    ODO_TEXT("workflow.unusual_length", "it would take no time, or more than a day"),
+                    ODO_TEXT("workflow.give_seconds", "give the seconds, like 10"));
     if (!(settings.preRollS >= 0 && settings.preRollS <= longestPreRollS))
-        return fail(ErrorCode::InvalidInput, what, "what is kept from before is no time, or more than 10 s",
-                    "give a pre-roll of 0 to 10 seconds");
+        return fail(
+            ErrorCode::InvalidInput, what,
+            ODO_TEXT("workflow.unusual_pre_roll", "what is kept from before is no time, or more than 10 s"),
+            ODO_TEXT("workflow.give_pre_roll", "give a pre-roll of 0 to 10 seconds"));
     if (project.trials().find(settings.trial))
-        return fail(ErrorCode::AlreadyExists, what, "the project has a trial of that name",
-                    "choose another name");
+        return trialIsThere(what);
     std::set<std::string> names, addresses;
     for (const auto &[camera, address] : settings.cameras) {
         if (!names.insert(camera).second || !addresses.insert(address).second)
-            return fail(ErrorCode::InvalidInput, what,
-                        "camera '" + camera + "' or its address '" + address + "' was given twice",
-                        "give each view its own camera");
+            return fail(
+                ErrorCode::InvalidInput, what,
+                ODO_TEXT("workflow.camera_given_twice",
+                         "camera '%1' or its address '%2' was given twice")(Named::camera(camera), address),
+                giveEachViewItsCamera());
     }
     return {};
 }
@@ -78,14 +79,18 @@ Result<void> waitForPictures(const CaptureSession &session, const RecordSettings
         if (silent == views.end())
             return {};
         if (control.isCancelled())
-            return cancelled(whatOf(settings));
-        if (silent->state == ViewHealth::State::Ended || Clock::now() > until)
-            return fail(ErrorCode::Io, whatOf(settings),
-                        "camera '" +
-                            settings.cameras[static_cast<std::size_t>(silent - views.begin())].first +
-                            "' gave no picture" +
-                            (silent->trouble ? ": " + silent->trouble->error.why : std::string()),
-                        "check that it is connected and not used by another program");
+            return cancelled(recordingSubject(settings.trial));
+        if (silent->state == ViewHealth::State::Ended || Clock::now() > until) {
+            const std::string &camera =
+                settings.cameras[static_cast<std::size_t>(silent - views.begin())].first;
+            return fail(ErrorCode::Io, recordingSubject(settings.trial),
+                        joined({ODO_TEXT("workflow.camera_gave_no_picture",
+                                         "camera '%1' gave no picture")(Named::camera(camera)),
+                                silent->trouble ? silent->trouble->error.why : Message()},
+                               Join::Colon),
+                        ODO_TEXT("workflow.check_it_is_connected",
+                                 "check that it is connected and not used by another program"));
+        }
         std::this_thread::sleep_for(lookEach);
     }
 }
@@ -96,7 +101,7 @@ Result<void> letRun(const RecordSettings &settings, const JobControl &control)
     const auto until = Clock::now() + fromSeconds(settings.preRollS);
     while (Clock::now() < until) {
         if (control.isCancelled())
-            return cancelled(whatOf(settings));
+            return cancelled(recordingSubject(settings.trial));
         std::this_thread::sleep_for(std::min<Nanoseconds>(lookEach, until - Clock::now()));
     }
     return {};
@@ -123,9 +128,13 @@ Result<std::vector<LiveView>> liveViews(Project &project, const RecordSettings &
         views.push_back(std::move(view));
     }
     if (std::ranges::none_of(views, [](const LiveView &view) { return view.floorView.has_value(); }))
-        return fail(ErrorCode::Undetermined, whatOf(settings),
-                    "none of its cameras is registered to the floor, so there are no live positions to send",
-                    "run odograph register for one of them, or leave --ssl-vision out");
+        return fail(
+            ErrorCode::Undetermined, recordingSubject(settings.trial),
+            ODO_TEXT(
+                "workflow.no_live_positions",
+                "none of its cameras is registered to the floor, so there are no live positions to send"),
+            ODO_TEXT("workflow.register_or_do_not_send",
+                     "run odograph register for one of them, or leave --ssl-vision out"));
     return views;
 }
 
@@ -183,9 +192,9 @@ Result<void> rescueIfLost(const Project &project, LiveTrial &live)
     const auto rescued = rescueProject(project);
     if (!rescued)
         return tl::unexpected(rescued.error());
-    live.addWarning(
-        "the project's file was deleted, renamed or replaced meanwhile; what was in it is rescued in '" +
-        rescued->string() + "', which is the project from now on");
+    live.addWarning(ODO_TEXT("workflow.project_rescued",
+                             "the project's file was deleted, renamed or replaced meanwhile; what was in it "
+                             "is rescued in '%1', which is the project from now on")(Named::file(*rescued)));
     return {};
 }
 
@@ -201,10 +210,13 @@ Result<void> keepRecording(Project &project, LiveTrial &live, const CaptureSessi
         std::this_thread::sleep_for(lookEach);
         const auto now = Clock::now();
         const double passedS = std::chrono::duration<double>(now - begun).count();
-        control.report(std::min(1.0, passedS / settings.seconds), "recording");
+        control.report(std::min(1.0, passedS / settings.seconds),
+                       ODO_TEXT("workflow.recording", "recording"));
         if (std::exchange(wasInPlace, project.isInPlace()) && !wasInPlace && settings.warn)
-            settings.warn("the project's file was deleted, renamed or replaced; recording goes on, and what "
-                          "is in it is rescued at the end");
+            settings.warn(
+                ODO_TEXT("workflow.project_lost",
+                         "the project's file was deleted, renamed or replaced; recording goes on, and what "
+                         "is in it is rescued at the end"));
         const CaptureHealth health = session.health();
         if (passedS >= settings.seconds || control.isCancelled() || health.disk.ended ||
             std::ranges::any_of(health.views, hasEnded))

@@ -26,7 +26,7 @@ struct RecordSettings
     double preRollS = 0; ///< so long before, the cameras run already, and that is recorded too
     std::vector<std::string> robots;
     /// of what should be known while it still records; on the calling thread
-    std::function<void(const std::string &)> warn = {};
+    std::function<void(const Message &)> warn = {};
     /// to where the robots' live positions are sent; empty: they are not looked for
     std::optional<BroadcastTarget> broadcast = {};
 };

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/track/reanalysis.h"
 
+#include "core/base/subjects.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/trajectory/analyser.h"
+#include "core/workflow/shared_words.h"
 #include "core/workflow/track/track_job.h"
 
 #include <algorithm>
@@ -17,35 +19,39 @@ namespace {
 Result<AnalysisRecord> chosenAnalysis(const std::vector<AnalysisRecord> &analyses,
                                       const OverruleRequest &request)
 {
-    const std::string what = "trial '" + request.trial + "'";
-    std::string names;
+    const Message what = trialSubject(request.trial);
+    std::vector<std::string> names;
     for (const AnalysisRecord &analysis : analyses) {
         if (analysis.robotName == request.robot || (request.robot.empty() && analyses.size() == 1))
             return analysis;
-        names += (names.empty() ? "'" : ", '") + analysis.robotName + "'";
+        names.push_back(analysis.robotName);
     }
     if (analyses.empty())
-        return fail(ErrorCode::NotFound, what, "it has not been tracked yet", "run odograph track first");
+        return fail(ErrorCode::NotFound, what, notTrackedYet(),
+                    ODO_TEXT("workflow.run_track_first", "run odograph track first"));
     if (request.robot.empty())
-        return fail(ErrorCode::Undetermined, what, "it has several robots: " + names,
-                    "choose one with --robot");
-    return fail(ErrorCode::NotFound, what,
-                "robot '" + request.robot + "' was not tracked in it, but " + names,
-                "track it, or choose another with --robot");
+        return fail(ErrorCode::Undetermined, what, severalRobots(names),
+                    ODO_TEXT("workflow.choose_with_robot", "choose one with --robot"));
+    return fail(ErrorCode::NotFound, what, robotNotTracked(request.robot, names),
+                ODO_TEXT("workflow.track_or_choose_with_robot", "track it, or choose another with --robot"));
 }
 
-/// How the request named the sample, for messages.
-std::string placeText(const OverruleRequest &request)
+/// The sample as the request named it.
+Message sampleSubject(const OverruleRequest &request)
 {
-    return request.frame ? "frame " + std::to_string(*request.frame)
-                         : formatNumber(request.timeS.value_or(0), 3) + " s";
+    const MessageArgument trial = Named::trial(request.trial);
+    return request.frame
+               ? ODO_TEXT("workflow.frame_of_trial", "frame %1 of trial '%2'")(*request.frame, trial)
+               : ODO_TEXT("workflow.time_of_trial",
+                          "%1 of trial '%2'")(quantity(request.timeS.value_or(0), 3, "s"), trial);
 }
 
 Result<Sample> chosenSample(const std::vector<Sample> &samples, const OverruleRequest &request)
 {
-    const std::string what = placeText(request) + " of trial '" + request.trial + "'";
+    const Message what = sampleSubject(request);
     if (samples.empty())
-        return fail(ErrorCode::NotFound, what, "the analysis has no sample", "track the trial again");
+        return fail(ErrorCode::NotFound, what, ODO_TEXT("workflow.no_sample", "the analysis has no sample"),
+                    ODO_TEXT("workflow.track_trial_again", "track the trial again"));
     const auto distance = [&](const Sample &sample) {
         return request.frame ? std::abs(static_cast<double>(sample.frame - *request.frame))
                              : std::abs(toSeconds(sample.time) - *request.timeS);
@@ -56,15 +62,16 @@ Result<Sample> chosenSample(const std::vector<Sample> &samples, const OverruleRe
     const double interval = toSeconds(samples.back().time - samples.front().time) /
                             static_cast<double>(std::max<std::size_t>(samples.size() - 1, 1));
     if (distance(*nearest) > (request.frame ? 0 : interval))
-        return fail(ErrorCode::NotFound, what, "there is no such frame",
-                    request.frame ? "choose one from " + std::to_string(samples.front().frame) + " to " +
-                                        std::to_string(samples.back().frame)
-                                  : "choose a time from " + formatNumber(toSeconds(samples.front().time), 3) +
-                                        " s to " + formatNumber(toSeconds(samples.back().time), 3) + " s");
+        return fail(ErrorCode::NotFound, what, noSuchFrame(),
+                    request.frame ? chooseFrame(samples.front().frame, samples.back().frame)
+                                  : ODO_TEXT("workflow.choose_time", "choose a time from %1 to %2")(
+                                        quantity(toSeconds(samples.front().time), 3, "s"),
+                                        quantity(toSeconds(samples.back().time), 3, "s")));
     if (!nearest->position && request.word != OverruleRequest::Word::Clear)
         return fail(ErrorCode::InvalidInput, what,
-                    "the robot was not measured there, so there is nothing to judge",
-                    "choose a frame with a measurement");
+                    ODO_TEXT("workflow.not_measured_there",
+                             "the robot was not measured there, so there is nothing to judge"),
+                    ODO_TEXT("workflow.choose_measured_frame", "choose a frame with a measurement"));
     return *nearest;
 }
 
@@ -100,8 +107,9 @@ Result<void> OverruleJob::prepare(Project &project)
     if (m_request.word == OverruleRequest::Word::Clear) {
         m_overrules = withoutOverrule(m_before, sample->frame);
         if (m_overrules.size() == m_before.size())
-            return fail(ErrorCode::NotFound, placeText(m_request) + " of trial '" + m_request.trial + "'",
-                        "nothing was said by hand there", "see the flags by_hand in odograph export");
+            return fail(ErrorCode::NotFound, sampleSubject(m_request),
+                        ODO_TEXT("workflow.nothing_said_there", "nothing was said by hand there"),
+                        ODO_TEXT("workflow.see_flags_by_hand", "see the flags by_hand in odograph export"));
     } else {
         m_overrules = withOverrule(m_before, {sample->frame, m_request.word == OverruleRequest::Word::Spike});
     }
@@ -121,25 +129,27 @@ Result<void> OverruleJob::run(const JobControl &control)
 Result<void> OverruleJob::commit(Project &project)
 {
     const auto words = [this] {
-        const std::string frame = "frame " + std::to_string(m_outcome.frame) + " of " + m_request.trial;
+        const MessageArgument trial = Named::trial(m_request.trial);
         switch (m_request.word) {
         case OverruleRequest::Word::Spike:
-            return "mark " + frame + " as a spike";
+            return ODO_TEXT("workflow.mark_spike", "mark frame %1 of %2 as a spike")(m_outcome.frame, trial);
         case OverruleRequest::Word::Valid:
-            return "use " + frame;
+            return ODO_TEXT("workflow.use_frame", "use frame %1 of %2")(m_outcome.frame, trial);
         case OverruleRequest::Word::Clear:
             break;
         }
-        return "leave " + frame + " to the program";
+        return ODO_TEXT("workflow.leave_frame", "leave frame %1 of %2 to the program")(m_outcome.frame,
+                                                                                       trial);
     };
     auto stored = project.change(words(), [&]() -> Result<void> {
         const auto now = project.trials().overrules(m_trial, m_robot);
         if (!now)
             return tl::unexpected(now.error());
         if (*now != m_before)
-            return fail(ErrorCode::InvalidInput, placeText(m_request) + " of trial '" + m_request.trial + "'",
-                        "another sample was judged by hand while this one was analysed",
-                        "say it again for frame " + std::to_string(m_outcome.frame));
+            return fail(ErrorCode::InvalidInput, sampleSubject(m_request),
+                        ODO_TEXT("workflow.other_sample_judged",
+                                 "another sample was judged by hand while this one was analysed"),
+                        ODO_TEXT("workflow.say_it_again", "say it again for frame %1")(m_outcome.frame));
         if (auto said = project.trials().setOverrules(m_trial, m_robot, m_overrules); !said)
             return said;
         return m_analysis->commit(project);
@@ -195,17 +205,20 @@ void compareMetrics(const Profile &before, const Profile &after, ProfileChange &
             change.metrics.push_back({metric.name, metric.unit, std::nullopt, metric.value, metric.sigma});
 }
 
-std::string wordsOf(const ProfileChange &change)
+Message wordsOf(const ProfileChange &change)
 {
     if (change.compared == 0)
-        return "No place was measured by both analyses.";
-    std::string words = "Positions change by " + formatNumber(toMillimetres(change.rmsShiftM), 1) +
-                        " mm RMS, at most by " + formatNumber(toMillimetres(change.largestShiftM), 1) +
-                        " mm (at " + formatNumber(toSeconds(change.largestAt), 2) + " s).";
-    if (change.spikesBefore != change.spikesAfter)
-        words += " Spikes: " + std::to_string(change.spikesAfter) + " instead of " +
-                 std::to_string(change.spikesBefore) + ".";
-    return words;
+        return ODO_TEXT("workflow.no_common_place", "No place was measured by both analyses.");
+    const Message shift =
+        ODO_TEXT("workflow.positions_change", "Positions change by %1 RMS, at most by %2 (at %3).")(
+            quantity(toMillimetres(change.rmsShiftM), 1, "mm"),
+            quantity(toMillimetres(change.largestShiftM), 1, "mm"),
+            quantity(toSeconds(change.largestAt), 2, "s"));
+    if (change.spikesBefore == change.spikesAfter)
+        return shift;
+    return joined({shift, ODO_TEXT("workflow.spikes_change",
+                                   "Spikes: %1 instead of %2.")(change.spikesAfter, change.spikesBefore)},
+                  Join::Space);
 }
 
 } // namespace
@@ -234,8 +247,7 @@ Result<void> ReprocessJob::prepare(Project &project)
     if (!analyses)
         return tl::unexpected(analyses.error());
     if (analyses->empty())
-        return fail(ErrorCode::NotFound, "trial '" + m_trial + "'",
-                    "it has not been tracked yet, so there is nothing to analyse again", "track it first");
+        return fail(ErrorCode::NotFound, trialSubject(m_trial), nothingToAnalyseAgain(), trackItFirst());
     TrackSettings settings;
     settings.again = true;
     for (AnalysisRecord &analysis : *analyses) {
@@ -251,7 +263,7 @@ Result<void> ReprocessJob::run(const JobControl &control)
     if (auto done = m_analysis->run(control); !done)
         return done;
     if (control.isCancelled())
-        return cancelled("trial '" + m_trial + "'");
+        return cancelled(trialSubject(m_trial));
     const auto &after = m_analysis->outcome().robots;
     for (std::size_t i = 0; i < m_before.size(); ++i)
         m_robots.push_back({m_before[i].first, changeBetween(m_before[i].second, after[i].analysis.profile)});

@@ -76,7 +76,7 @@ struct ProfileChange
     double largestShiftM = 0, rmsShiftM = 0;
     Nanoseconds largestAt{0};
     std::size_t spikesBefore = 0, spikesAfter = 0;
-    std::string words; ///< one sentence for a person
+    Message words; ///< one sentence for a person
 };
 
 /// Compares frame by frame, where both are valid. Pure; any thread.

@@ -5,8 +5,6 @@
 #include "core/trajectory/outline_doubt.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 
 namespace odo {
 
@@ -26,16 +24,17 @@ std::vector<PointedOut> pointedOutIn(const RegisteredView &view, const std::vect
 
 Error nothingThere(const RegisteredView &view, const PointedOut &told, const RobotRecord &robot)
 {
-    std::array<char, 160> why{};
     const auto frame = static_cast<std::size_t>(told.frame);
     const double timeS = frame < view.recording.frameTimes.size()
                              ? toSeconds(clockOf(view.recording).commonTime(view.recording.frameTimes[frame]))
                              : 0;
-    std::snprintf(why.data(), why.size(),
-                  "nothing stands out from the floor at %.0f,%.0f at %.2f s for some frames", told.pixel.x(),
-                  told.pixel.y(), timeS);
-    return {ErrorCode::InvalidInput, "robot '" + robot.name + "' in view '" + view.recording.cameraName + "'",
-            why.data(), "point it out where all of it is seen and it moves"};
+    return {ErrorCode::InvalidInput,
+            ODO_TEXT("workflow.robot_in_view", "robot '%1' in view '%2'")(
+                Named::robot(robot.name), Named::camera(view.recording.cameraName)),
+            ODO_TEXT("workflow.nothing_stands_out",
+                     "nothing stands out from the floor at %1,%2 at %3 for some frames")(
+                quantity(told.pixel.x(), 0), quantity(told.pixel.y(), 0), quantity(timeS, 2, "s")),
+            ODO_TEXT("workflow.point_out_whole_robot", "point it out where all of it is seen and it moves")};
 }
 
 } // namespace

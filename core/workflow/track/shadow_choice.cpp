@@ -2,6 +2,7 @@
 #include "core/workflow/track/shadow_choice.h"
 
 #include "core/trajectory/solid_choice.h"
+#include "core/workflow/shared_words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +22,7 @@ constexpr double firstPart = 0.7, nextPart = 0.125;
 /// A job's part as a job.
 JobControl partOf(const JobControl &control, double from, double to)
 {
-    return {control.cancel, [&control, from, to](double fraction, const std::string &text) {
+    return {control.cancel, [&control, from, to](double fraction, const Message &text) {
                 control.report(from + (to - from) * fraction, text);
             }};
 }
@@ -100,7 +101,7 @@ Result<SettledViews> trackAndSettle(const std::vector<RegisteredView> &views,
         if (!seen)
             return tl::unexpected(seen.error());
         done += part;
-        control.report(done, "settling which robot is which");
+        control.report(done, ODO_TEXT("workflow.settling_names", "settling which robot is which"));
         auto doubts = settleNames(views, robots, *seen, pointedOut);
         if (!doubts)
             return tl::unexpected(doubts.error());
@@ -117,7 +118,7 @@ Result<SettledViews> trackAndSettle(const std::vector<RegisteredView> &views,
             return trackAgain(views, robots, best->views, darkest, part);
         });
         if (control.isCancelled())
-            return cancelled("tracking");
+            return cancelled(trackingSubject());
         if (!darker) // what was found before stays
             break;
         std::vector<Outlines> now;

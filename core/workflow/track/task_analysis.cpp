@@ -46,13 +46,18 @@ Result<TaskAnalysis> analyseByTask(const MakeProfile &make, const AnalysisOption
     const AnalysisOptions withoutLimits = withTask(options, free);
     auto second = make(withoutLimits);
     if (second && refusedShare(*second) < refused / 2) {
-        const std::string share = profile
-                                      ? std::to_string(std::lround(100 * refused)) + " % of what was measured"
-                                      : "nearly all that was measured";
-        return TaskAnalysis{
-            std::move(*second), withoutLimits,
-            share + " is beyond the limits of task '" + task->name +
-                "', so that they were left out; give the task the limits of its fastest robot"};
+        const MessageArgument name = Named::task(task->name);
+        const Message why =
+            profile ? ODO_TEXT("workflow.beyond_limits",
+                               "%1 of what was measured is beyond the limits of task '%2', so that they were "
+                               "left out")(quantity(std::round(100 * refused), 0, "%"), name)
+                    : ODO_TEXT("workflow.nearly_all_beyond_limits",
+                               "nearly all that was measured is beyond the limits of task '%1', so that they "
+                               "were left out")(name);
+        return TaskAnalysis{std::move(*second), withoutLimits,
+                            joined({why, ODO_TEXT("workflow.give_limits_of_fastest",
+                                                  "give the task the limits of its fastest robot")},
+                                   Join::Semicolon)};
     }
     if (!profile)
         return tl::unexpected(profile.error());

@@ -5,7 +5,6 @@
 
 #include <functional>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace odo {
@@ -16,7 +15,7 @@ struct TaskAnalysis
     Profile profile;
     AnalysisOptions options;
     /// empty, or why the task's limits were left out: "what: why; do this" from the why on
-    std::string doubt;
+    Message doubt;
 };
 
 /// Makes a profile with the options it is given.

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/track/track_job.h"
 
+#include "core/base/subjects.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/tracking/colour_tracker.h"
 #include "core/trajectory/imported_track.h"
+#include "core/workflow/shared_words.h"
 #include "core/workflow/track/robot_names.h"
 #include "core/workflow/track/shadow_choice.h"
 #include "core/workflow/track/task_analysis.h"
@@ -40,23 +42,30 @@ std::optional<std::int64_t> frameAt(const RecordingRecord &recording, double tim
 Result<PointedOutRobot> resolved(const RobotPointer &pointer, const RobotRecord &robot,
                                  const std::vector<RegisteredView> &views)
 {
-    const std::string what = "robot '" + robot.name + "' pointed out in view '" + pointer.view + "'";
+    const Message what = ODO_TEXT("workflow.robot_pointed_out", "robot '%1' pointed out in view '%2'")(
+        Named::robot(robot.name), Named::camera(pointer.view));
     if (isFoundByColour({robot.name, robot.colour}))
-        return fail(ErrorCode::InvalidInput, what, "it is found by its colour",
-                    "pick its colour again, or take the colour from it");
+        return fail(
+            ErrorCode::InvalidInput, what, ODO_TEXT("workflow.found_by_colour", "it is found by its colour"),
+            ODO_TEXT("workflow.pick_or_take_colour", "pick its colour again, or take the colour from it"));
     const auto view = std::ranges::find_if(
         views, [&](const RegisteredView &one) { return one.recording.cameraName == pointer.view; });
     if (view == views.end())
-        return fail(ErrorCode::NotFound, what, "the trial has no such view", "name one of its cameras");
+        return fail(ErrorCode::NotFound, what,
+                    ODO_TEXT("workflow.no_such_view", "the trial has no such view"),
+                    ODO_TEXT("workflow.name_its_camera", "name one of its cameras"));
     const auto frame = frameAt(view->recording, pointer.timeS);
     if (!frame)
-        return fail(ErrorCode::InvalidInput, what, "the view has no picture at that time",
-                    "name a time within the trial, in seconds");
+        return fail(ErrorCode::InvalidInput, what,
+                    ODO_TEXT("workflow.no_picture_then", "the view has no picture at that time"),
+                    ODO_TEXT("workflow.name_time_within_trial", "name a time within the trial, in seconds"));
     const auto isWithin = [](double at, int size) { return at >= 0 && at <= size - 1; };
     if (!isWithin(pointer.pixel.x(), view->recording.widthPx) ||
         !isWithin(pointer.pixel.y(), view->recording.heightPx))
-        return fail(ErrorCode::InvalidInput, what, "the place lies outside the picture",
-                    "name it in pixels from the picture's top left corner");
+        return fail(ErrorCode::InvalidInput, what,
+                    ODO_TEXT("workflow.outside_picture", "the place lies outside the picture"),
+                    ODO_TEXT("workflow.name_place_in_pixels",
+                             "name it in pixels from the picture's top left corner"));
     return PointedOutRobot{robot.id, view->recording.id, *frame, pointer.pixel};
 }
 
@@ -77,8 +86,10 @@ Result<std::vector<PointedOutRobot>> pointedOutRobots(Project &project, const Tr
     for (const RobotPointer &pointer : pointers) {
         const auto robot = std::ranges::find(robots, pointer.robot, &RobotRecord::name);
         if (robot == robots.end())
-            return fail(ErrorCode::NotFound, "robot '" + pointer.robot + "'",
-                        "it is not tracked in trial '" + trial.name + "'", "name one of its robots");
+            return fail(ErrorCode::NotFound, robotSubject(pointer.robot),
+                        ODO_TEXT("workflow.not_tracked_in_trial",
+                                 "it is not tracked in trial '%1'")(Named::trial(trial.name)),
+                        ODO_TEXT("workflow.name_its_robot", "name one of its robots"));
         if (pointer.view.empty()) {
             std::erase_if(*all, [&](const PointedOutRobot &one) { return one.robot == robot->id; });
             continue;
@@ -221,16 +232,20 @@ Result<void> TrackJob::Impl::readOptions(Project &project)
 Result<void> TrackJob::Impl::takeImported(Project &project)
 {
     if (!settings.again)
-        return fail(ErrorCode::InvalidInput, "trial '" + trialName + "'",
-                    "its tracks were imported, so there is no video to track in",
-                    "analyse them anew with: odograph track PROJECT TRIAL --again");
+        return fail(ErrorCode::InvalidInput, trialSubject(trialName),
+                    ODO_TEXT("workflow.tracks_were_imported",
+                             "its tracks were imported, so there is no video to track in"),
+                    joined({ODO_TEXT("workflow.analyse_anew_with", "analyse them anew with"),
+                            nameAlone(std::string("odograph track PROJECT TRIAL --again"))},
+                           Join::Colon));
     for (const RobotRecord &robot : robots) {
         auto its = project.trials().currentImportedTrack(trial.id, robot.id);
         if (!its)
             return tl::unexpected(its.error());
         if (!*its)
-            return fail(ErrorCode::NotFound, robotInTrial(robot.name, trialName),
-                        "no track of it was imported", "choose a robot of the trial");
+            return fail(ErrorCode::NotFound, robotInTrialSubject(robot.name, trialName),
+                        ODO_TEXT("workflow.no_track_imported", "no track of it was imported"),
+                        ODO_TEXT("workflow.choose_robot_of_trial", "choose a robot of the trial"));
         imported.push_back(std::move((*its)->samples));
     }
     return {};
@@ -248,7 +263,7 @@ Result<void> TrackJob::run(const JobControl &control)
     if (!d.settings.again)
         d.doubts = doubtfulNamesOf(tracked->doubts, d.robots);
     d.outcome.warnings = stepWarnings(d.trialName, d.views);
-    control.report(0.97, "analysing");
+    control.report(0.97, ODO_TEXT("workflow.analysing", "analysing"));
     if (auto analysed = d.analyseAll(tracked->views); !analysed)
         return analysed;
 
@@ -293,12 +308,13 @@ Result<void> TrackJob::Impl::analyseAll(std::vector<TrackedView> &tracked)
         auto analysed = analyseOne(tracked, r);
         if (!analysed) {
             Error error = analysed.error();
-            error.what = robotInTrial(robot.name, trialName);
+            error.what = robotInTrialSubject(robot.name, trialName);
             bool isAnotherSeen = false;
             for (std::size_t other = 0; imported.empty() && other < robots.size(); ++other)
                 isAnotherSeen = isAnotherSeen || isEverSeen(views, tracked, other);
             if (isAnotherSeen && !isEverSeen(views, tracked, r))
-                error.advice = "track only the robots that are in the pictures (--robot)";
+                error.advice = ODO_TEXT("workflow.track_those_seen",
+                                        "track only the robots that are in the pictures (--robot)");
             return tl::unexpected(floorColour ? floorColour->error : error);
         }
         if (floorColour && usedShare(analysed->profile) < leastOfFloorColour)
@@ -307,11 +323,12 @@ Result<void> TrackJob::Impl::analyseAll(std::vector<TrackedView> &tracked)
         analysis.options = std::move(analysed->options);
         analysis.profile = std::move(analysed->profile);
         analysis.doubtfulNames = doubts[r];
-        if (!analysed->doubt.empty())
-            outcome.warnings.push_back(robotInTrial(robot.name, trialName) + ": " + analysed->doubt);
+        if (!analysed->doubt.isEmpty())
+            outcome.warnings.push_back(
+                joined({robotInTrialSubject(robot.name, trialName), analysed->doubt}, Join::Colon));
         if (floorColour)
-            outcome.warnings.push_back(floorColour->error.message());
-        for (std::string &warning : analysisWarnings(analysis, trialName))
+            outcome.warnings.push_back(wholeMessage(floorColour->error));
+        for (Message &warning : analysisWarnings(analysis, trialName))
             outcome.warnings.push_back(std::move(warning));
         addOutcome(std::move(analysis));
     }
@@ -351,12 +368,15 @@ void TrackJob::Impl::addOutcome(AnalysisRecord analysis)
 Result<void> TrackJob::commit(Project &project)
 {
     Impl &d = *m_impl;
-    return project.note((d.observations.empty() ? "measure " : "track ") + d.trial.name +
-                            (d.observations.empty() ? " again" : ""),
+    const MessageArgument name = Named::trial(d.trial.name);
+    return project.note(d.observations.empty() ? ODO_TEXT("workflow.measure_again", "measure %1 again")(name)
+                                               : ODO_TEXT("workflow.track", "track %1")(name),
                         [&]() -> Result<void> {
                             if (d.task && !project.tasks().get(d.task->id))
-                                return fail(ErrorCode::InvalidInput, "trial '" + d.trial.name + "'",
-                                            "its task was changed while it was measured", "measure it again");
+                                return fail(ErrorCode::InvalidInput, trialSubject(d.trial.name),
+                                            ODO_TEXT("workflow.task_was_changed",
+                                                     "its task was changed while it was measured"),
+                                            ODO_TEXT("workflow.measure_it_again", "measure it again"));
                             for (const ObservationSeries &series : d.observations) {
                                 if (auto stored = project.trials().addObservations(series); !stored)
                                     return stored;

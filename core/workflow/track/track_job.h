@@ -55,9 +55,9 @@ struct TrackOutcome
     std::string trial;
     std::vector<TrackedRobot> robots;
     double wallS = 0;
-    double decodeS = 0;                ///< CPU time of the decoding threads
-    double framesPerSecond = 0;        ///< of pictures of all views
-    std::vector<std::string> warnings; ///< whole sentences: what makes the figures doubtful, and what to do
+    double decodeS = 0;            ///< CPU time of the decoding threads
+    double framesPerSecond = 0;    ///< of pictures of all views
+    std::vector<Message> warnings; ///< whole sentences: what makes the figures doubtful, and what to do
 };
 
 /// Tracks the robots of a trial in all its views and analyses them by its task: observations and a new

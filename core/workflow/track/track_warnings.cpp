@@ -2,8 +2,10 @@
 #include "core/workflow/track/track_warnings.h"
 
 #include "core/base/percentile.h"
+#include "core/base/subjects.h"
 #include "core/trajectory/occlusions.h"
 #include "core/trajectory/view_disagreement.h"
+#include "core/workflow/shared_words.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,9 +19,14 @@ namespace {
 constexpr double mostOfPicture = 0.10; ///< larger no robot is in a picture that shows its task
 constexpr double hardlyEver = 0.05;    ///< of the frames
 constexpr double doubtfulStepS = 0.005;
-const std::string changedResults =
-    "its results are not those that its analysis gave: they were changed in the file; run odograph check, or "
-    "analyse the trial again";
+
+Message changedResults()
+{
+    return wholeMessage(
+        ODO_TEXT("workflow.results_changed", "its results are not those that its analysis gave"),
+        ODO_TEXT("workflow.changed_in_file", "they were changed in the file"),
+        ODO_TEXT("workflow.check_or_analyse_again", "run odograph check, or analyse the trial again"));
+}
 
 double partFound(const std::vector<TrackedView> &tracked, std::size_t robot)
 {
@@ -35,90 +42,113 @@ double partFound(const std::vector<TrackedView> &tracked, std::size_t robot)
 
 } // namespace
 
-std::string robotInTrial(const std::string &robotName, const std::string &trialName)
+std::vector<Message> analysisWarnings(const AnalysisRecord &analysis, const std::string &trialName)
 {
-    return "robot '" + robotName + "' in trial '" + trialName + "'";
-}
-
-std::vector<std::string> analysisWarnings(const AnalysisRecord &analysis, const std::string &trialName)
-{
-    std::vector<std::string> sentences;
+    std::vector<Message> sentences;
     if (!analysis.views.empty()) // of an imported track no camera could be moved
         sentences = describeUnseenStretches(analysis.profile, analysis.options.longestBridgedGap);
     if (analysis.proof == AnalysisRecord::Proof::Broken)
-        sentences.insert(sentences.begin(), changedResults);
-    if (const std::string apart = viewsApartSentence(analysis.profile); !apart.empty())
-        sentences.push_back(apart);
+        sentences.insert(sentences.begin(), changedResults());
+    if (Message apart = viewsApartSentence(analysis.profile); !apart.isEmpty())
+        sentences.push_back(std::move(apart));
     if (!analysis.doubtfulNames.empty())
-        sentences.push_back(doubtfulNamesSentence(analysis.doubtfulNames, analysis.robotName) +
-                            "; give each a colour of its own");
-    for (std::string &sentence : sentences)
-        sentence = robotInTrial(analysis.robotName, trialName) + ": " + sentence;
+        sentences.push_back(joined({doubtfulNamesSentence(analysis.doubtfulNames, analysis.robotName),
+                                    ODO_TEXT("workflow.give_own_colours", "give each a colour of its own")},
+                                   Join::Semicolon));
+    for (Message &sentence : sentences)
+        sentence =
+            joined({robotInTrialSubject(analysis.robotName, trialName), std::move(sentence)}, Join::Colon);
     return sentences;
 }
 
-std::string viewsApartSentence(const Profile &profile)
+Message viewsApartSentence(const Profile &profile)
 {
     static constexpr double mostApart = 0.1; // of what several views saw
     ViewsApart found = viewsApart(profile.samples);
-    if (double(found.apartM.size()) <= mostApart * double(found.seen))
+    const std::size_t apart = found.apartM.size();
+    if (double(apart) <= mostApart * double(found.seen))
         return {};
-    const std::string where = "in " + std::to_string(found.apartM.size()) + " of " +
-                              std::to_string(found.seen) + " pictures the views ";
     const double medianM = upperMedian(std::move(found.apartM));
     if (medianM > farApartM)
-        return where + "have it at places far apart: one of them follows something else, or is not where it "
-                       "was registered; look at the outlines, and tell the robot's colour or "
-                       "keep others out of the pictures";
-    return where + "contradict one another: they put it " + formatNumber(1000 * medianM, 1) +
-           " mm apart; a camera was moved after it was registered, the views are out of step, or the robot's "
-           "height is not what was told; register the cameras again";
+        return wholeMessage(
+            ODO_TEXT("workflow.views_far_apart",
+                     "in %1 of %2 pictures the views have it at places far apart")(apart, found.seen),
+            ODO_TEXT("workflow.one_follows_something_else",
+                     "one of them follows something else, or is not where it was registered"),
+            ODO_TEXT("workflow.look_at_outlines",
+                     "look at the outlines, and tell the robot's colour or keep others out of the pictures"));
+    const Message cause =
+        ODO_TEXT("workflow.why_views_contradict", "a camera was moved after it was registered, the views are "
+                                                  "out of step, or the robot's height is not what was told");
+    return wholeMessage(
+        ODO_TEXT("workflow.views_contradict",
+                 "in %1 of %2 pictures the views contradict one another")(apart, found.seen),
+        ODO_TEXT("workflow.views_put_it_apart", "they put it %1 apart")(quantity(1000 * medianM, 1, "mm")),
+        joined({cause, ODO_TEXT("workflow.register_cameras_again", "register the cameras again")},
+               Join::Semicolon));
 }
 
-std::string doubtfulNamesSentence(std::span<const DoubtfulName> doubts, const std::string &robotName)
+Message doubtfulNamesSentence(std::span<const DoubtfulName> doubts, const std::string &robotName)
 {
     if (doubts.empty())
         return {};
     std::set<std::string> others;
     for (const DoubtfulName &doubt : doubts)
         others.insert(doubt.otherNames.begin(), doubt.otherNames.end());
-    const std::string howOften =
-        doubts.size() > 1 ? " (the first of " + std::to_string(doubts.size()) + " times)" : "";
-    const std::string when = "from " + formatNumber(toSeconds(doubts.front().from), 2) + " s to " +
-                             formatNumber(toSeconds(doubts.front().to), 2) + " s" + howOften;
+    const MessageArgument from = quantity(toSeconds(doubts.front().from), 2, "s"),
+                          to = quantity(toSeconds(doubts.front().to), 2, "s");
+    const bool isOnce = doubts.size() == 1;
     if (others.empty())
-        return when + " it is doubtful whether this is " + robotName + " or another robot of its look";
-    std::string names = robotName;
-    for (auto other = others.begin(); std::next(other) != others.end(); ++other)
-        names += ", " + *other;
-    return when + " it is doubtful whether this is " + names + " or " + *others.rbegin();
+        return isOnce
+                   ? ODO_TEXT("workflow.doubtful_name_unknown",
+                              "from %1 to %2 it is doubtful whether this is %3 or another robot of its look")(
+                         from, to, Named::robot(robotName))
+                   : ODO_TEXT("workflow.doubtful_names_unknown",
+                              "from %1 to %2 (the first of %3 times) it is doubtful whether this is %4 or "
+                              "another robot of its look")(from, to, doubts.size(), Named::robot(robotName));
+    std::vector<std::string> names{robotName};
+    names.insert(names.end(), others.begin(), std::prev(others.end()));
+    const MessageArgument first = listed(names, MessageArgument::Kind::Robot, MessageArgument::Joint::Comma),
+                          last = Named::robot(*others.rbegin());
+    return isOnce ? ODO_TEXT("workflow.doubtful_name",
+                             "from %1 to %2 it is doubtful whether this is %3 or %4")(from, to, first, last)
+                  : ODO_TEXT("workflow.doubtful_names",
+                             "from %1 to %2 (the first of %3 times) it is doubtful whether this is %4 or %5")(
+                        from, to, doubts.size(), first, last);
 }
 
-std::vector<std::string> stepWarnings(const std::string &trialName,
-                                      const std::vector<const RecordingRecord *> &used)
+std::vector<Message> stepWarnings(const std::string &trialName,
+                                  const std::vector<const RecordingRecord *> &used)
 {
-    std::vector<std::string> sentences;
+    std::vector<Message> sentences;
     for (const RecordingRecord *one : used) {
         const RecordingRecord &view = *one;
         if (used.size() < 2 || view.position == 0)
             continue;
-        const std::string what = "view '" + view.cameraName + "' in trial '" + trialName + "': ";
+        const Message what = viewInTrialSubject(view.cameraName, trialName);
         const bool found = isStepMeasured(view);
+        const double sigmaMs = 1e3 * view.startOffsetSigmaS;
         if (!found && view.syncMethod != "told")
-            sentences.push_back(what + "it is not synchronised but taken as begun together with the first "
-                                       "view, so that a moving robot "
-                                       "is not where the two views put it; import the videos again "
-                                       "and let the offset be found, or tell it");
-        else if (found && view.startOffsetSigmaS > doubtfulStepS)
             sentences.push_back(
-                what + "it is in step to " + formatNumber(1e3 * view.startOffsetSigmaS, 0) +
-                " ms only, which is " + formatNumber(1e3 * view.startOffsetSigmaS, 0) +
-                " mm at 1 m/s; let the robot turn, or flash the room's light, where both cameras see it");
+                wholeMessage(what,
+                             ODO_TEXT("workflow.not_synchronised",
+                                      "it is not synchronised but taken as begun together with the first "
+                                      "view, so that a moving robot "
+                                      "is not where the two views put it"),
+                             ODO_TEXT("workflow.import_again_for_offset",
+                                      "import the videos again and let the offset be found, or tell it")));
+        else if (found && view.startOffsetSigmaS > doubtfulStepS)
+            sentences.push_back(wholeMessage(
+                what,
+                ODO_TEXT("workflow.doubtful_step", "it is in step to %1 only, which is %2 at 1 m/s")(
+                    quantity(sigmaMs, 0, "ms"), quantity(sigmaMs, 0, "mm")),
+                ODO_TEXT("workflow.turn_or_flash",
+                         "let the robot turn, or flash the room's light, where both cameras see it")));
     }
     return sentences;
 }
 
-std::vector<std::string> stepWarnings(const std::string &trialName, const std::vector<RegisteredView> &views)
+std::vector<Message> stepWarnings(const std::string &trialName, const std::vector<RegisteredView> &views)
 {
     std::vector<const RecordingRecord *> used;
     for (const RegisteredView &view : views) {
@@ -144,11 +174,13 @@ std::optional<FloorColour> floorColourOf(const RobotRecord &robot, const std::st
     }
     if (share <= mostOfPicture)
         return std::nullopt;
-    return FloorColour{{ErrorCode::Undetermined, robotInTrial(robot.name, trialName),
-                        "its colour " + robot.colour->toString() + " is also that of the floor (" +
-                            std::to_string(std::lround(100 * share)) + " % of view " +
-                            views[worst].recording.cameraName + "'s picture)",
-                        "put a plate of another colour on it, or tell the colour it really has"},
+    return FloorColour{{ErrorCode::Undetermined, robotInTrialSubject(robot.name, trialName),
+                        ODO_TEXT("workflow.floor_has_its_colour",
+                                 "its colour %1 is also that of the floor (%2 of view %3's picture)")(
+                            robot.colour->toString(), quantity(std::round(100 * share), 0, "%"),
+                            Named::camera(views[worst].recording.cameraName)),
+                        ODO_TEXT("workflow.put_plate_on_it",
+                                 "put a plate of another colour on it, or tell the colour it really has")},
                        partFound(tracked, robotIndex) < hardlyEver};
 }
 

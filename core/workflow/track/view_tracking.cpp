@@ -3,6 +3,7 @@
 
 #include "core/base/job_control.h"
 #include "core/base/shortage.h"
+#include "core/base/subjects.h"
 #include "core/project/project.h"
 #include "core/project/records.h"
 #include "core/project/repositories.h"
@@ -10,6 +11,7 @@
 #include "core/tracking/robot_tracker.h"
 #include "core/trajectory/solid_choice.h"
 #include "core/video/frame_stream.h"
+#include "core/workflow/shared_words.h"
 #include "core/workflow/track/track_warnings.h"
 #include "core/workflow/trial_sources.h"
 
@@ -43,7 +45,7 @@ Result<std::optional<Background>> learnBackground(const RegisteredView &view, co
     BackgroundLearner learner;
     while (true) {
         if (cancel.isCancelled())
-            return cancelled("tracking");
+            return cancelled(trackingSubject());
         auto frame = (*stream)->pop();
         if (!frame)
             return tl::unexpected(frame.error());
@@ -79,7 +81,7 @@ public:
             return;
         const std::lock_guard lock(m_mutex); // the caller's function need not be thread-safe
         m_control.report(m_from + (m_to - m_from) * double(done) / double(m_total),
-                         "tracking, picture " + std::to_string(done) + " of " + std::to_string(m_total));
+                         ODO_TEXT("workflow.tracking_picture", "tracking, picture %1 of %2")(done, m_total));
     }
 
 private:
@@ -143,7 +145,7 @@ Result<TrackedView> trackView(const RegisteredView &view, const std::vector<Robo
         series.observations.reserve(times.size());
     for (std::size_t next = 0;;) {
         if (control.isCancelled())
-            return cancelled("tracking");
+            return cancelled(trackingSubject());
         auto frame = stream.pop(byRegion && next < times.size() ? (*tracker)->neededRegion(times[next])
                                                                 : std::nullopt);
         if (!frame)
@@ -374,9 +376,9 @@ Result<std::vector<TrackedView>> storedObservations(Project &project, const std:
                 stored[v].frames, static_cast<std::int64_t>(stored[v].series.back().observations.size()));
         }
         if (!known)
-            return fail(ErrorCode::NotFound, "robot '" + robot.name + "' in trial '" + trialName + "'",
-                        "it has not been tracked yet, so there is nothing to analyse again",
-                        "run odograph track without --again first");
+            return fail(
+                ErrorCode::NotFound, robotInTrialSubject(robot.name, trialName), nothingToAnalyseAgain(),
+                ODO_TEXT("workflow.run_track_without_again", "run odograph track without --again first"));
     }
     return stored;
 }

@@ -6,6 +6,7 @@
 #include "core/capture/v4l2/internal/v4l2_pictures.h"
 #include "core/simulation/renderer.h"
 #include "core/video/jpeg.h"
+#include "tests/support/said_error.h"
 
 #include <linux/videodev2.h>
 
@@ -30,10 +31,12 @@ public:
     {
         const Nanoseconds time = fromSeconds(static_cast<double>(m_next) / m_description.framesPerSecond);
         if (!m_pace.waitUntil(time))
-            return fail(ErrorCode::Cancelled, m_description.uri, "it was stopped", "open it again");
+            return test::saidFailure(ErrorCode::Cancelled, m_description.uri, "it was stopped",
+                                     "open it again");
         auto picture = m_reader.read((*m_pictures)[m_next % m_pictures->size()]);
         if (!picture)
-            return fail(ErrorCode::Io, m_description.uri, "a picture is damaged", "look at how it was coded");
+            return test::saidFailure(ErrorCode::Io, m_description.uri, "a picture is damaged",
+                                     "look at how it was coded");
         CapturedFrame captured{std::move(picture->frame), m_next++, steadyNow(), std::move(picture->jpeg)};
         captured.frame.index = static_cast<std::int64_t>(captured.sequence);
         captured.frame.time = time;
@@ -72,7 +75,8 @@ std::unique_ptr<CameraSource> openJpegCamera(const std::string &uri, JpegPicture
     format.pixelformat = V4L2_PIX_FMT_MJPEG;
     format.width = static_cast<unsigned>(frame->width);
     format.height = static_cast<unsigned>(frame->height);
-    CameraDescription description{uri, "simulated", "webcam", frame->width, frame->height, framesPerSecond};
+    CameraDescription description{uri,          "simulated",   foreignWords("webcam"),
+                                  frame->width, frame->height, framesPerSecond};
     return std::make_unique<JpegCamera>(std::move(description), format, std::move(pictures));
 }
 

@@ -6,6 +6,7 @@
 #include "tests/benchmark/live/live_project.h"
 #include "tests/benchmark/live/live_rig.h"
 #include "tests/benchmark/live/live_scene_setup.h"
+#include "tests/support/said_error.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
@@ -73,8 +74,8 @@ Result<LiveMeasurement> measureGige(int widthPx, double framesPerSecond, double 
 {
     GigeServers servers(widthPx, framesPerSecond);
     if (!servers.isReady())
-        return fail(ErrorCode::Unavailable, "the simulated cameras", "they do not start",
-                    "see whether another program has their addresses");
+        return test::saidFailure(ErrorCode::Unavailable, "the simulated cameras", "they do not start",
+                                 "see whether another program has their addresses");
     Setup setup;
     for (std::size_t i = 0; i < setup.uris.size(); ++i)
         setup.uris[i] =

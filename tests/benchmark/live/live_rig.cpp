@@ -6,6 +6,7 @@
 #include "core/project/repositories.h"
 #include "core/video/video_reader.h"
 #include "tests/benchmark/cpu_clock.h"
+#include "tests/support/said_error.h"
 #include "ui/record/internal/chosen_cameras.h"
 #include "ui/record/internal/live_board.h"
 
@@ -125,8 +126,8 @@ Result<void> LiveRig::waitForCameras()
     if (m_failure)
         return tl::unexpected(*m_failure);
     if (!all)
-        return fail(ErrorCode::Unavailable, "the cameras", "no pictures within a minute",
-                    "see their own words");
+        return test::saidFailure(ErrorCode::Unavailable, "the cameras", "no pictures within a minute",
+                                 "see their own words");
     return {};
 }
 

@@ -2,6 +2,7 @@
 // What can be set at a GigE camera, and how its automatics are held.
 #include "tests/capture/aravis/frame_taker.h"
 #include "tests/support/registered_test.h"
+#include "tests/support/said_error.h"
 
 using namespace odo;
 using namespace odo::test;
@@ -138,7 +139,7 @@ private Q_SLOTS:
         QTRY_VERIFY(taker.count() > 5);
         camera.reset();
         QTRY_VERIFY(taker.said("it does not answer"));
-        QCOMPARE(source->holdAutomatics(), std::vector<std::string>{"Exposure and gain"});
+        QCOMPARE(test::english(source->holdAutomatics()), std::vector<std::string>{"Exposure and gain"});
         camera = std::make_unique<SimulatedGigeCamera>(settings, codedPainter());
         QTRY_VERIFY_WITH_TIMEOUT(camera->read(reg::ExposureAuto) == 0u && camera->read(reg::GainAuto) == 0u,
                                  15000);

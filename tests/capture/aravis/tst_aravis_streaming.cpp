@@ -4,6 +4,7 @@
 #include "core/capture/aravis/internal/gvcp.h"
 #include "tests/capture/aravis/frame_taker.h"
 #include "tests/support/registered_test.h"
+#include "tests/support/said_error.h"
 
 #include <algorithm>
 
@@ -166,7 +167,8 @@ void TestAravisStreaming::shortPicturesAreRefusedAndSaidSo()
     QVERIFY(source->next());
     camera.cutRows = 40;
     Result<CapturedFrame> frame = source->next();
-    for (int i = 0; i < 100 && (frame || frame.error().why.find("incomplete") == std::string::npos); ++i) {
+    for (int i = 0; i < 100 && (frame || frame.error().why.english().find("incomplete") == std::string::npos);
+         ++i) {
         QVERIFY(!frame || frame->frame.format.height == 480);
         frame = source->next();
     }
@@ -200,9 +202,9 @@ void TestAravisStreaming::whatIsWantedIsSetAndReadBack()
     QCOMPARE(description.heightPx, 480);
     QCOMPARE(description.framesPerSecond, 50.0);
     QCOMPARE(description.kind, std::string("aravis"));
-    QCOMPARE(description.name, std::string("Odograph Simulated"));
+    QCOMPARE(description.name.english(), std::string("Odograph Simulated"));
     QCOMPARE(description.serial, std::string("SIM1"));
-    QCOMPARE(description.formats, std::vector<std::string>{"BayerRG8 640×480 at 50 frames/s"});
+    QCOMPARE(test::english(description.formats), std::vector<std::string>{"BayerRG8 640×480 at 50 frames/s"});
     const auto frames = take(*source, 5);
     QCOMPARE(frames.size(), std::size_t(5));
     QCOMPARE(frames.front().frame.format.width, 640);
@@ -271,7 +273,7 @@ void TestAravisStreaming::camerasAreFound()
     SimulatedGigeCamera b({.address = "127.31.1.13", .serial = "FOUND-B", .model = "Other"}, codedPainter());
     const auto source = opened("aravis:FOUND-B?rate=20");
     QVERIFY(source);
-    QCOMPARE(source->description().name, std::string("Odograph Other"));
+    QCOMPARE(source->description().name.english(), std::string("Odograph Other"));
     QCOMPARE(take(*source, 1).size(), std::size_t(1));
     const std::vector<CameraDescription> all = listCameras();
     const auto listed = [&](const std::string &uri) {
@@ -279,7 +281,7 @@ void TestAravisStreaming::camerasAreFound()
     };
     QVERIFY(listed("aravis:FOUND-A") != all.end());
     QCOMPARE(listed("aravis:FOUND-A")->kind, std::string("aravis"));
-    QCOMPARE(listed("aravis:FOUND-A")->name, std::string("Odograph Simulated"));
+    QCOMPARE(listed("aravis:FOUND-A")->name.english(), std::string("Odograph Simulated"));
     QVERIFY(!listed("aravis:FOUND-A")->busy);
     QVERIFY(listed("aravis:FOUND-B") != all.end());
     QVERIFY(listed("aravis:FOUND-B")->busy);

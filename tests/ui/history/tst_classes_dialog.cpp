@@ -203,7 +203,7 @@ void TestClassesDialog::anArchivedClassIsOutOfTheWay()
 
 void TestClassesDialog::onlyWhatWasDoneHereIsTakenBack()
 {
-    QVERIFY(m_project->change("star", [&] {
+    QVERIFY(m_project->change(foreignWords("star"), [&] {
         return m_project->trials().setStarred(m_project->trials().find("Trial 1")->id, true);
     }));
     OwnChanges own(*m_project);
@@ -213,9 +213,9 @@ void TestClassesDialog::onlyWhatWasDoneHereIsTakenBack()
             return m_project->classes().rename(m_project->classes().all()->front().id, name);
         };
     };
-    QVERIFY(own.make(QStringLiteral("nothing"), rename("9B"))->isEmpty()); // it has that name
+    QVERIFY(own.make(foreignWords("nothing"), rename("9B"))->isEmpty()); // it has that name
     QCOMPARE(own.undo().error().code, ErrorCode::NotFound);
-    QCOMPARE(*own.make(QStringLiteral("rename"), rename("9X")),
+    QCOMPARE(*own.make(foreignWords("rename"), rename("9X")),
              QStringLiteral("Done: rename. Ctrl+Z takes it back."));
     QCOMPARE(*own.undo(), QStringLiteral("Undone: rename."));
     QCOMPARE(m_project->classes().all()->front().name, std::string("9B"));

@@ -158,7 +158,7 @@ void TestHistoryPage::marksTakeEffectAndAreTakenBack()
 
     marks->star()->trigger();
     QVERIFY(project->trials().find("Trial 2")->starred);
-    QCOMPARE(project->undoWords(), std::string("star Trial 2"));
+    QCOMPARE(project->undoWords().english(), std::string("star Trial 2"));
     QCOMPARE(marks->star()->text(), QStringLiteral("Take the &star off"));
     QCOMPARE(changed.count(), 0); // nobody else shows stars
 
@@ -175,7 +175,7 @@ void TestHistoryPage::marksTakeEffectAndAreTakenBack()
     table->selectAll();
     marks->archive()->trigger();
     QCOMPARE(table->model()->rowCount(), 0);
-    QCOMPARE(project->undoWords(), std::string("archive 2 trials"));
+    QCOMPARE(project->undoWords().english(), std::string("archive 2 trials"));
 
     for (int i = 0; i < 3; ++i)
         QVERIFY(project->undo());

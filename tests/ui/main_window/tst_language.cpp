@@ -63,20 +63,20 @@ private:
 
 namespace {
 
-struct Message
+struct Entry
 {
     QString place, source;
     QStringList translations; ///< one a plural form
     bool isFinished = true, isCounted = false;
 };
 
-QList<Message> messagesOf(const QString &ts)
+QList<Entry> messagesOf(const QString &ts)
 {
     QFile file(ts);
     if (!file.open(QIODevice::ReadOnly))
         qFatal("%s cannot be read", qPrintable(ts));
     QXmlStreamReader reader(&file);
-    QList<Message> messages;
+    QList<Entry> messages;
     QString context;
     while (!reader.atEnd()) {
         if (reader.readNext() != QXmlStreamReader::StartElement)
@@ -85,7 +85,7 @@ QList<Message> messagesOf(const QString &ts)
         if (name == QLatin1String("name")) {
             context = reader.readElementText();
         } else if (name == QLatin1String("message")) {
-            messages << Message{
+            messages << Entry{
                 context, {}, {}, true, reader.attributes().hasAttribute(QLatin1String("numerus"))};
         } else if (name == QLatin1String("source")) {
             messages.last().source = reader.readElementText();
@@ -122,8 +122,14 @@ void TestLanguage::everyLanguageIsComplete()
                             files.last()));
     }
     const QString lupdate = QLibraryInfo::path(QLibraryInfo::BinariesPath) + QStringLiteral("/lupdate");
-    const QStringList scan{QStringLiteral("-silent"), QStringLiteral("-no-obsolete"), QStringLiteral("-I"),
-                           QStringLiteral("."), QStringLiteral("ui")};
+    const QStringList scan{QStringLiteral("-silent"),
+                           QStringLiteral("-no-obsolete"),
+                           QStringLiteral("-tr-function-alias"),
+                           QStringLiteral("QT_TRANSLATE_NOOP+=ODO_TEXT"),
+                           QStringLiteral("-I"),
+                           QStringLiteral("."),
+                           QStringLiteral("core"),
+                           QStringLiteral("ui")};
     for (const QStringList &one :
          {QStringList{QStringLiteral("-pluralonly"), QStringLiteral("-ts"), files.first()},
           QStringList{QStringLiteral("-ts")} + files.mid(1)}) {
@@ -135,7 +141,7 @@ void TestLanguage::everyLanguageIsComplete()
     }
     qsizetype counted = 0, missing = 0;
     for (const QString &file : files)
-        for (const Message &message : messagesOf(file)) {
+        for (const Entry &message : messagesOf(file)) {
             ++counted;
             if (!message.isFinished || message.translations.contains(QString())) {
                 ++missing;
@@ -169,8 +175,7 @@ void TestLanguage::placeholdersAndKeysAreKept()
     const QString measure = QStringLiteral("[0-9]\\.[0-9]+[ \u00a0](m|ms|σ|%)");
     const QString placeholder = QStringLiteral("%[0-9]"), key = QStringLiteral("&\\p{L}"),
                   pattern = QStringLiteral("\\*\\.\\w+");
-    for (const Message &message :
-         messagesOf(m_root + QStringLiteral("/translations/odograph_%1.ts").arg(code)))
+    for (const Entry &message : messagesOf(m_root + QStringLiteral("/translations/odograph_%1.ts").arg(code)))
         for (const QString &translation : message.translations) {
             const QString words =
                 message.place + QStringLiteral(": ") + message.source + QStringLiteral(" → ") + translation;

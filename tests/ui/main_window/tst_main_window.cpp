@@ -47,11 +47,11 @@ public:
     Result<void> prepare(Project &) override { return {}; }
     Result<void> run(const JobControl &control) override
     {
-        control.report(0.25, "a quarter");
+        control.report(0.25, foreignWords("a quarter"));
         while (!control.isCancelled())
             if (m_released.try_acquire_for(std::chrono::milliseconds(20)))
                 return {};
-        return cancelled("waiting");
+        return cancelled(foreignWords("waiting"));
     }
     Result<void> commit(Project &) override
     {
@@ -232,10 +232,10 @@ void TestMainWindow::showsProgressAndCancels()
     auto *indicator = window.findChild<JobIndicator *>();
     QVERIFY(!indicator->isVisible());
     const auto job = std::make_shared<WaitingJob>();
-    QVERIFY(window.workspace().start(job, QStringLiteral("Waiting"), nullptr));
+    QVERIFY(window.workspace().start(job, foreignWords("Waiting"), nullptr));
     QVERIFY(indicator->isVisible());
     QTRY_COMPARE(indicator->text(), QStringLiteral("a quarter"));
-    QVERIFY2(!window.workspace().start(std::make_shared<WaitingJob>(), QStringLiteral("Another"), nullptr),
+    QVERIFY2(!window.workspace().start(std::make_shared<WaitingJob>(), foreignWords("Another"), nullptr),
              "one job at a time");
     QVERIFY2(!window.openProject(m_project), "no other project while a job runs");
     QSignalSpy failed(&window.workspace(), &Workspace::jobFailed);
@@ -252,7 +252,7 @@ void TestMainWindow::finishesAJob()
     QVERIFY(window.openProject(m_project));
     const auto job = std::make_shared<WaitingJob>();
     bool done = false;
-    QVERIFY(window.workspace().start(job, QStringLiteral("Waiting"), [&done] { done = true; }));
+    QVERIFY(window.workspace().start(job, foreignWords("Waiting"), [&done] { done = true; }));
     job->release();
     QTRY_VERIFY(done);
     QVERIFY(job->committed);

@@ -201,7 +201,7 @@ private Q_SLOTS:
                     return tl::unexpected(project.error());
                 return made;
             },
-            QStringLiteral("Making a project")));
+            foreignWords("Making a project")));
         QTRY_COMPARE(failed.count(), 1);
         QTRY_COMPARE(window.findChild<MessageBar *>()->text(),
                      QStringLiteral("“made.odo” was written before you cancelled. It was not opened."));

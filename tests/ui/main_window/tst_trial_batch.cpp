@@ -29,10 +29,19 @@ public:
     {
         while (!control.isCancelled())
             std::this_thread::yield();
-        return cancelled("endless work");
+        return cancelled(foreignWords("endless work"));
     }
     Result<void> commit(Project &) override { return {}; }
 };
+
+/// What the end of a batch said went wrong.
+QStringList lines(const QSignalSpy &ended)
+{
+    QStringList all;
+    for (const Error &each : ended.front().at(2).value<std::vector<odo::Error>>())
+        all << QString::fromStdString(each.message());
+    return all;
+}
 
 } // namespace
 
@@ -60,15 +69,14 @@ private Q_SLOTS:
             return std::make_shared<ExportJob>(trial, target.path().toStdString(), CsvStyle::Analysis);
         };
         QVERIFY(batch.start({QStringLiteral("Trial 1"), QStringLiteral("Trial 3"), QStringLiteral("Trial 2")},
-                            {QStringLiteral("Exporting %1 (%2 of %3)"), make, {}}));
+                            {&ODO_TEXT("test.exporting", "Exporting %1 (%2 of %3)"), make, {}}));
         QVERIFY(batch.isRunning());
-        QVERIFY(!batch.start({QStringLiteral("Trial 1")}, {{}, make, {}}));
+        QVERIFY(!batch.start({QStringLiteral("Trial 1")}, {nullptr, make, {}}));
         QTRY_COMPARE(ended.count(), 1);
         QCOMPARE(ended.front().at(0).toInt(), 2);
         QCOMPARE(ended.front().at(1).toInt(), 3);
-        QCOMPARE(
-            ended.front().at(2).toStringList(),
-            QStringList{QStringLiteral("export of 'Trial 3': it has not been tracked yet; track it first")});
+        QCOMPARE(lines(ended), QStringList{QStringLiteral(
+                                   "export of 'Trial 3': it has not been tracked yet; track it first")});
         QCOMPARE(begun.at(1).front().toString(), QStringLiteral("Exporting Trial 3 (2 of 3)"));
         QCOMPARE(QDir(target.path()).entryList(QDir::Files).size(), 3);
         QVERIFY(!batch.isRunning());
@@ -82,12 +90,11 @@ private Q_SLOTS:
         QSignalSpy ended(&batch, &TrialBatch::ended);
         QVERIFY(batch.start(
             {QStringLiteral("Trial 1")},
-            {QStringLiteral("%1 %2 %3"),
+            {&ODO_TEXT("test.again", "%1 %2 %3"),
              [](const std::string &name) { return std::make_shared<ReprocessJob>(name); },
              [](Project &project, Job &job) { return static_cast<ReprocessJob &>(job).keep(project); }}));
         QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, 60'000);
-        QVERIFY2(ended.front().at(2).toStringList().isEmpty(),
-                 qPrintable(ended.front().at(2).toStringList().join(u';')));
+        QVERIFY2(lines(ended).isEmpty(), qPrintable(lines(ended).join(u';')));
         QVERIFY(m_workspace->project()->analyses().currentMetrics(trial)->front().id > before);
     }
 
@@ -97,11 +104,11 @@ private Q_SLOTS:
         QSignalSpy ended(&batch, &TrialBatch::ended);
         const auto make = [](const std::string &) { return std::make_shared<EndlessJob>(); };
         QVERIFY(batch.start({QStringLiteral("Trial 1"), QStringLiteral("Trial 2")},
-                            {QStringLiteral("%1 %2 %3"), make, {}}));
+                            {&ODO_TEXT("test.endless", "%1 %2 %3"), make, {}}));
         m_workspace->cancel();
         QTRY_COMPARE(ended.count(), 1);
         QCOMPARE(ended.front().at(0).toInt(), 0);
-        QVERIFY(ended.front().at(2).toStringList().isEmpty());
+        QVERIFY(lines(ended).isEmpty());
         QVERIFY(!m_workspace->isBusy());
     }
 

@@ -75,7 +75,7 @@ private:
                 return QApplication::quit();
             }
             const std::string name = deed.toStdString();
-            const auto done = project().change("add team " + name, [&]() -> Result<void> {
+            const auto done = project().change(foreignWords("add team " + name), [&]() -> Result<void> {
                 const auto team = project().teams().add({0, name, ""});
                 return team ? Result<void>() : tl::unexpected(team.error());
             });

@@ -153,7 +153,8 @@ private:
         Project &project = *window.workspace().project();
         const auto trial = project.trials().find("Run 800");
         QVERIFY(trial);
-        QVERIFY(project.change("star Run 800", [&] { return project.trials().setStarred(trial->id, true); }));
+        QVERIFY(project.change(foreignWords("star Run 800"),
+                               [&] { return project.trials().setStarred(trial->id, true); }));
         for (const QMenu *menu : window.menuBar()->findChildren<QMenu *>())
             if (menu->title() == QLatin1String("&Edit"))
                 menu->actions().front()->trigger();

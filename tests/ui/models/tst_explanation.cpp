@@ -102,7 +102,7 @@ private Q_SLOTS:
             QVERIFY(explanation.formula.contains(isRejected(spike.flags)
                                                      ? QStringLiteral("not used for the curve")
                                                      : QStringLiteral("used for the curve nevertheless")));
-            QCOMPARE(explanation.value, QString::fromStdString(spike.reason));
+            QCOMPARE(explanation.value, QString::fromStdString(spike.reason.english()));
         }
     }
     void disagreementIsCountedAndExplained()

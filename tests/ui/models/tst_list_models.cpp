@@ -57,7 +57,7 @@ CameraRow cameraRow(const char *name, std::optional<double> rmsM)
     if (rmsM) {
         row.registration.emplace();
         row.registration->registration.rmsM = *rmsM;
-        row.registration->registration.verdict = "Good <b>";
+        row.registration->registration.verdict = foreignWords("Good <b>");
     }
     return row;
 }
@@ -321,24 +321,6 @@ private Q_SLOTS:
         QCOMPARE(model.index(1, TrialModel::TeamColumn).data().toString(), QStringLiteral("Team Four"));
         showPseudonyms(false);
     }
-    void errorsNameTeamsAsTheyAreShown()
-    {
-        const std::vector<TeamRecord> teams{{1, "Anna and Ben", "9B", "Team 4", {"Anna", "Ben"}},
-                                            {2, "Owl", "9B"}};
-        const Error error{ErrorCode::InvalidInput, "team 'Anna and Ben'",
-                          "'Anna' is there twice, as in 'Owl'", "rename 'Ben'"};
-        const auto words = [&error](const std::vector<TeamRecord> &known) {
-            const Error shown = shownError(error, known);
-            return QString::fromStdString(shown.what + "|" + shown.why + "|" + shown.advice);
-        };
-        const QString told =
-            QStringLiteral("team 'Anna and Ben'|'Anna' is there twice, as in 'Owl'|rename 'Ben'");
-        QCOMPARE(words(teams), told);
-        showPseudonyms(true);
-        QCOMPARE(words(teams), QString::fromUtf8("team 'Team 4'|'…' is there twice, as in 'Owl'|rename '…'"));
-        QCOMPARE(words({}), told);
-        showPseudonyms(false);
-    }
     void scoresAreSortedAndExplained()
     {
         TrialModel model;
@@ -365,8 +347,8 @@ private Q_SLOTS:
     }
     void changesAreLookedThrough()
     {
-        ChangeModel model({{Instant(), ChangeEntry::Kind::Undone, "star Trial 2"},
-                           {Instant(), ChangeEntry::Kind::Made, "add robot Red"}});
+        ChangeModel model({{Instant(), ChangeEntry::Kind::Undone, foreignWords("star Trial 2")},
+                           {Instant(), ChangeEntry::Kind::Made, foreignWords("add robot Red")}});
         QAbstractItemModelTester tester(&model, strict);
         QCOMPARE(model.rowCount(), 2);
         QCOMPARE(model.index(0, ChangeModel::KindColumn).data().toString(), QStringLiteral("undone"));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/project.h"
 #include "tests/support/registered_test.h"
+#include "tests/support/said_error.h"
 #include "ui/models/background_task.h"
 
 #include <QCoreApplication>
@@ -54,8 +55,9 @@ private Q_SLOTS:
 
     void tellsWhatWentWrong()
     {
-        const auto failed = read<int>(
-            [](Project &) -> Result<int> { return fail(ErrorCode::Undetermined, "what", "why", "advice"); });
+        const auto failed = read<int>([](Project &) -> Result<int> {
+            return test::saidFailure(ErrorCode::Undetermined, "what", "why", "advice");
+        });
         QCOMPARE(failed.error().code, ErrorCode::Undetermined);
     }
 
@@ -113,7 +115,7 @@ private:
         std::optional<Result<Value>> told;
         reader.read<Value>(std::move(what), [&](Result<Value> value) { told = std::move(value); });
         if (!QTest::qWaitFor([&] { return told.has_value(); }))
-            return fail(ErrorCode::Internal, "test", "nothing was told", "");
+            return test::saidFailure(ErrorCode::Internal, "test", "nothing was told", "");
         return *told;
     }
 

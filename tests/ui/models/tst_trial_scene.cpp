@@ -25,7 +25,7 @@ class TestTrialScene : public QObject
         const RecordId camera = m_project->cameras().add({0, view.camera, {}}).value().id;
         IntrinsicsRecord intrinsics;
         intrinsics.camera = camera;
-        intrinsics.origin = "imported from A.yaml";
+        intrinsics.origin = foreignWords("imported from A.yaml");
         intrinsics.calibration.intrinsics = view.floorView->camera().intrinsics();
         intrinsics = m_project->cameras().addIntrinsics(intrinsics).value();
         RegistrationRecord record;

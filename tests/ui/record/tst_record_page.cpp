@@ -5,6 +5,7 @@
 #include "core/project/repositories.h"
 #include "tests/support/datagram_receiver.h"
 #include "tests/support/registered_test.h"
+#include "tests/support/said_error.h"
 #include "tests/ui/support/busy_watch.h"
 #include "tests/ui/support/circle_lesson.h"
 #include "tests/ui/support/person.h"
@@ -339,8 +340,8 @@ void TestRecordPage::theOthersRunWithoutACameraThatCannotBeOpened()
     CameraAccess access = simulatedCameras();
     access.open = [isThere](const std::string &uri) -> Result<std::unique_ptr<CameraSource>> {
         if (uri == "sim:A" && !*isThere)
-            return fail(ErrorCode::Unavailable, "camera " + uri, "another program uses it",
-                        "close that program");
+            return test::saidFailure(ErrorCode::Unavailable, "camera " + uri, "another program uses it",
+                                     "close that program");
         return openCamera(uri);
     };
     show(false, access);
@@ -368,7 +369,8 @@ void TestRecordPage::withoutAnyPictureNothingIsRecorded()
 {
     CameraAccess access = simulatedCameras();
     access.open = [](const std::string &uri) -> Result<std::unique_ptr<CameraSource>> {
-        return fail(ErrorCode::Unavailable, "camera " + uri, "it was unplugged", "plug it in again");
+        return test::saidFailure(ErrorCode::Unavailable, "camera " + uri, "it was unplugged",
+                                 "plug it in again");
     };
     show(false, access);
     QTRY_COMPARE_WITH_TIMEOUT(part<StartCard>()->words(), QStringLiteral("No camera sends pictures"),
@@ -405,7 +407,7 @@ void TestRecordPage::whatCannotBeginIsTold()
     QSignalSpy failed(m_page.get(), &RecordPage::failed);
     button()->click();
     QTRY_COMPARE_WITH_TIMEOUT(failed.size(), 1, startMs);
-    QVERIFY(failed.front().front().value<Error>().why.find("is being recorded into it just now") !=
+    QVERIFY(failed.front().front().value<Error>().why.english().find("is being recorded into it just now") !=
             std::string::npos);
     QVERIFY(!m_page->isRecording());
     QVERIFY(trials().empty());

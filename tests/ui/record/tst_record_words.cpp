@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/registered_test.h"
+#include "tests/support/said_error.h"
 #include "ui/record/internal/camera_choice.h"
 #include "ui/record/internal/health_words.h"
 
@@ -27,7 +28,8 @@ ViewHealth delivering()
     return view;
 }
 
-const Error gone{ErrorCode::Unavailable, "camera v4l2:/dev/video0", "it was unplugged", "plug it in again"};
+const Error gone = test::saidError(ErrorCode::Unavailable, "camera v4l2:/dev/video0", "it was unplugged",
+                                   "plug it in again");
 
 } // namespace
 
@@ -129,7 +131,9 @@ void TestRecordWords::tellsTheWorstTrouble()
     health.views[1].trouble = Trouble{gone, {}};
     QCOMPARE(troubleWords(health, cameras),
              QStringLiteral("Camera B: camera v4l2:/dev/video0: it was unplugged; plug it in again."));
-    health.disk.trouble = Trouble{{ErrorCode::Io, "recording", "the disk is full", "make room"}, {}};
+    health.disk.trouble = Trouble{{ErrorCode::Io, foreignWords("recording"), foreignWords("the disk is full"),
+                                   foreignWords("make room")},
+                                  {}};
     QCOMPARE(troubleWords(health, cameras),
              QStringLiteral("Recording: recording: the disk is full; make room."));
 }

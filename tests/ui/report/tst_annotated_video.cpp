@@ -136,9 +136,8 @@ private Q_SLOTS:
     {
         AnnotatedVideoJob job("Trial 1", settings());
         std::vector<double> reported;
-        const auto made =
-            runToEnd(job, *m_project,
-                     {{}, [&](double fraction, const std::string &) { reported.push_back(fraction); }});
+        const auto made = runToEnd(
+            job, *m_project, {{}, [&](double fraction, const Message &) { reported.push_back(fraction); }});
         QVERIFY2(made, made ? "" : made.error().message().c_str());
         QCOMPARE(left(), QStringList{QStringLiteral("run.mp4")});
         QCOMPARE(job.pictureCount(), 30);
@@ -289,7 +288,7 @@ private Q_SLOTS:
         std::ofstream(file()) << "....ftyp an older video";
         AnnotatedVideoJob job("Trial 1", settings());
         const CancelToken cancel;
-        const auto made = runToEnd(job, *m_project, {cancel, [&cancel](double fraction, const std::string &) {
+        const auto made = runToEnd(job, *m_project, {cancel, [&cancel](double fraction, const Message &) {
                                                          if (fraction > 0.5)
                                                              cancel.cancel();
                                                      }});

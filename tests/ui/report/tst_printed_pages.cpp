@@ -63,8 +63,8 @@ private Q_SLOTS:
         const auto added = pages.add(page(QStringLiteral("word"), false));
         QVERIFY(!added);
         QCOMPARE(added.error().code, ErrorCode::Io);
-        QCOMPARE(added.error().why, std::string("it cannot be reached"));
-        QCOMPARE(added.error().advice,
+        QCOMPARE(added.error().why.english(), std::string("it cannot be reached"));
+        QCOMPARE(added.error().advice.english(),
                  std::string("look at the printer and its queue, or save the report as PDF"));
     }
 

@@ -46,7 +46,9 @@ private Q_SLOTS:
         const QString file = path("trials.pdf");
         QStringList told;
         JobControl control;
-        control.progress = [&told](double, const std::string &text) { told << QString::fromStdString(text); };
+        control.progress = [&told](double, const Message &text) {
+            told << QString::fromStdString(text.english());
+        };
         const auto written = write(trialReports({"Trial 2", "Trial 1"}, {}), file, control);
         QVERIFY2(written.has_value(), written ? "" : written.error().message().c_str());
         QCOMPARE(told, (QStringList{QStringLiteral("Trial 2"), QStringLiteral("Trial 1")}));
@@ -86,7 +88,7 @@ private Q_SLOTS:
     {
         const QString file = path("cancelled.pdf");
         JobControl control;
-        control.progress = [&control](double fraction, const std::string &) {
+        control.progress = [&control](double fraction, const Message &) {
             if (fraction > 0)
                 control.cancel.cancel();
         };

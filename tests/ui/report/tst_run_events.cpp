@@ -40,8 +40,8 @@ Profile straightRun()
 void addSpikes(Profile &profile, const std::vector<std::int64_t> &at)
 {
     for (const std::int64_t index : at)
-        profile.spikes.push_back(
-            {index, profile.samples[std::size_t(index)].time, flagBit(SampleFlag::Jump), "off by 80 mm"});
+        profile.spikes.push_back({index, profile.samples[std::size_t(index)].time, flagBit(SampleFlag::Jump),
+                                  foreignWords("off by 80 mm")});
 }
 
 } // namespace

@@ -105,9 +105,10 @@ private Q_SLOTS:
     {
         const auto scene = exampleCopy();
         Profile &profile = scene->robots.front().analysis->profile;
-        profile.spikes = {{.sampleIndex = 40,
-                           .time = profile.samples[40].time,
-                           .reason = "views disagree by 25 mm, none could be trusted, jump of 112 mm"}};
+        profile.spikes = {
+            {.sampleIndex = 40,
+             .time = profile.samples[40].time,
+             .reason = foreignWords("views disagree by 25 mm, none could be trusted, jump of 112 mm")}};
         const QString text = printedText(printed(trialPages(contentOf(scene), {}))).simplified();
         for (const char *words : {"Spike: views disagree by 25 mm,", "jump of 112 mm", "Remarks"})
             QVERIFY2(text.contains(QString::fromUtf8(words)),

@@ -143,7 +143,7 @@ Profile exampleProfile(const std::vector<Nanoseconds> &times, int robot)
         const auto index = static_cast<std::size_t>(part * double(times.size()));
         profile.samples[index].flags = flags;
         *profile.samples[index].position += Eigen::Vector2d(0.06, 0.05);
-        profile.spikes.push_back({std::int64_t(index), times[index], flags, reason});
+        profile.spikes.push_back({std::int64_t(index), times[index], flags, foreignWords(reason)});
     };
     if (robot == 0) {
         spike(0.33, flagBit(SampleFlag::ViewsDisagree), "views disagree by 84 mm");

@@ -129,8 +129,8 @@ QString PseudoWords::translate(const char *context, const char *source, const ch
 {
     static const QRegularExpression placeholder(QStringLiteral("%([1-9])"));
     QString words = QString::fromUtf8(source);
-    // What a pattern of core's sentences holds is known by itself, or a name.
-    if (qstrcmp(context, "CoreWords") == 0)
+    // The context of a message is its code. What it holds is known by itself, or a name.
+    if (QByteArrayView(context).contains('.'))
         words.replace(placeholder, closing + QStringLiteral("%\\1") + opening);
     const QString ellipsis = words.endsWith(u'…') ? QStringLiteral("…") : QString();
     return opening + words.chopped(ellipsis.size()) + closing + ellipsis;

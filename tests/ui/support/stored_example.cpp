@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/support/stored_example.h"
+#include "tests/support/said_error.h"
 
 #include "core/project/project.h"
 #include "core/project/repositories.h"
@@ -43,7 +44,7 @@ void storeTestbed(Stored &stored, const TrialScene &scene)
         IntrinsicsRecord intrinsics;
         intrinsics.camera = camera;
         intrinsics.made = firstDay;
-        intrinsics.origin = "calibrated from 3 pictures";
+        intrinsics.origin = foreignWords("calibrated from 3 pictures");
         intrinsics.calibration.intrinsics = view.floorView->camera().intrinsics();
         intrinsics.calibration.rmsPx = 0.21;
         for (int i = 1; i <= 3; ++i) {
@@ -51,8 +52,9 @@ void storeTestbed(Stored &stored, const TrialScene &scene)
             intrinsics.calibration.pictures.back().view.source = "board_" + std::to_string(i) + ".png";
             intrinsics.calibration.pictures.back().rmsPx = 0.19 + 0.01 * i;
         }
-        intrinsics.calibration.verdict = "Good: 3 pictures fit to 0.21 px, focal length 480.0 px ± 0.20 %. "
-                                         "Standard lens: no other model fits.";
+        intrinsics.calibration.verdict =
+            foreignWords("Good: 3 pictures fit to 0.21 px, focal length 480.0 px ± 0.20 %. "
+                         "Standard lens: no other model fits.");
         RegistrationRecord registration;
         registration.camera = camera;
         registration.layout = stored.layout;
@@ -67,8 +69,9 @@ void storeTestbed(Stored &stored, const TrialScene &scene)
         registration.registration.poseCovariance = Eigen::Matrix<double, 6, 6>::Identity() * 1e-8;
         registration.registration.rmsPx = 0.4;
         registration.registration.rmsM = 0.0016;
-        registration.registration.verdict = "Good: 4 markers fit to 1.6 mm RMS (worst V, 1.6 mm), and the "
-                                            "floor among them is known to ±1.6 mm.";
+        registration.registration.verdict =
+            foreignWords("Good: 4 markers fit to 1.6 mm RMS (worst V, 1.6 mm), and the "
+                         "floor among them is known to ±1.6 mm.");
         stored.registrations.push_back(must(project.cameras().addRegistration(registration)).id);
         stored.cameras.push_back(camera);
     }
@@ -156,7 +159,7 @@ Result<std::filesystem::path> storeExample(const std::filesystem::path &folder,
     try {
         storeAll(folder, file, options);
     } catch (const std::exception &error) {
-        return fail(ErrorCode::Internal, "example project", error.what(), "mend the example");
+        return test::saidFailure(ErrorCode::Internal, "example project", error.what(), "mend the example");
     }
     return file;
 }

@@ -81,7 +81,7 @@ void TestTestbedPage::warnsAndShowsWhatHasMoved()
     const RecordId registration = project->cameras().currentRegistration(camera->id).value()->id;
     QVERIFY(project->cameras().addCheck(registration, {Instant(std::chrono::milliseconds(1'762'952'400'000)),
                                                        RegistrationCheck::Outcome::CameraMoved, 6, 0.014,
-                                                       "B has moved 6 px = 14 mm."}));
+                                                       foreignWords("B has moved 6 px = 14 mm.")}));
     TestbedPage page(*project);
     page.refresh();
     auto *table = page.findChild<QTableView *>();

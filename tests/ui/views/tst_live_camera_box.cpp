@@ -25,9 +25,12 @@ private Q_SLOTS:
         QCOMPARE(box.currentText(), QStringLiteral("Looking for cameras…"));
         QVERIFY(box.uri().isEmpty());
         QSignalSpy chosen(&box, &QComboBox::currentIndexChanged);
-        found.set_value(
-            {{.uri = "sim:A", .kind = "simulated", .name = "One", .widthPx = 640, .heightPx = 480},
-             {.uri = "sim:B", .kind = "simulated", .name = "Two"}});
+        found.set_value({{.uri = "sim:A",
+                          .kind = "simulated",
+                          .name = foreignWords("One"),
+                          .widthPx = 640,
+                          .heightPx = 480},
+                         {.uri = "sim:B", .kind = "simulated", .name = foreignWords("Two")}});
         QTRY_COMPARE(box.count(), 2);
         QCOMPARE(box.currentText(), QStringLiteral("One, 640×480"));
         QCOMPARE(box.uri(), QStringLiteral("sim:A"));
@@ -35,14 +38,15 @@ private Q_SLOTS:
     }
     void keepsWhatIsChosenWhileItIsThere()
     {
-        std::vector<CameraDescription> there{{.uri = "sim:A", .kind = "simulated", .name = "One"},
-                                             {.uri = "sim:B", .kind = "simulated", .name = "Two"}};
+        std::vector<CameraDescription> there{
+            {.uri = "sim:A", .kind = "simulated", .name = foreignWords("One")},
+            {.uri = "sim:B", .kind = "simulated", .name = foreignWords("Two")}};
         LiveCameras cameras([&] { return there; });
         LiveCameraBox box(cameras);
         cameras.look();
         QTRY_COMPARE(box.count(), 2);
         box.setCurrentIndex(1);
-        there.insert(there.begin(), {.uri = "sim:C", .kind = "simulated", .name = "Three"});
+        there.insert(there.begin(), {.uri = "sim:C", .kind = "simulated", .name = foreignWords("Three")});
         cameras.look();
         QTRY_COMPARE(box.count(), 3);
         QCOMPARE(box.uri(), QStringLiteral("sim:B"));

@@ -15,6 +15,16 @@
 
 namespace odo {
 
+namespace {
+
+const MessageText &starWords(bool starred)
+{
+    return starred ? ODO_TEXT("ui.star_trial", "star %1")
+                   : ODO_TEXT("ui.unstar_trial", "take the star off %1");
+}
+
+} // namespace
+
 MarkActions::MarkActions(Project &project, QWidget &window)
     : QObject(&window), m_project(project), m_window(window),
       m_star(new QAction(themeIcon(QStringLiteral("star")), tr("&Star"), this)),
@@ -33,8 +43,9 @@ MarkActions::MarkActions(Project &project, QWidget &window)
     connect(m_star, &QAction::triggered, this, [this] {
         const bool to = !std::ranges::all_of(m_trials, &TrialRecord::starred);
         change(
-            to ? tr("star %1") : tr("take the star off %1"),
-            to ? tr("star %1 trials") : tr("take the star off %1 trials"),
+            starWords(to),
+            to ? ODO_TEXT("ui.star_trials", "star %1 trials")
+               : ODO_TEXT("ui.unstar_trials", "take the star off %1 trials"),
             [](Project &changed, const TrialRecord &trial, bool starred) {
                 return changed.trials().setStarred(trial.id, starred);
             },
@@ -44,8 +55,10 @@ MarkActions::MarkActions(Project &project, QWidget &window)
         const bool to = !std::ranges::all_of(
             m_trials, [](const TrialRecord &trial) { return trial.archived.has_value(); });
         change(
-            to ? tr("archive %1") : tr("take %1 out of the archive"),
-            to ? tr("archive %1 trials") : tr("take %1 trials out of the archive"),
+            to ? ODO_TEXT("ui.archive_trial", "archive %1")
+               : ODO_TEXT("ui.unarchive_trial", "take %1 out of the archive"),
+            to ? ODO_TEXT("ui.archive_trials", "archive %1 trials")
+               : ODO_TEXT("ui.unarchive_trials", "take %1 trials out of the archive"),
             [](Project &changed, const TrialRecord &trial, bool archived) {
                 return changed.trials().setArchived(trial.id, archived);
             },
@@ -54,8 +67,10 @@ MarkActions::MarkActions(Project &project, QWidget &window)
     connect(m_bin, &QAction::triggered, this, [this] {
         const bool to = !m_binShown;
         change(
-            to ? tr("delete %1") : tr("take %1 out of the bin"),
-            to ? tr("delete %1 trials") : tr("take %1 trials out of the bin"),
+            to ? ODO_TEXT("ui.delete_trial", "delete %1")
+               : ODO_TEXT("ui.undelete_trial", "take %1 out of the bin"),
+            to ? ODO_TEXT("ui.delete_trials", "delete %1 trials")
+               : ODO_TEXT("ui.undelete_trials", "take %1 trials out of the bin"),
             [](Project &changed, const TrialRecord &trial, bool binned) {
                 return changed.trials().setBinned(trial.id, binned);
             },
@@ -102,15 +117,14 @@ void MarkActions::updateActions()
     m_empty->setVisible(m_binShown);
 }
 
-void MarkActions::change(const QString &words, const QString &wordsOfMany, Mark mark, bool to)
+void MarkActions::change(const MessageText &words, const MessageText &wordsOfMany, Mark mark, bool to)
 {
     if (m_trials.empty())
         return;
-    const QString told = m_trials.size() == 1
-                             ? words.arg(QString::fromStdString(m_trials.front().name))
-                             : wordsOfMany.arg(QLocale().toString(qulonglong(m_trials.size())));
+    const Message told =
+        m_trials.size() == 1 ? words(Named::trial(m_trials.front().name)) : wordsOfMany(m_trials.size());
     const std::vector<TrialRecord> trials = m_trials; // the signal changes what is selected
-    const Result<void> done = m_project.change(told.toStdString(), [&]() -> Result<void> {
+    const Result<void> done = m_project.change(told, [&]() -> Result<void> {
         for (const TrialRecord &trial : trials)
             if (auto marked = mark(m_project, trial, to); !marked)
                 return marked;
@@ -133,10 +147,8 @@ void MarkActions::setStarred(RecordId trial, bool starred)
         Q_EMIT failed(record.error());
         return;
     }
-    const QString words =
-        (starred ? tr("star %1") : tr("take the star off %1")).arg(QString::fromStdString(record->name));
-    const Result<void> done =
-        m_project.change(words.toStdString(), [&] { return m_project.trials().setStarred(trial, starred); });
+    const Result<void> done = m_project.change(starWords(starred)(Named::trial(record->name)),
+                                               [&] { return m_project.trials().setStarred(trial, starred); });
     if (done)
         Q_EMIT marked({qint64(trial)});
     else
@@ -153,9 +165,9 @@ void MarkActions::setTags(RecordId trial, const QStringList &tags)
     std::vector<std::string> names;
     for (const QString &tag : tags)
         names.push_back(tag.toStdString());
-    const QString words = tr("change the tags of %1").arg(QString::fromStdString(record->name));
     const Result<void> done =
-        m_project.change(words.toStdString(), [&] { return m_project.trials().setTags(trial, names); });
+        m_project.change(ODO_TEXT("ui.change_tags", "change the tags of %1")(Named::trial(record->name)),
+                         [&] { return m_project.trials().setTags(trial, names); });
     if (done)
         Q_EMIT marked({qint64(trial)});
     else

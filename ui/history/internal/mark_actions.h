@@ -49,7 +49,7 @@ Q_SIGNALS:
 
 private:
     using Mark = Result<void> (*)(Project &, const TrialRecord &, bool);
-    void change(const QString &words, const QString &wordsOfMany, Mark mark, bool to);
+    void change(const MessageText &words, const MessageText &wordsOfMany, Mark mark, bool to);
     void askToEmpty();
     void updateActions();
 

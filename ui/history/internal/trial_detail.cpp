@@ -160,9 +160,9 @@ void TrialDetail::saveNotes()
     const QString notes = m_notes->toPlainText();
     if (m_trial == 0 || notes == m_savedNotes)
         return;
-    const Result<void> saved = m_project.change(tr("write notes of %1").arg(m_name).toStdString(), [&] {
-        return m_project.trials().setNotes(m_trial, notes.toStdString());
-    });
+    const Result<void> saved =
+        m_project.change(ODO_TEXT("ui.write_notes", "write notes of %1")(Named::trial(m_name.toStdString())),
+                         [&] { return m_project.trials().setNotes(m_trial, notes.toStdString()); });
     if (!saved) {
         Q_EMIT failed(saved.error());
         return;

@@ -13,7 +13,8 @@
 #include "ui/main_window/internal/robots_dialog.h"
 #include "ui/main_window/internal/trial_export.h"
 #include "ui/main_window/workspace.h"
-#include "ui/models/core_words.h"
+#include "ui/models/shared_messages.h"
+#include "ui/models/shown_message.h"
 #include "ui/testbed/tasks/tasks_dialog.h"
 #include "ui/views/widgets/command_keys.h"
 #include "ui/views/widgets/path_field.h"
@@ -24,6 +25,7 @@
 #include <QMenu>
 #include <QStandardPaths>
 #include <QWidget>
+#include <ranges>
 
 namespace odo {
 
@@ -143,11 +145,12 @@ void HistoryActions::exportTrials(const QStringList &trials)
         QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation));
     if (folder.isEmpty())
         return;
-    m_doneWords = tr("Exported trials: %1 of %2.");
+    m_doneWords = &ODO_TEXT("ui.exported_trials", "Exported trials: %1 of %2");
     const auto make = [path = pathOf(folder)](const std::string &trial) {
         return std::make_shared<ExportJob>(trial, path, CsvStyle::Analysis);
     };
-    if (const Result<void> started = m_batch->start(trials, {tr("Exporting %1 (%2 of %3)"), make, {}});
+    if (const Result<void> started =
+            m_batch->start(trials, {&ODO_TEXT("ui.exporting", "Exporting %1 (%2 of %3)"), make, {}});
         !started)
         Q_EMIT failed(started.error());
 }
@@ -162,27 +165,27 @@ void HistoryActions::exportVideos(const QStringList &trials)
         &m_window, title, QStandardPaths::writableLocation(QStandardPaths::MoviesLocation));
     if (folder.isEmpty())
         return;
-    m_doneWords = tr("Videos made: %1 of %2.");
+    m_doneWords = &ODO_TEXT("ui.videos_made", "Videos made: %1 of %2");
     const auto make = [path = pathOf(folder), settings = dialog.settings()](const std::string &trial) {
         AnnotatedVideoSettings own = settings;
         own.target = {path / (fileNameOf(trial) + ".mp4"), Existing::Refuse};
         return std::make_shared<AnnotatedVideoJob>(trial, own);
     };
-    if (const Result<void> started =
-            m_batch->start(trials, {tr("Making the video of %1 (%2 of %3)"), make, {}});
+    if (const Result<void> started = m_batch->start(
+            trials, {&ODO_TEXT("ui.making_videos", "Making the video of %1 (%2 of %3)"), make, {}});
         !started)
         Q_EMIT failed(started.error());
 }
 
 void HistoryActions::reprocessTrials(const QStringList &trials)
 {
-    m_doneWords = tr("Trials measured again: %1 of %2.");
+    m_doneWords = &ODO_TEXT("ui.trials_measured_again", "Trials measured again: %1 of %2");
     const auto make = [](const std::string &trial) { return std::make_shared<ReprocessJob>(trial); };
     const auto keep = [](Project &project, Job &job) {
         return static_cast<ReprocessJob &>(job).keep(project);
     };
-    if (const Result<void> started =
-            m_batch->start(trials, {tr("Measuring %1 again (%2 of %3)"), make, keep});
+    if (const Result<void> started = m_batch->start(
+            trials, {&ODO_TEXT("ui.measuring_trials_again", "Measuring %1 again (%2 of %3)"), make, keep});
         !started)
         Q_EMIT failed(started.error());
 }
@@ -190,36 +193,41 @@ void HistoryActions::reprocessTrials(const QStringList &trials)
 void HistoryActions::emptyBin(const BinContent &content)
 {
     const auto job = std::make_shared<EmptyBinJob>(content);
-    const Result<void> started = m_workspace.start(job, tr("Emptying the bin"), [this, job] {
-        QString words =
-            job->removedCount() == job->wantedCount()
-                ? tr("%n trial(s) removed for good.", "", job->removedCount())
-                : tr("%1 of %n trial(s) removed for good; the rest is still there.", "", job->wantedCount())
-                      .arg(job->removedCount());
-        for (const std::string &file : job->left())
-            words +=
-                u' ' + tr("%1 could not be deleted; delete it by hand.").arg(QString::fromStdString(file));
-        Q_EMIT changed(words);
-    });
+    const Result<void> started =
+        m_workspace.start(job, ODO_TEXT("ui.emptying_bin", "Emptying the bin"), [this, job] {
+            QString words = job->removedCount() == job->wantedCount()
+                                ? tr("%n trial(s) removed for good.", "", job->removedCount())
+                                : tr("%1 of %n trial(s) removed for good; the rest is still there.", "",
+                                     job->wantedCount())
+                                      .arg(job->removedCount());
+            for (const std::string &file : job->left())
+                words += u' ' +
+                         tr("%1 could not be deleted; delete it by hand.").arg(QString::fromStdString(file));
+            Q_EMIT changed(words);
+        });
     if (!started)
         Q_EMIT failed(started.error());
 }
 
-void HistoryActions::tellEnd(int done, int all, const QStringList &failures)
+void HistoryActions::tellEnd(int done, int all, const std::vector<Error> &failures)
 {
-    const QString words = m_doneWords.arg(done).arg(all);
-    if (failures.isEmpty()) {
-        Q_EMIT changed(words);
+    const Message words = (*m_doneWords)(done, all);
+    if (failures.empty()) {
+        Q_EMIT changed(fullSentence(shownWords(words)));
         return;
     }
-    constexpr qsizetype most = 3;
-    QStringList told = failures.mid(0, most);
+    constexpr std::size_t most = 3;
+    std::vector<Message> told;
+    for (const Error &each : failures | std::views::take(most)) {
+        told.push_back(joined({each.what, each.why}, Join::Colon));
+        told.push_back(each.advice);
+    }
     if (failures.size() > most)
-        told << tr("and %1 more").arg(failures.size() - most);
+        told.push_back(ODO_TEXT("ui.and_more", "and %1 more")(failures.size() - most));
     Q_EMIT changed({});
-    Q_EMIT failed({ErrorCode::InvalidInput, words.chopped(1).toStdString(),
-                   told.join(QStringLiteral("; ")).toStdString(),
-                   tr("mend what stands there, and choose these trials again").toStdString()});
+    Q_EMIT failed(
+        {ErrorCode::InvalidInput, words, joined(std::move(told), Join::Semicolon),
+         ODO_TEXT("ui.mend_and_choose_again", "mend what stands there, and choose these trials again")});
 }
 
 TrialBatch::TrialBatch(Workspace &workspace, QObject *parent) : QObject(parent), m_workspace(workspace)
@@ -239,9 +247,8 @@ TrialBatch::TrialBatch(Workspace &workspace, QObject *parent) : QObject(parent),
 Result<void> TrialBatch::start(const QStringList &trials, Work work)
 {
     if (m_workspace.isBusy() || isRunning())
-        return fail(ErrorCode::InvalidInput, tr("many trials").toStdString(),
-                    tr("another job is running").toStdString(),
-                    tr("wait until it is done, or cancel it").toStdString());
+        return fail(ErrorCode::InvalidInput, ODO_TEXT("ui.many_trials", "many trials"), anotherJobRuns(),
+                    waitOrCancel());
     m_work = std::move(work);
     m_trials = trials;
     m_next = 0;
@@ -255,10 +262,9 @@ Result<void> TrialBatch::start(const QStringList &trials, Work work)
 
 Result<void> TrialBatch::startNext()
 {
-    const QString &trial = m_trials.at(m_next++);
-    m_job = m_work.make(trial.toStdString());
-    return m_workspace.start(
-        m_job, m_work.words.arg(trial, QString::number(m_next), QString::number(m_trials.size())), nullptr);
+    const std::string trial = m_trials.at(m_next++).toStdString();
+    m_job = m_work.make(trial);
+    return m_workspace.start(m_job, (*m_work.words)(Named::trial(trial), m_next, m_trials.size()), nullptr);
 }
 
 void TrialBatch::goOn(const Error *error)
@@ -267,19 +273,19 @@ void TrialBatch::goOn(const Error *error)
         return;
     const bool isCancelled = error && error->code == ErrorCode::Cancelled;
     if (error && !isCancelled) {
-        m_failures << errorLine(*error);
+        m_failures.push_back(*error);
     } else if (!error) {
         const Result<void> kept = m_work.keep ? m_work.keep(*m_workspace.project(), *m_job) : Result<void>();
         if (kept)
             ++m_done;
         else
-            m_failures << errorLine(kept.error());
+            m_failures.push_back(kept.error());
     }
     m_job.reset();
     if (isCancelled || m_next == m_trials.size())
         return end();
     if (const Result<void> started = startNext(); !started) {
-        m_failures << errorLine(started.error());
+        m_failures.push_back(started.error());
         end();
     }
 }

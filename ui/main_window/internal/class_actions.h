@@ -7,6 +7,7 @@
 #include <QStringList>
 #include <functional>
 #include <memory>
+#include <vector>
 
 class QAction;
 class QMenu;
@@ -73,12 +74,12 @@ Q_SIGNALS:
 private:
     void showChanges();
     void updateActions();
-    void tellEnd(int done, int all, const QStringList &failures);
+    void tellEnd(int done, int all, const std::vector<odo::Error> &failures);
 
     Workspace &m_workspace;
     QWidget &m_window;
     TrialBatch *m_batch;
-    QString m_doneWords; ///< "Exported trials: %1 of %2."
+    const MessageText *m_doneWords = nullptr; ///< "Exported trials: %1 of %2"
     QAction *m_roster, *m_changes;
 };
 
@@ -95,7 +96,7 @@ public:
     /// What is done with one trial.
     struct Work
     {
-        QString words; ///< "Exporting %1 (%2 of %3)"
+        const MessageText *words = nullptr; ///< "Exporting %1 (%2 of %3)"
         std::function<std::shared_ptr<Job>(const std::string &trial)> make;
         std::function<Result<void>(Project &, Job &)> keep; ///< after each; may be empty
     };
@@ -106,8 +107,8 @@ public:
     Result<void> start(const QStringList &trials, Work work);
 
 Q_SIGNALS:
-    /// done: of all; failures: a sentence each, empty when all went well.
-    void ended(int done, int all, const QStringList &failures);
+    /// done: of all; failures: empty when all went well.
+    void ended(int done, int all, const std::vector<odo::Error> &failures);
 
 private:
     Result<void> startNext();
@@ -120,7 +121,7 @@ private:
     std::shared_ptr<Job> m_job;
     qsizetype m_next = 0;
     int m_done = 0;
-    QStringList m_failures;
+    std::vector<Error> m_failures;
 };
 
 } // namespace odo

@@ -185,7 +185,7 @@ void FileActions::askLike()
                        title = titleFromName(pathOf(file))](const JobControl &control) {
         return makeProjectLike(original, file, title, control);
     };
-    tellFailure(m_workspace.makeAndOpen(make, tr("Taking over the set-up"),
+    tellFailure(m_workspace.makeAndOpen(make, ODO_TEXT("ui.taking_over_setup", "Taking over the set-up"),
                                         [this, file] { m_recent.add(pathOf(file)); }));
 }
 
@@ -219,7 +219,8 @@ void FileActions::askDemo()
     const auto make = [folder = pathOf(folder)](const JobControl &control) {
         return makeDemo(folder, control);
     };
-    tellFailure(m_workspace.makeAndOpen(make, tr("Making the demo lesson"), [this] { Q_EMIT demoOpened(); }));
+    tellFailure(m_workspace.makeAndOpen(make, ODO_TEXT("ui.making_demo", "Making the demo lesson"),
+                                        [this] { Q_EMIT demoOpened(); }));
 }
 
 void FileActions::askCopy()
@@ -229,10 +230,11 @@ void FileActions::askCopy()
     const QString file = askFile(tr("Save a copy"), offered);
     if (file.isEmpty())
         return;
-    tellFailure(m_workspace.start(std::make_shared<CopyJob>(pathOf(file)), tr("Saving a copy"), [this, file] {
-        Q_EMIT done(tr("A copy was saved as %1. Its videos stay where they are.")
-                        .arg(QDir::toNativeSeparators(file)));
-    }));
+    tellFailure(m_workspace.start(
+        std::make_shared<CopyJob>(pathOf(file)), ODO_TEXT("ui.saving_copy", "Saving a copy"), [this, file] {
+            Q_EMIT done(tr("A copy was saved as %1. Its videos stay where they are.")
+                            .arg(QDir::toNativeSeparators(file)));
+        }));
 }
 
 void FileActions::tellFailure(const Result<void> &result)

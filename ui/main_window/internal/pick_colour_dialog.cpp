@@ -5,7 +5,7 @@
 #include "core/project/repositories.h"
 #include "core/video/video_reader.h"
 #include "core/workflow/calibrate/calibration_pictures.h"
-#include "ui/models/core_words.h"
+#include "ui/models/shown_message.h"
 #include "ui/views/widgets/path_field.h"
 #include "ui/views/widgets/theme.h"
 

@@ -90,7 +90,8 @@ void ProjectWatch::writeBack()
         const auto project = Project::openAgain(file, Project::Access::ReadWrite);
         if (!project)
             return tl::unexpected(project.error());
-        return (*project)->writeBack() ? Result<void>() : cancelled("writing back");
+        return (*project)->writeBack() ? Result<void>()
+                                       : cancelled(ODO_TEXT("ui.writing_back", "writing back"));
     });
 }
 

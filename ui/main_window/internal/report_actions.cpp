@@ -113,9 +113,9 @@ void ReportActions::askTrials(const QStringList &trials)
 void ReportActions::ask(QList<ReportSubject> subjects)
 {
     if (subjects.isEmpty()) {
-        Q_EMIT failed(fail(ErrorCode::NotFound, tr("report").toStdString(),
-                           tr("there is no trial yet").toStdString(),
-                           tr("import or record one first").toStdString())
+        Q_EMIT failed(fail(ErrorCode::NotFound, reportSubject(),
+                           ODO_TEXT("ui.no_trial_yet", "there is no trial yet"),
+                           ODO_TEXT("ui.import_or_record_first", "import or record one first"))
                           .value());
         return;
     }
@@ -165,9 +165,9 @@ void ReportActions::print()
 /// The window is free again; its status line has the progress, and how to cancel.
 void ReportActions::start(std::unique_ptr<PageOutput> output, const QString &doneWords)
 {
-    const auto started =
-        m_workspace.start(std::make_shared<ReportJob>(m_dialog->maker(), std::move(output)),
-                          tr("Making the report"), [this, doneWords] { Q_EMIT done(doneWords); });
+    const auto started = m_workspace.start(std::make_shared<ReportJob>(m_dialog->maker(), std::move(output)),
+                                           ODO_TEXT("ui.making_report", "Making the report"),
+                                           [this, doneWords] { Q_EMIT done(doneWords); });
     m_dialog->accept();
     if (!started)
         Q_EMIT failed(started.error());

@@ -5,8 +5,9 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "ui/main_window/internal/pick_colour_dialog.h"
-#include "ui/models/core_words.h"
 #include "ui/models/figure_text.h"
+#include "ui/models/shared_messages.h"
+#include "ui/models/shown_message.h"
 #include "ui/views/charts/series_colours.h"
 #include "ui/views/map/map_painting.h"
 #include "ui/views/widgets/command_keys.h"
@@ -155,8 +156,7 @@ void RobotsDialog::add()
     if (dialog.exec() != QDialog::Accepted)
         return;
     const RobotRecord robot = dialog.robot();
-    apply(tr("add robot %1").arg(QString::fromStdString(robot.name)), robot.name,
-          [&] { return withoutValue(m_project.robots().add(robot)); });
+    apply(addRobotWords(robot.name), robot.name, [&] { return withoutValue(m_project.robots().add(robot)); });
 }
 
 void RobotsDialog::change()
@@ -169,18 +169,18 @@ void RobotsDialog::change()
     if (dialog.exec() != QDialog::Accepted)
         return;
     const RobotRecord robot = dialog.robot();
-    apply(tr("change robot %1").arg(QString::fromStdString(before.name)), robot.name,
+    apply(ODO_TEXT("ui.change_robot", "change robot %1")(Named::robot(before.name)), robot.name,
           [&] { return m_project.robots().set(robot); });
 }
 
 void RobotsDialog::remove()
 {
     const RobotRecord robot = *current();
-    apply(tr("delete robot %1").arg(QString::fromStdString(robot.name)), {},
+    apply(ODO_TEXT("ui.delete_robot", "delete robot %1")(Named::robot(robot.name)), {},
           [&] { return m_project.robots().remove(robot.id); });
 }
 
-void RobotsDialog::apply(const QString &words, const std::string &choose,
+void RobotsDialog::apply(const Message &words, const std::string &choose,
                          const std::function<Result<void>()> &work)
 {
     tell(m_changes.make(words, work), choose);

@@ -39,7 +39,7 @@ private:
     void add();
     void change();
     void remove();
-    void apply(const QString &words, const std::string &choose, const std::function<Result<void>()> &work);
+    void apply(const Message &words, const std::string &choose, const std::function<Result<void>()> &work);
     void tell(const Result<QString> &outcome, const std::string &choose);
 
     Project &m_project;

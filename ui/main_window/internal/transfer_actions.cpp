@@ -5,7 +5,7 @@
 #include "core/workflow/media_repair.h"
 #include "core/workflow/project_copy.h"
 #include "ui/main_window/workspace.h"
-#include "ui/models/core_words.h"
+#include "ui/models/shown_message.h"
 #include "ui/views/widgets/command_keys.h"
 #include "ui/views/widgets/path_field.h"
 
@@ -69,14 +69,15 @@ void TransferActions::askPack()
 void TransferActions::pack(const ChosenOutput &archive)
 {
     const auto job = std::make_shared<PackJob>(archive.target);
-    tellFailure(m_workspace.start(job, tr("Packing the project"), [this, job, archive = archive.file] {
-        QStringList sentences{
-            tr("The project is packed into %1. Elsewhere it is unpacked by \"Unpack a packed project\".")
-                .arg(QDir::toNativeSeparators(archive))};
-        for (const std::string &warning : job->warnings())
-            sentences << tr("Note: %1.").arg(shownWords(warning));
-        Q_EMIT done(sentences.join(u' '));
-    }));
+    tellFailure(m_workspace.start(
+        job, ODO_TEXT("ui.packing", "Packing the project"), [this, job, archive = archive.file] {
+            QStringList sentences{
+                tr("The project is packed into %1. Elsewhere it is unpacked by \"Unpack a packed project\".")
+                    .arg(QDir::toNativeSeparators(archive))};
+            for (const Message &warning : job->warnings())
+                sentences << tr("Note: %1.").arg(shownWords(warning));
+            Q_EMIT done(sentences.join(u' '));
+        }));
 }
 
 void TransferActions::askArchive()
@@ -99,7 +100,7 @@ void TransferActions::askUnpack(const std::filesystem::path &archive)
     const auto unpack = [archive, folder](const JobControl &control) {
         return unpackArchive(archive, folder, control);
     };
-    tellFailure(m_workspace.makeAndOpen(unpack, tr("Unpacking the project"),
+    tellFailure(m_workspace.makeAndOpen(unpack, ODO_TEXT("ui.unpacking", "Unpacking the project"),
                                         [this] { Q_EMIT unpacked(m_workspace.project()->file()); }));
 }
 
@@ -110,23 +111,26 @@ void TransferActions::askLostVideos()
     if (folder.isEmpty())
         return;
     const auto job = std::make_shared<RelinkJob>(pathOf(folder));
-    tellFailure(m_workspace.start(job, tr("Looking for lost videos"), [this, job] {
-        Q_EMIT done(tr("%1 of %2 lost videos were found, by their content.")
-                        .arg(job->foundCount())
-                        .arg(job->lostCount()));
-    }));
+    tellFailure(
+        m_workspace.start(job, ODO_TEXT("ui.looking_for_lost", "Looking for lost videos"), [this, job] {
+            Q_EMIT done(tr("%1 of %2 lost videos were found, by their content.")
+                            .arg(job->foundCount())
+                            .arg(job->lostCount()));
+        }));
 }
 
 void TransferActions::findStrays()
 {
     const auto job = std::make_shared<FindStraysJob>();
-    tellFailure(m_workspace.start(job, tr("Looking for stray files"), [this, job] {
-        if (job->strays().empty() && job->others().empty())
-            Q_EMIT done(tr("Every file in the media folder belongs to a trial, a lens calibration or a floor "
-                           "registration."));
-        else
-            askStrays(*job);
-    }));
+    tellFailure(
+        m_workspace.start(job, ODO_TEXT("ui.looking_for_strays", "Looking for stray files"), [this, job] {
+            if (job->strays().empty() && job->others().empty())
+                Q_EMIT done(
+                    tr("Every file in the media folder belongs to a trial, a lens calibration or a floor "
+                       "registration."));
+            else
+                askStrays(*job);
+        }));
 }
 
 void TransferActions::askStrays(const FindStraysJob &found)
@@ -163,19 +167,20 @@ void TransferActions::askStrays(const FindStraysJob &found)
 void TransferActions::adopt(const std::vector<std::filesystem::path> &videos)
 {
     const auto job = std::make_shared<AdoptStraysJob>(videos);
-    tellFailure(m_workspace.start(job, tr("Adding stray videos as trials"), [this, job] {
-        if (!job->trials().empty() || job->failures().empty())
-            Q_EMIT done(tr("%n trial(s) added. Their names begin with \"recovered\".", nullptr,
-                           static_cast<int>(job->trials().size())));
-        for (const Error &failure : job->failures())
-            Q_EMIT failed(failure);
-    }));
+    tellFailure(
+        m_workspace.start(job, ODO_TEXT("ui.adding_strays", "Adding stray videos as trials"), [this, job] {
+            if (!job->trials().empty() || job->failures().empty())
+                Q_EMIT done(tr("%n trial(s) added. Their names begin with \"recovered\".", nullptr,
+                               static_cast<int>(job->trials().size())));
+            for (const Error &failure : job->failures())
+                Q_EMIT failed(failure);
+        }));
 }
 
 void TransferActions::removeStrays(const std::vector<std::filesystem::path> &files)
 {
     const auto job = std::make_shared<RemoveStraysJob>(files);
-    tellFailure(m_workspace.start(job, tr("Removing stray files"), [this, job] {
+    tellFailure(m_workspace.start(job, ODO_TEXT("ui.removing_strays", "Removing stray files"), [this, job] {
         Q_EMIT done(tr("%n stray file(s) removed.", nullptr, static_cast<int>(job->removed().size())));
     }));
 }

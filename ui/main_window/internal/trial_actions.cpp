@@ -15,8 +15,9 @@
 #include "ui/main_window/internal/trial_export.h"
 #include "ui/main_window/workspace.h"
 #include "ui/models/camera_lists.h"
-#include "ui/models/core_words.h"
 #include "ui/models/figure_text.h"
+#include "ui/models/shared_messages.h"
+#include "ui/models/shown_message.h"
 #include "ui/models/shown_names.h"
 #include "ui/views/widgets/command_keys.h"
 #include "ui/views/widgets/form_fields.h"
@@ -135,7 +136,7 @@ QString trackedWords(const TrackOutcome &outcome)
                      .arg(robot.analysis.profile.spikes.size());
     QStringList sentences{TrialActions::tr("%1 is tracked: %2.")
                               .arg(QString::fromStdString(outcome.trial), parts.join(QStringLiteral("; ")))};
-    for (const std::string &warning : outcome.warnings)
+    for (const Message &warning : outcome.warnings)
         sentences << shownWords(warning);
     return sentences.join(QLatin1Char(' '));
 }
@@ -145,9 +146,14 @@ template <class ImportJob>
 QString importedWords(const ImportJob &job)
 {
     QStringList sentences{TrialActions::tr("%1 is imported.").arg(QString::fromStdString(job.trial().name))};
-    for (const std::string &warning : job.warnings())
+    for (const Message &warning : job.warnings())
         sentences << shownWords(warning);
     return sentences.join(QLatin1Char(' '));
+}
+
+Message importing(const std::string &trial)
+{
+    return ODO_TEXT("ui.importing", "Importing %1")(Named::trial(trial));
 }
 
 struct OfferedTeams
@@ -235,9 +241,7 @@ void TrialActions::tellFailure(const Result<void> &result)
 template <class ImportJob>
 void TrialActions::startImport(const std::shared_ptr<ImportJob> &job, const std::string &trial)
 {
-    // A plain tr() would lupdate look for in a class ImportJob.
-    const QString words = TrialActions::tr("Importing %1").arg(QString::fromStdString(trial));
-    tellFailure(m_workspace.start(job, words, [this, job] {
+    tellFailure(m_workspace.start(job, importing(trial), [this, job] {
         Q_EMIT trialImported(QString::fromStdString(job->trial().name));
         Q_EMIT done(importedWords(*job));
     }));
@@ -296,7 +300,7 @@ void TrialActions::askTrack(const QString &trial)
         expected << QString::fromStdString(name);
     QStringList doubts;
     if (const auto views = registeredViews(project, *record)) { // what else is wrong, tracking will say
-        for (const std::string &sentence : stepWarnings(record->name, *views))
+        for (const Message &sentence : stepWarnings(record->name, *views))
             doubts << shownWords(sentence) + u'.';
         for (QString &sentence : doubts)
             sentence.front() = sentence.front().toUpper();
@@ -313,43 +317,46 @@ void TrialActions::askTrack(const QString &trial)
 void TrialActions::startTracking(const QString &trial, TrackSettings settings)
 {
     const auto job = std::make_shared<TrackJob>(trial.toStdString(), std::move(settings));
-    tellFailure(m_workspace.start(job, tr("Tracking %1").arg(trial), [this, job] {
-        Q_EMIT trialTracked(QString::fromStdString(job->outcome().trial));
-        Q_EMIT done(trackedWords(job->outcome()));
-    }));
+    tellFailure(m_workspace.start(
+        job, ODO_TEXT("ui.tracking", "Tracking %1")(Named::trial(trial.toStdString())), [this, job] {
+            Q_EMIT trialTracked(QString::fromStdString(job->outcome().trial));
+            Q_EMIT done(trackedWords(job->outcome()));
+        }));
 }
 
 void TrialActions::pointOut(const QString &trial, const RobotPointer &pointer)
 {
-    if (!mayChange(tr("the trial")))
+    if (!mayChange(ODO_TEXT("ui.the_trial", "the trial")))
         return;
     TrackSettings settings;
     settings.pointers = {pointer};
     startTracking(trial, std::move(settings));
 }
 
-bool TrialActions::mayChange(const QString &what)
+bool TrialActions::mayChange(const Message &what)
 {
     if (m_workspace.isReadOnly())
-        Q_EMIT failed(fail(ErrorCode::InvalidInput, what.toStdString(),
-                           tr("this project can only be read").toStdString(),
-                           tr("save a copy and work on that").toStdString())
+        Q_EMIT failed(fail(ErrorCode::InvalidInput, what,
+                           ODO_TEXT("ui.only_be_read", "this project can only be read"),
+                           ODO_TEXT("ui.save_copy", "save a copy and work on that"))
                           .value());
     return !m_workspace.isReadOnly();
 }
 
 void TrialActions::overrule(const OverruleRequest &word)
 {
-    if (!mayChange(tr("the sample")))
+    if (!mayChange(ODO_TEXT("ui.the_sample", "the sample")))
         return;
     const auto job = std::make_shared<OverruleJob>(word);
     const QString trial = QString::fromStdString(word.trial);
-    tellFailure(m_workspace.start(job, tr("Measuring %1 again").arg(trial), [this, job, trial] {
-        const QString time = secondsText(job->outcome().time);
-        Q_EMIT done(isRejected(job->outcome().flags)
-                        ? tr("The sample at %1 of %2 is not used. Undo takes it back.").arg(time, trial)
-                        : tr("The sample at %1 of %2 is used. Undo takes it back.").arg(time, trial));
-    }));
+    tellFailure(m_workspace.start(
+        job, ODO_TEXT("ui.measuring_again", "Measuring %1 again")(Named::trial(word.trial)),
+        [this, job, trial] {
+            const QString time = secondsText(job->outcome().time);
+            Q_EMIT done(isRejected(job->outcome().flags)
+                            ? tr("The sample at %1 of %2 is not used. Undo takes it back.").arg(time, trial)
+                            : tr("The sample at %1 of %2 is used. Undo takes it back.").arg(time, trial));
+        }));
 }
 
 void TrialActions::askExport()
@@ -376,7 +383,8 @@ void TrialActions::askVideo()
     settings.target = chosen->target;
     const auto job = std::make_shared<AnnotatedVideoJob>(m_trial.toStdString(), settings);
     tellFailure(m_workspace.start(
-        job, tr("Making the video of %1").arg(m_trial), [this, file = chosen->file, trial = m_trial] {
+        job, ODO_TEXT("ui.making_video", "Making the video of %1")(Named::trial(m_trial.toStdString())),
+        [this, file = chosen->file, trial = m_trial] {
             Q_EMIT done(tr("The video of %1 is there: %2").arg(trial, QDir::toNativeSeparators(file)));
         }));
 }
@@ -388,7 +396,7 @@ bool TrialActions::askRobot()
         return false;
     Project &project = *m_workspace.project();
     const QString name = QString::fromStdString(dialog.robot().name);
-    const auto added = changing(project, tr("add robot %1").arg(name).toStdString(),
+    const auto added = changing(project, addRobotWords(dialog.robot().name),
                                 [&] { return project.robots().add(dialog.robot()); });
     if (!added) {
         Q_EMIT failed(added.error());

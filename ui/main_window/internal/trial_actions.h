@@ -48,7 +48,7 @@ private:
     bool askRobot();
     void updateActions();
     void tellFailure(const Result<void> &result);
-    bool mayChange(const QString &what);
+    bool mayChange(const Message &what);
     void startTracking(const QString &trial, TrackSettings settings);
     /// Of either way of importing.
     template <class ImportJob>

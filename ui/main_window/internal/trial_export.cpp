@@ -6,6 +6,7 @@
 #include "core/files/output_file.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "core/workflow/shared_words.h"
 #include "ui/views/widgets/path_field.h"
 
 #include <QComboBox>
@@ -81,9 +82,9 @@ Result<QString> exportTrial(Project &project, const QString &trial, QWidget &win
     if (!analyses)
         return tl::unexpected(analyses.error());
     if (analyses->empty())
-        return fail(ErrorCode::NotFound, TrialExportWords::tr("export of %1").arg(trial).toStdString(),
-                    TrialExportWords::tr("it has not been tracked yet").toStdString(),
-                    TrialExportWords::tr("track it first").toStdString());
+        return fail(ErrorCode::NotFound,
+                    ODO_TEXT("ui.export_of", "export of %1")(Named::trial(trial.toStdString())),
+                    notTrackedYet(), trackItFirst());
     const int robot = chooseRobot(*analyses, window);
     if (robot < 0)
         return QString();

@@ -6,7 +6,8 @@
 #include "ui/main_window/internal/trial_actions.h"
 #include "ui/main_window/internal/window_bars.h"
 #include "ui/main_window/workspace.h"
-#include "ui/models/core_words.h"
+#include "ui/models/shared_messages.h"
+#include "ui/models/shown_message.h"
 #include "ui/models/timeline.h"
 #include "ui/record/record_page.h"
 #include "ui/review/corrections.h"
@@ -202,19 +203,19 @@ void UndoActions::showWords()
     m_redo->setEnabled(!redoWords.isEmpty());
 }
 
-void UndoActions::apply(Result<std::string> (Project::*what)(), const QString &sentence)
+void UndoActions::apply(Result<Message> (Project::*what)(), const QString &sentence)
 {
     Q_EMIT aboutToLook();
     Project *project = m_workspace.project();
     if (!project)
         return;
     if (m_workspace.isBusy()) {
-        Q_EMIT failed({ErrorCode::InvalidInput, tr("undo").toStdString(),
-                       tr("a job is running on the project").toStdString(),
-                       tr("wait until it is done, or cancel it").toStdString()});
+        Q_EMIT failed({ErrorCode::InvalidInput, undoSubject(),
+                       ODO_TEXT("ui.job_runs_on_project", "a job is running on the project"),
+                       waitOrCancel()});
         return;
     }
-    if (const Result<std::string> words = (project->*what)())
+    if (const Result<Message> words = (project->*what)())
         Q_EMIT changed(sentence.arg(shownWords(*words)));
     else
         Q_EMIT failed(words.error());

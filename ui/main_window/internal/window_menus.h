@@ -88,7 +88,7 @@ Q_SIGNALS:
 
 private:
     void showWords();
-    void apply(Result<std::string> (Project::*what)(), const QString &sentence);
+    void apply(Result<Message> (Project::*what)(), const QString &sentence);
 
     Workspace &m_workspace;
     QAction *m_undo, *m_redo;

@@ -3,8 +3,8 @@
 
 #include "ui/main_window/language.h"
 #include "ui/main_window/preferences/command_keys.h"
-#include "ui/models/core_words.h"
 #include "ui/models/figure_text.h"
+#include "ui/models/shown_message.h"
 #include "ui/record/sent_positions.h"
 #include "ui/report/report_settings.h"
 #include "ui/views/widgets/path_field.h"

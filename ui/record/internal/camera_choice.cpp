@@ -3,7 +3,7 @@
 
 #include "core/capture/camera_source.h"
 #include "ui/models/camera_lists.h"
-#include "ui/models/core_words.h"
+#include "ui/models/shown_message.h"
 #include "ui/views/widgets/command_keys.h"
 #include "ui/views/widgets/form_fields.h"
 #include "ui/views/widgets/labels.h"
@@ -147,7 +147,7 @@ void CameraChoiceDialog::fill()
         box.clear();
         box.addItem(tr("not used"), QString());
         for (const CameraDescription &device : m_connected.cameras()) {
-            QString words = shownDeviceName(device);
+            QString words = shownWords(device.name);
             if (!device.formats.empty())
                 words += QStringLiteral(" · ") + shownWords(device.formats.front());
             if (device.busy)
@@ -200,7 +200,8 @@ void CameraChoiceDialog::askWishes(std::size_t camera)
 {
     const std::string uri = uriOf(camera);
     const auto device = std::ranges::find(m_connected.cameras(), withoutWishes(uri), &CameraDescription::uri);
-    const CameraDescription known{.uri = uri, .kind = {}, .name = uri}; // one that is not connected now
+    const CameraDescription known{
+        .uri = uri, .kind = {}, .name = nameAlone(uri)}; // one that is not connected now
     CameraWishesDialog dialog(device == m_connected.cameras().end() ? known : *device, uri, this);
     if (dialog.exec() == QDialog::Accepted)
         m_wanted[withoutWishes(uri)] = dialog.uri();
@@ -257,7 +258,7 @@ CameraWishesDialog::CameraWishesDialog(const CameraDescription &device, const st
       m_exposure(freeNumber(mostExposureMs, tr("ms"))),
       m_trigger(new QCheckBox(tr("Ask for each picture, so that all such cameras take theirs together")))
 {
-    setWindowTitle(tr("Settings of %1").arg(shownDeviceName(device)));
+    setWindowTitle(tr("Settings of %1").arg(shownWords(device.name)));
     addPicture(device);
     m_picture->setAccessibleName(tr("Picture"));
     m_rate->setAccessibleName(tr("Rate"));
@@ -294,10 +295,9 @@ void CameraWishesDialog::addPicture(const CameraDescription &device)
                                QStringLiteral("format=%1").arg(QLatin1String(format)));
         return;
     }
-    for (const std::string &format : device.formats) {
-        const QString words = QString::fromStdString(format);
-        if (const QString picture = pictureOf(words); !picture.isEmpty())
-            m_picture->addItem(shownWords(words), picture);
+    for (const Message &format : device.formats) {
+        if (const QString picture = pictureOf(QString::fromStdString(format.english())); !picture.isEmpty())
+            m_picture->addItem(shownWords(format), picture);
     }
 }
 

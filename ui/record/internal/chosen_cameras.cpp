@@ -68,7 +68,7 @@ void ChosenCameras::keepInProject()
         if (!camera || camera->deviceUri == uri)
             continue;
         if (const auto kept = m_project.note(
-                "connect camera " + name,
+                ODO_TEXT("ui.connect_camera", "connect camera %1")(Named::camera(name)),
                 [&, device = uri] { return m_project.cameras().setDevice(camera->id, device); });
             !kept && kept.error().code != ErrorCode::ReadOnly)
             Q_EMIT failed(kept.error());

@@ -2,7 +2,7 @@
 #include "ui/record/internal/health_watch.h"
 
 #include "core/project/project.h"
-#include "ui/models/core_words.h"
+#include "ui/models/shown_message.h"
 #include "ui/record/internal/chosen_cameras.h"
 #include "ui/record/internal/health_words.h"
 #include "ui/record/internal/live_board.h"
@@ -190,7 +190,7 @@ void DoctorDialog::show(const std::vector<SetupFinding> &findings)
     int doubts = 0;
     for (const SetupFinding &finding : findings) {
         QString words = shownWords(finding.words);
-        if (!finding.advice.empty())
+        if (!finding.advice.isEmpty())
             words += tr(". What to do: %1.").arg(shownWords(finding.advice));
         doubts += finding.verdict == SetupFinding::Verdict::Warning ||
                   finding.verdict == SetupFinding::Verdict::Bad;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/record/internal/health_words.h"
 
-#include "ui/models/core_words.h"
 #include "ui/models/figure_text.h"
+#include "ui/models/shown_message.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -103,14 +103,14 @@ QList<Fact> healthFacts(const CaptureHealth &health, const std::vector<WantedCam
         facts.append(viewFact(since(health.views[v], before, v), cameras[v]));
     if (health.pairs.pairs > 0 && cameras.size() > 1)
         facts.append(stepFact(health.pairs));
-    if (const std::string words = liveWords(live); !words.empty())
+    if (const Message words = liveWords(live); !words.isEmpty())
         facts.append({RecordHealthWords::tr("Live"), shownWords(words),
                       live.latencyP99S > slowMapS ? Badge{RecordHealthWords::tr("slow"), BadgeState::Warning}
                                                   : Badge{RecordHealthWords::tr("good"), BadgeState::Good}});
     if (health.disk.recording) {
         QStringList words{RecordHealthWords::tr("%1 MB written")
                               .arg(QLocale().toString(double(health.disk.bytes) / 1e6, 'f', 0))};
-        if (const std::string room = roomWords(health.disk); !room.empty())
+        if (const Message room = roomWords(health.disk); !room.isEmpty())
             words << shownWords(room);
         const bool bad = health.disk.trouble || health.disk.waiting >= 1;
         facts.append({RecordHealthWords::tr("Disk"), words.join(QStringLiteral(", ")),

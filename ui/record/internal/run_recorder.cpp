@@ -7,17 +7,17 @@
 #include "core/workflow/job_runner.h"
 #include "core/workflow/record/completed_recordings.h"
 #include "core/workflow/record/live_trial.h"
-#include "ui/models/core_words.h"
+#include "ui/models/shown_message.h"
 
 namespace odo {
 namespace {
 
 constexpr auto storeEach = std::chrono::seconds(1);
 
-QStringList wordsOf(const std::vector<std::string> &sentences)
+QStringList wordsOf(const std::vector<Message> &sentences)
 {
     QStringList words;
-    for (const std::string &sentence : sentences)
+    for (const Message &sentence : sentences)
         words << shownWords(sentence);
     return words;
 }
@@ -66,7 +66,7 @@ void RunRecorder::begin(const NextRun &run, const std::vector<std::string> &came
     m_state = State::Recording;
     const QString trial = QString::fromStdString(run.trial);
     auto thread =
-        startThread(cannotDoThis, [this, order = Order{run, cameras, std::move(session), from}]() mutable {
+        startThread(cannotDoThis(), [this, order = Order{run, cameras, std::move(session), from}]() mutable {
             work(std::move(order));
         });
     if (thread)
@@ -116,7 +116,7 @@ void RunRecorder::work(Order order)
     const auto project = Project::openAgain(m_project, Project::Access::ReadWrite);
     if (!project)
         return tellEnd(trial, tl::unexpected(project.error()));
-    const Result<QStringList> warnings = orShortage(cannotDoThis, [&] { return record(order, **project); });
+    const Result<QStringList> warnings = orShortage(cannotDoThis(), [&] { return record(order, **project); });
     order.session.reset(); // others may need the cameras
     tellEnd(trial, warnings);
     makeHashes(**project);

@@ -2,9 +2,9 @@
 #include "ui/record/internal/run_results.h"
 
 #include "core/workflow/track/track_job.h"
-#include "ui/models/core_words.h"
 #include "ui/models/figure_text.h"
 #include "ui/models/results.h"
+#include "ui/models/shown_message.h"
 #include "ui/views/widgets/figure_grid.h"
 #include "ui/views/widgets/theme.h"
 
@@ -197,7 +197,7 @@ void RunMeasuring::finish(const std::optional<Error> &error)
         for (const TrackedRobot &robot : job->outcome().robots)
             results.push_back(resultOf(robot.name, robot.analysis.profile));
         QStringList warnings;
-        for (const std::string &warning : job->outcome().warnings)
+        for (const Message &warning : job->outcome().warnings)
             warnings << shownWords(warning);
         Q_EMIT measured(trial, results, warnings);
     }

@@ -37,7 +37,7 @@ void RunningCameras::start(std::vector<WantedCamera> cameras)
 {
     stop();
     if (!m_painter.joinable() || !m_thread.isRunning()) {
-        callLater(this, [this] { Q_EMIT failed(noThread("the cameras")); });
+        callLater(this, [this] { Q_EMIT failed(noThread(ODO_TEXT("ui.cameras", "the cameras"))); });
         return;
     }
     m_cameras = std::move(cameras);

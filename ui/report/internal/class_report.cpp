@@ -2,10 +2,12 @@
 #include "ui/report/internal/class_report.h"
 
 #include "core/base/percentile.h"
+#include "core/base/subjects.h"
 #include "core/project/class_repository.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/workflow/compare/trial_figures.h"
+#include "core/workflow/shared_words.h"
 #include "ui/models/results.h"
 #include "ui/models/shown_names.h"
 #include "ui/report/internal/report_painting.h"
@@ -25,27 +27,21 @@ namespace odo {
 
 namespace {
 
-tl::unexpected<Error> notThere(const std::string &what, const std::vector<std::string> &there,
-                               const std::string &advice)
-{
-    std::string names;
-    for (const std::string &name : there)
-        names += (names.empty() ? "'" : ", '") + name + "'";
-    return fail(ErrorCode::NotFound, what,
-                names.empty() ? "the project has none" : "the project has " + names, advice);
-}
-
 Result<void> checkClass(Project &project, const std::string &name)
 {
     const auto classes = project.classes().all();
     if (!classes)
         return tl::unexpected(classes.error());
+    if (std::ranges::find(*classes, name, &ClassRecord::name) != classes->end())
+        return {};
     std::vector<std::string> names;
     for (const ClassRecord &each : *classes)
         names.push_back(each.name);
-    if (std::ranges::find(names, name) == names.end())
-        return notThere("class '" + name + "'", names, "choose one of them, or make it in the workbench");
-    return {};
+    return fail(ErrorCode::NotFound, classSubject(name),
+                names.empty() ? Message(ODO_TEXT("ui.project_has_no_class", "the project has none"))
+                              : ODO_TEXT("ui.project_has_classes", "the project has %1")(
+                                    quotedNames(names, MessageArgument::Kind::Class)),
+                ODO_TEXT("ui.choose_or_make_class", "choose one of them, or make it in the workbench"));
 }
 
 /// The task that most trials of the class have; empty: none has one.
@@ -113,10 +109,16 @@ Result<ClassContentPtr> readClassContent(Project &project, const ClassReportSett
     content->standings =
         standingsOf(counted.trials, *figures, {chosen.className, chosen.task, chosen.metric});
     if (content->standings.teams.empty())
-        return fail(ErrorCode::NotFound, "report of class '" + chosen.className + "'",
-                    "none of its teams has a run with the figure '" + chosen.metric + "'" +
-                        (chosen.task.empty() ? "" : " in the task '" + chosen.task + "'"),
-                    "track its trials, or choose another task or figure");
+        return fail(
+            ErrorCode::NotFound,
+            ODO_TEXT("ui.report_of_class", "report of class '%1'")(Named::schoolClass(chosen.className)),
+            chosen.task.empty()
+                ? ODO_TEXT("ui.no_run_with_figure",
+                           "none of its teams has a run with the figure '%1'")(chosen.metric)
+                : ODO_TEXT("ui.no_run_with_figure_in_task",
+                           "none of its teams has a run with the figure '%1' in the task '%2'")(
+                      chosen.metric, Named::task(chosen.task)),
+            ODO_TEXT("ui.track_or_choose_figure", "track its trials, or choose another task or figure"));
     return content;
 }
 

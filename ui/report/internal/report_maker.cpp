@@ -8,13 +8,18 @@
 
 namespace odo {
 
+Message reportSubject()
+{
+    return ODO_TEXT("ui.report", "report");
+}
+
 namespace {
 
 Result<void> give(const ReportPages &pages, const PageSink &sink, const JobControl &control)
 {
     for (const ReportPage &page : pages) {
         if (control.isCancelled())
-            return cancelled("report");
+            return cancelled(reportSubject());
         if (auto taken = sink(page); !taken)
             return taken;
     }
@@ -32,8 +37,8 @@ ReportMaker trialReports(std::vector<std::string> trials, const ReportOptions &o
                                   trials.size() > few ? StillMoment::KeyFrame : StillMoment::TopSpeed);
         for (std::size_t i = 0; i < trials.size(); ++i) {
             if (control.isCancelled())
-                return cancelled("report");
-            control.report(double(i) / double(trials.size()), trials[i]);
+                return cancelled(reportSubject());
+            control.report(double(i) / double(trials.size()), nameAlone(Named::trial(trials[i])));
             const auto content = reader.read(trials[i], control.cancel);
             if (!content)
                 return tl::unexpected(content.error());
@@ -60,12 +65,12 @@ ReportMaker classReport(ClassReportSettings settings, const ReportOptions &optio
 {
     return [settings = std::move(settings), options](Project &project, const JobControl &control,
                                                      const PageSink &sink) -> Result<void> {
-        control.report(0, settings.className);
+        control.report(0, nameAlone(Named::schoolClass(settings.className)));
         const auto content = readClassContent(project, settings);
         if (!content)
             return tl::unexpected(content.error());
         if (control.isCancelled())
-            return cancelled("report");
+            return cancelled(reportSubject());
         return give(classPages(*content, options), sink, control);
     };
 }
@@ -75,7 +80,7 @@ ReportMaker inTurn(std::vector<ReportMaker> makers)
     return [makers = std::move(makers)](Project &project, const JobControl &control,
                                         const PageSink &sink) -> Result<void> {
         for (std::size_t i = 0; i < makers.size(); ++i) {
-            const JobControl part{control.cancel, [&](double fraction, const std::string &text) {
+            const JobControl part{control.cancel, [&](double fraction, const Message &text) {
                                       control.report((double(i) + fraction) / double(makers.size()), text);
                                   }};
             if (auto made = makers[i](project, part, sink); !made)

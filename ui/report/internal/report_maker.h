@@ -23,6 +23,8 @@ using PageSink = std::function<Result<void>(const ReportPage &)>;
 using ReportMaker =
     std::function<Result<void>(Project &project, const JobControl &control, const PageSink &sink)>;
 
+Message reportSubject(); ///< "report", what its errors are about
+
 /// A report of each of these trials, in this order.
 ReportMaker trialReports(std::vector<std::string> trials, const ReportOptions &options);
 

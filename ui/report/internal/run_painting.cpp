@@ -2,8 +2,8 @@
 #include "ui/report/internal/run_painting.h"
 
 #include "core/analysis/motion_stretches.h"
-#include "ui/models/core_words.h"
 #include "ui/models/figure_text.h"
+#include "ui/models/shown_message.h"
 #include "ui/models/trial_scene.h"
 #include "ui/report/internal/report_painting.h"
 #include "ui/views/charts/chart_drawing.h"

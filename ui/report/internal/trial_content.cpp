@@ -9,6 +9,7 @@
 #include "core/video/picture.h"
 #include "core/video/video_reader.h"
 #include "core/workflow/compare/trial_figures.h"
+#include "ui/report/internal/report_maker.h"
 #include "ui/report/internal/report_painting.h"
 #include "ui/views/charts/series_colours.h"
 #include "ui/views/picture/picture_overlay.h"
@@ -167,7 +168,7 @@ Result<TrialContentPtr> TrialContentReader::read(const std::string &trial, const
         content->stillTime = keyFrameTime(**scene, readers, content->stillTime);
     content->stills = takeStills(**scene, readers, content->stillTime, stillWidthPx);
     if (cancel.isCancelled()) // its stills may be missing
-        return cancelled("report");
+        return cancelled(reportSubject());
     return content;
 }
 

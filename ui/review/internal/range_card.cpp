@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/review/internal/range_card.h"
 
-#include "ui/models/core_words.h"
 #include "ui/models/figure_text.h"
+#include "ui/models/shown_message.h"
 #include "ui/models/timeline.h"
 #include "ui/views/charts/profile_chart.h"
 #include "ui/views/curves/profile_curve.h"

@@ -4,10 +4,10 @@
 #include "core/analysis/gate_passages.h"
 #include "core/base/file_system.h"
 #include "core/workflow/track/track_warnings.h"
-#include "ui/models/core_words.h"
 #include "ui/models/explanation.h"
 #include "ui/models/figure_text.h"
 #include "ui/models/results.h"
+#include "ui/models/shown_message.h"
 #include "ui/models/shown_names.h"
 
 #include <QCoreApplication>
@@ -345,10 +345,10 @@ QList<Fact> trialFacts(const TrialScene &scene)
                           {TrialFactsWords::tr("do not rely on them"), BadgeState::Bad}});
     }
     for (const SceneRobot &robot : scene.robots) {
-        const std::string apart = robot.analysis && !robot.analysis->views.empty()
-                                      ? viewsApartSentence(robot.analysis->profile)
-                                      : std::string();
-        if (!apart.empty())
+        const Message apart = robot.analysis && !robot.analysis->views.empty()
+                                  ? viewsApartSentence(robot.analysis->profile)
+                                  : Message();
+        if (!apart.isEmpty())
             facts.append({TrialFactsWords::tr("Views"),
                           joinedWords(QString::fromStdString(robot.robot.name), shownWords(apart)),
                           {TrialFactsWords::tr("doubtful"), BadgeState::Warning}});

@@ -3,8 +3,8 @@
 
 #include "core/base/units.h"
 #include "core/calibration/world_axes.h"
-#include "ui/models/core_words.h"
 #include "ui/models/figure_text.h"
+#include "ui/models/shown_message.h"
 #include "ui/testbed/floor/marker_canvas.h"
 #include "ui/testbed/floor/still_picture.h"
 #include "ui/views/widgets/card.h"

@@ -3,8 +3,8 @@
 
 #include "core/capture/camera_source.h"
 #include "ui/models/camera_lists.h"
-#include "ui/models/core_words.h"
 #include "ui/models/figure_text.h"
+#include "ui/models/shown_message.h"
 #include "ui/views/widgets/command_keys.h"
 #include "ui/views/widgets/labels.h"
 #include "ui/views/widgets/path_field.h"
@@ -154,7 +154,7 @@ void MovedDialog::offerLive(int row, const CameraDescription &live)
     const QString uri = QString::fromStdString(live.uri);
     if (choice->findData(uri, uriRole) >= 0)
         return;
-    choice->insertItem(0, shownDeviceName(live));
+    choice->insertItem(0, shownWords(live.name));
     choice->setItemData(0, uri, uriRole);
     Row &of = m_rows[std::size_t(row)];
     if (of.chosen || !isTheCamera(uri, of.camera))

@@ -3,7 +3,7 @@
 
 #include "core/base/units.h"
 #include "core/calibration/lens_influence.h"
-#include "ui/models/core_words.h"
+#include "ui/models/shown_message.h"
 #include "ui/testbed/floor/marker_canvas.h"
 #include "ui/views/widgets/card.h"
 #include "ui/views/widgets/command_keys.h"

@@ -4,6 +4,7 @@
 #include "core/capture/camera_source.h"
 #include "core/video/picture.h"
 #include "core/workflow/calibrate/calibration_pictures.h"
+#include "ui/models/shared_messages.h"
 #include "ui/views/picture/picture_painting.h"
 #include "ui/views/widgets/form_fields.h"
 #include "ui/views/widgets/path_field.h"
@@ -22,11 +23,11 @@ Result<void> lookIn(const Frame &frame, const MarkerLayout &layout, const std::o
                     StillPicture &best)
 {
     if (lens && (lens->widthPx != frame.format.width || lens->heightPx != frame.format.height))
-        return fail(ErrorCode::InvalidInput, "the picture",
-                    "it is " + std::to_string(frame.format.width) + "×" +
-                        std::to_string(frame.format.height) + ", but the lens was measured at " +
-                        std::to_string(lens->widthPx) + "×" + std::to_string(lens->heightPx),
-                    "take it at that resolution, or measure the lens again");
+        return fail(
+            ErrorCode::InvalidInput, pictureSubject(),
+            ODO_TEXT("ui.lens_of_other_size", "it is %1×%2, but the lens was measured at %3×%4")(
+                frame.format.width, frame.format.height, lens->widthPx, lens->heightPx),
+            ODO_TEXT("ui.take_at_that_resolution", "take it at that resolution, or measure the lens again"));
     if (layout.markers.empty()) {
         best.frame = frame;
         return {};
@@ -81,7 +82,8 @@ Result<StillPicture> takeStillPicture(const PictureOrigin &origin, const MarkerL
         const auto visited = visitPictures(
             pathOf(origin.file), videoStep,
             [&](const Frame &frame, const std::string &name) {
-                control.report(double(looked) / mostPictures, "looking for the markers in " + name);
+                control.report(double(looked) / mostPictures,
+                               ODO_TEXT("ui.looking_for_markers", "looking for the markers in %1")(name));
                 problem = lookIn(frame, layout, lens, *picture);
                 return problem && picture->markers.size() < layout.markers.size() &&
                        ++looked < mostPictures && !control.isCancelled();
@@ -93,7 +95,7 @@ Result<StillPicture> takeStillPicture(const PictureOrigin &origin, const MarkerL
             return tl::unexpected(visited.error());
     }
     if (control.isCancelled())
-        return cancelled("the picture");
+        return cancelled(pictureSubject());
     if (picture)
         picture->image =
             toImage(toScreen(picture->frame, picture->frame.format.width, picture->frame.format.height));

@@ -5,8 +5,8 @@
 #include "core/project/repositories.h"
 #include "core/workflow/trial_sources.h"
 #include "ui/models/camera_lists.h"
-#include "ui/models/core_words.h"
 #include "ui/models/figure_text.h"
+#include "ui/models/shown_message.h"
 
 #include <QCoreApplication>
 #include <QDateTime>
@@ -116,7 +116,7 @@ void addIntrinsics(QList<Fact> &facts, const IntrinsicsRecord &record)
                       TestbedStateWords::tr("%1 px").arg(
                           locale.toString(record.calibration.crossValidationPx, 'f', 2)),
                       {}});
-    if (!record.calibration.verdict.empty())
+    if (!record.calibration.verdict.isEmpty())
         facts.append({TestbedStateWords::tr("Verdict"), shownWords(record.calibration.verdict), {}});
 }
 
@@ -142,7 +142,7 @@ void addRegistration(QList<Fact> &facts, const RegistrationRecord &record)
         errors << QStringLiteral("%1 %2").arg(QString::fromStdString(marker.label),
                                               lengthText(marker.errorM));
     facts.append({TestbedStateWords::tr("Markers"), errors.join(QStringLiteral(", ")), {}});
-    if (!registration.verdict.empty())
+    if (!registration.verdict.isEmpty())
         facts.append({TestbedStateWords::tr("Verdict"), shownWords(registration.verdict), {}});
 }
 
@@ -181,7 +181,7 @@ QList<Fact> cameraFacts(const CameraRow &camera)
     const auto check = camera.registration ? camera.registration->lastCheck : std::nullopt;
     if (check && check->outcome != RegistrationCheck::Outcome::Still)
         facts.append({TestbedStateWords::tr("Attention"), shownWords(check->words), {}});
-    for (const std::string &warning : camera.warnings)
+    for (const Message &warning : camera.warnings)
         facts.append({TestbedStateWords::tr("Attention"), shownWords(warning), {}});
     if (camera.intrinsics)
         addIntrinsics(facts, *camera.intrinsics);

@@ -8,7 +8,8 @@
 #include "core/workflow/calibrate/cameras.h"
 #include "core/workflow/calibrate/register_job.h"
 #include "ui/models/camera_lists.h"
-#include "ui/models/core_words.h"
+#include "ui/models/shared_messages.h"
+#include "ui/models/shown_message.h"
 #include "ui/testbed/check/accuracy_dialog.h"
 #include "ui/testbed/check/length_wizard.h"
 #include "ui/testbed/check/moved_dialog.h"
@@ -200,9 +201,10 @@ void TestbedTools::registerCamera()
     FloorWizard wizard(std::move(*cameras), m_camera, std::move(*layouts), m_live, picture.keep(), &m_window);
     if (wizard.exec() != QDialog::Accepted)
         return;
-    std::string verdict;
-    const auto stored =
-        m_project.note(tr("register camera %1").arg(wizard.camera()).toStdString(), [&]() -> Result<void> {
+    Message verdict;
+    const auto stored = m_project.note(
+        ODO_TEXT("ui.register_camera", "register camera %1")(Named::camera(wizard.camera().toStdString())),
+        [&]() -> Result<void> {
             RegistrationRecord registration = wizard.result();
             registration.picture = picture.stored();
             const auto record =
@@ -227,11 +229,17 @@ void TestbedTools::registerThroughCamera()
         return;
     }
     if (registered->empty() || cameras->size() < 2) {
-        Q_EMIT failed(fail(ErrorCode::NotFound, "registration through another camera",
-                           registered->empty() ? "no camera is registered yet" : "there is only one camera",
-                           registered->empty() ? "register one that sees the markers first"
-                                               : "calibrate the other one, or import a trial with it, first")
-                          .value());
+        const Message what =
+            ODO_TEXT("ui.registration_through_another", "registration through another camera");
+        Q_EMIT failed(
+            (registered->empty()
+                 ? fail(ErrorCode::NotFound, what,
+                        ODO_TEXT("ui.no_camera_registered", "no camera is registered yet"),
+                        ODO_TEXT("ui.register_one_first", "register one that sees the markers first"))
+                 : fail(ErrorCode::NotFound, what, ODO_TEXT("ui.only_one_camera", "there is only one camera"),
+                        ODO_TEXT("ui.calibrate_other_first",
+                                 "calibrate the other one, or import a trial with it, first")))
+                .value());
         return;
     }
     m_live.look();
@@ -319,9 +327,8 @@ void TestbedTools::importLayout()
 
 void TestbedTools::store(MarkerLayout layout)
 {
-    const QString words = tr("add layout %1").arg(QString::fromStdString(layout.name));
     const auto added =
-        changing(m_project, words.toStdString(), [&] { return m_project.layouts().add(layout); });
+        changing(m_project, addLayoutWords(layout.name), [&] { return m_project.layouts().add(layout); });
     if (!added)
         Q_EMIT failed(added.error());
     else

@@ -28,8 +28,6 @@ constexpr int mostCharucoMarkers = 250; // of the dictionary 6X6_250
 constexpr double charucoMarkerRatio = 0.6;
 constexpr double ringHole = 0.5; // inner over outer diameter
 
-const QString what = QStringLiteral("target");
-
 /// The dark cells as one outline, in cells: drawn one by one they would leave hairlines on the screen and on
 /// paper.
 QPainterPath darkCells(const TagPattern &pattern)
@@ -78,34 +76,40 @@ QPainterPath ringInk()
     return path;
 }
 
-std::string rounded(double mm)
+Message targetSubject()
 {
-    return formatNumber(mm, 0);
+    return ODO_TEXT("ui.target", "target");
 }
 
-tl::unexpected<Error> refuse(std::string why, std::string advice)
+tl::unexpected<Error> refuse(Message why, Message advice)
 {
-    return fail(ErrorCode::InvalidInput, what.toStdString(), std::move(why), std::move(advice));
+    return fail(ErrorCode::InvalidInput, targetSubject(), std::move(why), std::move(advice));
 }
 
 Result<void> checkDrawable(const TargetSpec &spec)
 {
     if (!isBoard(spec.kind)) {
         if (spec.labels.isEmpty())
-            return refuse("there is no marker to print", "name at least one, as O");
+            return refuse(ODO_TEXT("ui.no_marker_to_print", "there is no marker to print"),
+                          ODO_TEXT("ui.name_one_marker", "name at least one, as O"));
         if (spec.labels.size() > mostTags)
-            return refuse("there are only " + std::to_string(mostTags) + " tags", "print fewer markers");
+            return refuse(ODO_TEXT("ui.only_so_many_tags", "there are only %1 tags")(mostTags),
+                          ODO_TEXT("ui.print_fewer_markers", "print fewer markers"));
         return {};
     }
     if (std::min(spec.columns, spec.rows) < fewestCorners || std::max(spec.columns, spec.rows) > mostCorners)
-        return refuse("a board has 3 to 30 inner corners each way", "give a size as 9x6");
+        return refuse(ODO_TEXT("ui.board_has_corners", "a board has 3 to 30 inner corners each way"),
+                      ODO_TEXT("ui.give_board_size", "give a size as 9x6"));
     if (spec.kind == TargetKind::Charuco && (spec.rows + 1) % 2 == 0)
-        return refuse("a ChArUco board of " + std::to_string(spec.rows + 1) +
-                          " rows of squares is numbered in two ways by different programs",
-                      "take an even number of rows of inner corners, as 9x6");
+        return refuse(ODO_TEXT("ui.charuco_numbered_in_two_ways",
+                               "a ChArUco board of %1 rows of squares is numbered in two ways by different "
+                               "programs")(spec.rows + 1),
+                      ODO_TEXT("ui.take_even_rows", "take an even number of rows of inner corners, as 9x6"));
     if (spec.kind == TargetKind::Charuco &&
         CharucoLayout{spec.columns + 1, spec.rows + 1, false}.markerCount() > mostCharucoMarkers)
-        return refuse("there are only 250 markers for a ChArUco board", "take fewer squares");
+        return refuse(
+            ODO_TEXT("ui.only_so_many_charuco_markers", "there are only 250 markers for a ChArUco board"),
+            ODO_TEXT("ui.take_fewer_squares", "take fewer squares"));
     return {};
 }
 
@@ -130,8 +134,9 @@ Result<std::vector<TargetSheet>> layOutTarget(const TargetSpec &spec)
     const bool board = isBoard(spec.kind);
     const double unitMm = toMillimetres(board ? spec.squareM : spec.markerM);
     if (!std::isfinite(unitMm) || unitMm <= 0)
-        return refuse("its size is not a length",
-                      board ? "give the side of a square, as 25mm" : "give its size, as 150mm");
+        return refuse(ODO_TEXT("ui.size_is_no_length", "its size is not a length"),
+                      board ? ODO_TEXT("ui.give_square_side", "give the side of a square, as 25mm")
+                            : ODO_TEXT("ui.give_marker_size", "give its size, as 150mm"));
     const QSizeF figureMm = board ? unitMm * QSizeF(spec.columns + 1, spec.rows + 1) : QSizeF(unitMm, unitMm);
     // A tag can only be read with a white rim of one of its eight cells.
     const QSizeF roomMm = spec.kind == TargetKind::Tags ? figureMm * 1.25 : figureMm;
@@ -139,10 +144,14 @@ Result<std::vector<TargetSheet>> layOutTarget(const TargetSpec &spec)
     const QSizeF paperMm =
         roomFor(upright, roomMm) >= roomFor(upright.transposed(), roomMm) ? upright : upright.transposed();
     if (const double room = roomFor(paperMm, roomMm); room < 1)
-        return refuse(rounded(roomMm.width()) + " by " + rounded(roomMm.height()) + " mm do not fit on " +
-                          QPageSize(spec.paper).name().toStdString(),
-                      std::string(board ? "make the squares " : "make it ") +
-                          rounded(std::floor(room * unitMm)) + " mm at most, or take a larger paper");
+        return refuse(
+            ODO_TEXT("ui.does_not_fit_on", "%1 by %2 do not fit on %3")(
+                quantity(roomMm.width(), 0), quantity(roomMm.height(), 0, "mm"),
+                QPageSize(spec.paper).name().toStdString()),
+            (board
+                 ? ODO_TEXT("ui.make_squares_smaller", "make the squares %1 at most, or take a larger paper")
+                 : ODO_TEXT("ui.make_marker_smaller", "make it %1 at most, or take a larger paper"))(
+                quantity(std::floor(room * unitMm), 0, "mm")));
     const QRectF placeMm(QPointF(0.5 * (paperMm.width() - figureMm.width()),
                                  0.5 * (paperMm.height() - targetFootMm - figureMm.height())),
                          figureMm);
@@ -277,6 +286,16 @@ void paintTarget(QPainter &painter, const TargetSpec &spec, const TargetSheet &s
     painter.restore();
 }
 
+namespace {
+
+tl::unexpected<Error> notPrinted()
+{
+    return fail(ErrorCode::Io, targetSubject(), ODO_TEXT("ui.not_printed", "it could not be printed"),
+                ODO_TEXT("ui.is_printer_ready", "look whether the printer is ready"));
+}
+
+} // namespace
+
 Result<void> printTarget(QPagedPaintDevice &device, const TargetSpec &spec,
                          const std::vector<TargetSheet> &sheets)
 {
@@ -287,8 +306,7 @@ Result<void> printTarget(QPagedPaintDevice &device, const TargetSpec &spec,
                                          upright ? QPageLayout::Portrait : QPageLayout::Landscape, {},
                                          QPageLayout::Millimeter));
         if (painter.isActive() ? !device.newPage() : !painter.begin(&device))
-            return fail(ErrorCode::Io, "target", "it could not be printed",
-                        "look whether the printer is ready");
+            return notPrinted();
         // Printers begin where they can print; the sheet begins at the edge of the paper.
         const QRectF printable = device.pageLayout().paintRect(QPageLayout::Millimeter);
         painter.resetTransform();
@@ -297,7 +315,7 @@ Result<void> printTarget(QPagedPaintDevice &device, const TargetSpec &spec,
         paintTarget(painter, spec, sheet);
     }
     if (!painter.end())
-        return fail(ErrorCode::Io, "target", "it could not be printed", "look whether the printer is ready");
+        return notPrinted();
     return {};
 }
 

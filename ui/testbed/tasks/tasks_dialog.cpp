@@ -4,8 +4,9 @@
 #include "core/project/project.h"
 #include "core/project/records.h"
 #include "core/project/repositories.h"
-#include "ui/models/core_words.h"
 #include "ui/models/results.h"
+#include "ui/models/shared_messages.h"
+#include "ui/models/shown_message.h"
 #include "ui/testbed/tasks/internal/task_canvas.h"
 #include "ui/testbed/tasks/internal/task_editor.h"
 #include "ui/views/widgets/command_keys.h"
@@ -353,9 +354,9 @@ void TasksDialog::edit(const TaskDraft &draft)
 
 bool TasksDialog::store(const TaskRecord &task, const std::vector<Criterion> &scoring)
 {
-    const QString name = QString::fromStdString(task.name);
-    return apply(task.id == 0 ? tr("add task %1").arg(name) : tr("change task %1").arg(name), name,
-                 [&]() -> Result<void> {
+    return apply(task.id == 0 ? addTaskWords(task.name)
+                              : ODO_TEXT("ui.change_task", "change task %1")(Named::task(task.name)),
+                 QString::fromStdString(task.name), [&]() -> Result<void> {
                      if (task.id != 0)
                          if (auto renamed = m_project.tasks().rename(task.id, task.name); !renamed)
                              return renamed;
@@ -379,8 +380,9 @@ void TasksDialog::rename()
             .trimmed();
     if (!accepted || name == before)
         return;
-    apply(tr("rename task %1 to %2").arg(before, name), name,
-          [&, id = task->id] { return m_project.tasks().rename(id, name.toStdString()); });
+    apply(ODO_TEXT("ui.rename_task", "rename task %1 to %2")(Named::task(task->name),
+                                                             Named::task(name.toStdString())),
+          name, [&, id = task->id] { return m_project.tasks().rename(id, name.toStdString()); });
 }
 
 void TasksDialog::archive()
@@ -388,10 +390,11 @@ void TasksDialog::archive()
     const TaskRecord *task = current();
     if (!task || !m_archive->isEnabled())
         return;
-    const QString name = QString::fromStdString(task->name);
     const bool to = !task->archived;
-    apply(to ? tr("archive task %1").arg(name) : tr("take task %1 out of the archive").arg(name),
-          to ? QString() : name, [&, id = task->id] { return m_project.tasks().setArchived(id, to); });
+    const MessageText &words = to ? ODO_TEXT("ui.archive_task", "archive task %1")
+                                  : ODO_TEXT("ui.unarchive_task", "take task %1 out of the archive");
+    apply(words(Named::task(task->name)), to ? QString() : QString::fromStdString(task->name),
+          [&, id = task->id] { return m_project.tasks().setArchived(id, to); });
 }
 
 void TasksDialog::remove()
@@ -399,11 +402,11 @@ void TasksDialog::remove()
     const TaskRecord *task = current();
     if (!task || !m_remove->isEnabled())
         return;
-    apply(tr("delete task %1").arg(QString::fromStdString(task->name)), {},
+    apply(ODO_TEXT("ui.delete_task", "delete task %1")(Named::task(task->name)), {},
           [&, id = task->id] { return m_project.tasks().remove(id); });
 }
 
-bool TasksDialog::apply(const QString &words, const QString &choose,
+bool TasksDialog::apply(const Message &words, const QString &choose,
                         const std::function<Result<void>()> &work)
 {
     const Result<QString> done = m_changes.make(words, work);

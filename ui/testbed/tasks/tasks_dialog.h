@@ -59,7 +59,7 @@ private:
     void archive();
     void remove();
     void measureAgain();
-    bool apply(const QString &words, const QString &choose, const std::function<Result<void>()> &work);
+    bool apply(const Message &words, const QString &choose, const std::function<Result<void>()> &work);
     void tell(const Result<QString> &outcome);
     void takeBack(const Result<QString> &outcome);
     QString freeName(const QString &stem) const;

@@ -2,7 +2,7 @@
 #include "ui/testbed/together/joint_dialog.h"
 
 #include "core/base/units.h"
-#include "ui/models/core_words.h"
+#include "ui/models/shown_message.h"
 #include "ui/views/widgets/card.h"
 #include "ui/views/widgets/form_fields.h"
 #include "ui/views/widgets/labels.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/charts/chart_drawing.h"
 
-#include "ui/models/window_thread.h"
 #include "ui/views/charts/internal/chart.h"
+#include "ui/views/charts/window_thread.h"
 
 #include <QGraphicsScene>
 #include <QPainter>

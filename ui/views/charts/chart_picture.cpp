@@ -3,7 +3,7 @@
 
 #include "core/exchange/file_name.h"
 #include "core/files/output_file.h"
-#include "ui/models/core_words.h"
+#include "ui/models/shown_message.h"
 #include "ui/views/charts/chart_view.h"
 #include "ui/views/charts/series_key.h"
 #include "ui/views/widgets/path_field.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/charts/trial_curves.h"
 
-#include "ui/models/core_words.h"
 #include "ui/models/figure_text.h"
+#include "ui/models/shown_message.h"
 #include "ui/views/charts/chart_overlay.h"
 #include "ui/views/charts/series_colours.h"
 #include "ui/views/curves/profile_curve.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/map/floor_map.h"
 
-#include "ui/models/core_words.h"
 #include "ui/models/figure_text.h"
 #include "ui/models/scene_doubts.h"
+#include "ui/models/shown_message.h"
 #include "ui/models/timeline.h"
 #include "ui/views/charts/chart_overlay.h"
 #include "ui/views/charts/chart_picture.h"

@@ -5,7 +5,8 @@
 #include "core/video/picture.h"
 #include "core/video/video_reader.h"
 #include "core/workflow/job_runner.h"
-#include "ui/models/core_words.h"
+#include "ui/models/shared_messages.h"
+#include "ui/models/shown_message.h"
 #include "ui/views/picture/picture_painting.h"
 
 #include <condition_variable>
@@ -73,7 +74,7 @@ private:
 struct FrameFetcher::Worker
 {
     explicit Worker(FrameFetcher &fetcher)
-        : owner(fetcher), thread(startThread("the picture", [this] { work(); }))
+        : owner(fetcher), thread(startThread(pictureSubject(), [this] { work(); }))
     {
     }
     ~Worker()
@@ -138,7 +139,7 @@ void FrameFetcher::Worker::work()
                 return;
             request = *std::exchange(newest, std::nullopt);
         }
-        const auto served = orShortage("the picture", [&]() -> Result<void> {
+        const auto served = orShortage(pictureSubject(), [&]() -> Result<void> {
             serve(request);
             return {};
         });

@@ -2,7 +2,7 @@
 #include "ui/views/picture/picture_overlay.h"
 
 #include "core/geometry/silhouette.h"
-#include "ui/models/core_words.h"
+#include "ui/models/shown_message.h"
 #include "ui/models/trial_scene.h"
 #include "ui/views/charts/axis_ticks.h"
 #include "ui/views/charts/series_colours.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/widgets/fact_list.h"
 
-#include "ui/models/core_words.h"
+#include "ui/models/shown_message.h"
 #include "ui/views/widgets/labels.h"
 #include "ui/views/widgets/theme.h"
 

@@ -3,6 +3,7 @@
 
 #include "ui/models/camera_lists.h"
 #include "ui/models/figure_text.h"
+#include "ui/models/shown_message.h"
 
 #include <QEvent>
 #include <QLineEdit>
@@ -82,7 +83,7 @@ void LiveCameraBox::fill()
         const QSignalBlocker blocked(this);
         clear();
         for (const CameraDescription &camera : m_cameras.cameras()) {
-            const QString name = shownDeviceName(camera);
+            const QString name = shownWords(camera.name);
             addItem(camera.widthPx > 0 ? tr("%1, %2×%3").arg(name).arg(camera.widthPx).arg(camera.heightPx)
                                        : name,
                     QString::fromStdString(camera.uri));

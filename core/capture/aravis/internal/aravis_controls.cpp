@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/aravis/internal/aravis_controls.h"
 
+#include "core/capture/aravis/internal/aravis_device.h"
+#include "core/capture/camera_errors.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -127,16 +130,16 @@ Result<void> setAravisControl(ArvCamera *camera, const std::string &uri, const s
         std::ranges::find(known, id, [](const KnownFeature &one) { return std::string(one.id); });
     const auto control = feature == known.end() ? std::nullopt : readControl(camera, *feature);
     if (!control)
-        return fail(ErrorCode::NotFound, "camera " + uri,
-                    "it has nothing named '" + id + "' that could be set", "leave it out");
+        return noSuchControl(uri, id);
     if (control->readOnly)
-        return fail(ErrorCode::InvalidInput, "camera " + uri,
-                    control->name + " cannot be set while it is automatic", "turn the automatic off");
+        return fail(
+            ErrorCode::InvalidInput, cameraAtAddress(uri),
+            ODO_TEXT("capture.control_automatic", "%1 cannot be set while it is automatic")(control->name),
+            ODO_TEXT("capture.turn_automatic_off", "turn the automatic off"));
     if (!(value >= control->minimum && value <= control->maximum))
-        return fail(ErrorCode::InvalidInput, "camera " + uri,
-                    control->name + " goes from " + formatNumber(control->minimum, 2) + " to " +
-                        formatNumber(control->maximum, 2),
-                    "set it to something between");
+        return fail(ErrorCode::InvalidInput, cameraAtAddress(uri),
+                    controlGoes(control->name, quantity(control->minimum, 2), quantity(control->maximum, 2)),
+                    ODO_TEXT("capture.set_between", "set it to something between"));
     ArvFailure failure;
     switch (control->kind) {
     case CameraControl::Kind::Choice:
@@ -151,12 +154,12 @@ Result<void> setAravisControl(ArvCamera *camera, const std::string &uri, const s
         arv_camera_set_integer(camera, id.c_str(), std::llround(value), failure.out());
     }
     if (failure.is(ARV_DEVICE_ERROR_TIMEOUT))
-        return fail(ErrorCode::Unavailable, "camera " + uri, "it does not answer",
-                    "check its power and cable");
+        return noAnswer(uri);
     if (failure)
-        return fail(ErrorCode::InvalidInput, "camera " + uri,
-                    "it does not take this for " + control->name + " (" + failure.words() + ")",
-                    "set it to something else");
+        return fail(ErrorCode::InvalidInput, cameraAtAddress(uri),
+                    ODO_TEXT("capture.control_not_taken",
+                             "it does not take this for %1 (%2)")(control->name, failure.words()),
+                    ODO_TEXT("capture.set_to_something_else", "set it to something else"));
     return {};
 }
 
@@ -182,9 +185,19 @@ HeldAutomatics holdAravisAutomatics(ArvCamera *camera)
         if (isOff)
             held.settings.emplace_back(feature.id, place);
         else
-            held.notHeld.emplace_back(feature.name);
+            held.notHeld.push_back(foreignWords(feature.name));
     }
     return held;
+}
+
+Message exposureAndGain()
+{
+    return ODO_TEXT("capture.exposure_and_gain", "Exposure and gain");
+}
+
+tl::unexpected<Error> noAnswer(const std::string &uri)
+{
+    return fail(ErrorCode::Unavailable, cameraAtAddress(uri), doesNotAnswer(), checkPowerAndCable());
 }
 
 } // namespace odo

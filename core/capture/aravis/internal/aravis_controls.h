@@ -19,8 +19,14 @@ struct HeldAutomatics
 {
     std::vector<std::pair<std::string, double>> settings;
     std::vector<std::pair<std::string, double>> automatics; ///< as they stood, those that were on
-    std::vector<std::string> notHeld;                       ///< names, for people
+    std::vector<Message> notHeld;                           ///< names
 };
 HeldAutomatics holdAravisAutomatics(ArvCamera *camera);
+
+/// What is not held while the camera cannot be asked.
+Message exposureAndGain();
+
+/// The failure of one that does not answer.
+tl::unexpected<Error> noAnswer(const std::string &uri);
 
 } // namespace odo

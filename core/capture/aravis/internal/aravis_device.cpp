@@ -4,6 +4,7 @@
 #include "core/base/steady_now.h"
 #include "core/capture/aravis/internal/aravis_library.h"
 #include "core/capture/aravis/internal/gvcp.h"
+#include "core/capture/camera_errors.h"
 #include "core/video/camera_planes.h"
 
 #include <algorithm>
@@ -45,12 +46,22 @@ std::optional<GenicamFormat> usableGenicamFormat(std::uint32_t code)
     return found == formats.end() ? std::nullopt : std::optional(*found);
 }
 
-std::string namesOfUsableFormats()
+MessageArgument namesOfUsableFormats()
 {
-    std::string names;
+    std::vector<std::string> names;
     for (const GenicamFormat &format : formats)
-        names += (names.empty() ? "" : ", ") + std::string(format.name);
-    return names;
+        names.emplace_back(format.name);
+    return listed(names, MessageArgument::Kind::Label, MessageArgument::Joint::Comma);
+}
+
+Message doesNotAnswer()
+{
+    return ODO_TEXT("capture.does_not_answer", "it does not answer");
+}
+
+Message checkPowerAndCable()
+{
+    return ODO_TEXT("capture.check_power_and_cable", "check its power and cable");
 }
 
 Frame genicamPlanes(const GenicamFormat &format, const std::uint8_t *bytes, int widthPx, int heightPx)
@@ -112,16 +123,21 @@ std::optional<GvcpCamera> whoIsAt(const std::string &address)
     return camera;
 }
 
-tl::unexpected<Error> doesNotAnswer(const AravisAddress &address)
+tl::unexpected<Error> noAnswerTo(const AravisAddress &address)
 {
-    return fail(ErrorCode::Unavailable, "camera " + address.uri, "it does not answer",
-                "check its power and cable, and that this computer has an address in the camera's network");
+    return fail(ErrorCode::Unavailable, cameraAtAddress(address.uri), doesNotAnswer(),
+                ODO_TEXT("capture.check_power_and_network",
+                         "check its power and cable, and that this computer has an address in the camera's "
+                         "network"));
 }
 
 tl::unexpected<Error> inUse(const AravisAddress &address)
 {
-    return fail(ErrorCode::Unavailable, "camera " + address.uri, "another program uses it",
-                "close that program; a camera whose program has crashed is free again after some seconds");
+    return fail(ErrorCode::Unavailable, cameraAtAddress(address.uri), usedByAnotherProgram(),
+                joined({closeThatProgram(),
+                        ODO_TEXT("capture.free_after_crash",
+                                 "a camera whose program has crashed is free again after some seconds")},
+                       Join::Semicolon));
 }
 
 /// A stamp in nanoseconds, as Aravis makes them of ticks.
@@ -138,7 +154,7 @@ Result<AravisPlace> AravisDevice::find(const AravisAddress &address)
     if (isIpAddress(address.place)) {
         const auto camera = whoIsAt(address.place);
         if (!camera)
-            return doesNotAnswer(address);
+            return noAnswerTo(address);
         return AravisPlace{camera->address, true, camera->vendor, camera->model, camera->serial};
     }
     for (const UsbVisionCamera &camera : AravisLibrary::instance().usbCameras()) {
@@ -149,8 +165,10 @@ Result<AravisPlace> AravisDevice::find(const AravisAddress &address)
         if (camera.serial == address.place)
             return AravisPlace{camera.address, true, camera.vendor, camera.model, camera.serial};
     }
-    return fail(ErrorCode::Unavailable, "camera " + address.uri, "no camera of this serial number answers",
-                "check its power and cable; odograph cameras lists those that answer");
+    return fail(ErrorCode::Unavailable, cameraAtAddress(address.uri),
+                ODO_TEXT("capture.serial_does_not_answer", "no camera of this serial number answers"),
+                ODO_TEXT("capture.serial_advice",
+                         "check its power and cable; odograph cameras lists those that answer"));
 }
 
 Result<std::unique_ptr<AravisDevice>> AravisDevice::open(const AravisPlace &place,
@@ -159,7 +177,7 @@ Result<std::unique_ptr<AravisDevice>> AravisDevice::open(const AravisPlace &plac
     if (place.onNetwork) {
         const auto controlled = isGvcpControlled(place.openId, openingPatience);
         if (!controlled)
-            return doesNotAnswer(wanted);
+            return noAnswerTo(wanted);
         if (*controlled)
             return inUse(wanted);
     }
@@ -171,9 +189,12 @@ Result<std::unique_ptr<AravisDevice>> AravisDevice::open(const AravisPlace &plac
     }
     if (!camera)
         return fail(
-            ErrorCode::Unavailable, "camera " + wanted.uri, "it cannot be opened (" + failure.words() + ")",
-            place.onNetwork ? "check its cable and address"
-                            : "check that you may use it (a udev rule), and that no other program does");
+            ErrorCode::Unavailable, cameraAtAddress(wanted.uri),
+            ODO_TEXT("capture.cannot_be_opened", "it cannot be opened (%1)")(failure.words()),
+            place.onNetwork
+                ? ODO_TEXT("capture.check_cable_and_address", "check its cable and address")
+                : ODO_TEXT("capture.check_usb_rights",
+                           "check that you may use it (a udev rule), and that no other program does"));
     std::unique_ptr<AravisDevice> device(new AravisDevice(place, std::move(camera)));
     // Aravis opens a camera that another program has got hold of meanwhile, and cannot do anything with it.
     if (place.onNetwork &&
@@ -197,13 +218,14 @@ bool AravisDevice::isLost() const
            !arv_gv_device_is_controller(ARV_GV_DEVICE(arv_camera_get_device(m_camera.get())));
 }
 
-tl::unexpected<Error> AravisDevice::refused(const AravisAddress &wanted, const std::string &what,
+tl::unexpected<Error> AravisDevice::refused(const AravisAddress &wanted, Message why,
                                             const ArvFailure &failure) const
 {
     if (failure.is(ARV_DEVICE_ERROR_TIMEOUT))
-        return doesNotAnswer(wanted);
-    return fail(ErrorCode::InvalidInput, "camera " + wanted.uri, what + " (" + failure.words() + ")",
-                "ask it for something else, or leave that to the camera");
+        return noAnswerTo(wanted);
+    return fail(
+        ErrorCode::InvalidInput, cameraAtAddress(wanted.uri), std::move(why),
+        ODO_TEXT("capture.ask_for_something_else", "ask it for something else, or leave that to the camera"));
 }
 
 /// The order matters: what a picture looks like sets the bounds of the rate, and setting the rate turns a
@@ -226,17 +248,19 @@ Result<void> AravisDevice::chooseSize(const AravisAddress &wanted)
     const auto [sensorWidth, sensorHeight] = largestSize(m_camera.get());
     ArvFailure failure;
     if (sensorWidth > 0 && (width > sensorWidth || height > sensorHeight))
-        return fail(ErrorCode::InvalidInput, "camera " + wanted.uri,
-                    "its pictures have " + std::to_string(sensorWidth) + "x" + std::to_string(sensorHeight) +
-                        " pixels at most",
-                    "ask it for a size within that");
+        return fail(ErrorCode::InvalidInput, cameraAtAddress(wanted.uri),
+                    ODO_TEXT("capture.largest_picture", "its pictures have %1 pixels at most")(
+                        std::to_string(sensorWidth) + "x" + std::to_string(sensorHeight)),
+                    ODO_TEXT("capture.ask_within_sensor", "ask it for a size within that"));
     const auto middle = [](int sensor, int size) {
         return std::max(0, (sensor - size) / 2 / offsetStep * offsetStep);
     };
     arv_camera_set_region(m_camera.get(), middle(sensorWidth, width), middle(sensorHeight, height), width,
                           height, failure.out());
     if (failure)
-        return refused(wanted, "it does not take this size", failure);
+        return refused(wanted,
+                       ODO_TEXT("capture.size_not_taken", "it does not take this size (%1)")(failure.words()),
+                       failure);
     return {};
 }
 
@@ -246,7 +270,10 @@ Result<void> AravisDevice::chooseFormat(const AravisAddress &wanted)
     if (wanted.format) {
         arv_camera_set_pixel_format_from_string(m_camera.get(), wanted.format->c_str(), failure.out());
         if (failure)
-            return refused(wanted, "it has no format " + *wanted.format, failure);
+            return refused(wanted,
+                           ODO_TEXT("capture.no_such_format", "it has no format %1 (%2)")(*wanted.format,
+                                                                                          failure.words()),
+                           failure);
         return {};
     }
     unsigned count = 0;
@@ -259,8 +286,10 @@ Result<void> AravisDevice::chooseFormat(const AravisAddress &wanted)
         if (!failure)
             return {};
     }
-    return fail(ErrorCode::InvalidInput, "camera " + wanted.uri, "it has no pixel format that is understood",
-                "take a camera that has one of " + namesOfUsableFormats());
+    return fail(ErrorCode::InvalidInput, cameraAtAddress(wanted.uri),
+                ODO_TEXT("capture.no_usable_format", "it has no pixel format that is understood"),
+                ODO_TEXT("capture.take_camera_with_format",
+                         "take a camera that has one of %1")(namesOfUsableFormats()));
 }
 
 Result<void> AravisDevice::choosePace(const AravisAddress &wanted)
@@ -271,7 +300,10 @@ Result<void> AravisDevice::choosePace(const AravisAddress &wanted)
     if (wanted.framesPerSecond) {
         arv_camera_set_frame_rate(camera, *wanted.framesPerSecond, failure.out());
         if (failure)
-            return refused(wanted, "it does not take this rate", failure);
+            return refused(
+                wanted,
+                ODO_TEXT("capture.rate_not_taken", "it does not take this rate (%1)")(failure.words()),
+                failure);
     } else {
         arv_camera_clear_triggers(camera, failure.out());
     }
@@ -280,19 +312,28 @@ Result<void> AravisDevice::choosePace(const AravisAddress &wanted)
             arv_camera_set_exposure_time_auto(camera, ARV_AUTO_OFF, failure.out());
         arv_camera_set_exposure_time(camera, toSeconds(*wanted.exposure) * 1e6, failure.out());
         if (failure)
-            return refused(wanted, "it does not take this exposure", failure);
+            return refused(wanted,
+                           ODO_TEXT("capture.exposure_not_taken",
+                                    "it does not take this exposure (%1)")(failure.words()),
+                           failure);
     }
     if (wanted.gain) {
         if (arv_camera_is_gain_auto_available(camera, failure.out()))
             arv_camera_set_gain_auto(camera, ARV_AUTO_OFF, failure.out());
         arv_camera_set_gain(camera, *wanted.gain, failure.out());
         if (failure)
-            return refused(wanted, "it does not take this gain", failure);
+            return refused(
+                wanted,
+                ODO_TEXT("capture.gain_not_taken", "it does not take this gain (%1)")(failure.words()),
+                failure);
     }
     if (wanted.trigger == AravisAddress::Trigger::Software) {
         arv_camera_set_trigger(camera, "Software", failure.out());
         if (failure)
-            return refused(wanted, "it has no software trigger", failure);
+            return refused(
+                wanted,
+                ODO_TEXT("capture.no_software_trigger", "it has no software trigger (%1)")(failure.words()),
+                failure);
     }
     return {};
 }
@@ -310,11 +351,17 @@ Result<void> AravisDevice::setUpTransport(const AravisAddress &wanted)
     else if (has(camera, "GevSCPSFireTestPacket"))
         arv_camera_gv_auto_packet_size(camera, failure.out());
     if (failure && wanted.packetSize)
-        return refused(wanted, "it does not take this packet size", failure);
+        return refused(wanted,
+                       ODO_TEXT("capture.packet_size_not_taken",
+                                "it does not take this packet size (%1)")(failure.words()),
+                       failure);
     if (wanted.packetDelay)
         arv_camera_gv_set_packet_delay(camera, wanted.packetDelay->count(), failure.out());
     if (failure && wanted.packetDelay)
-        return refused(wanted, "it does not take this packet delay", failure);
+        return refused(wanted,
+                       ODO_TEXT("capture.packet_delay_not_taken",
+                                "it does not take this packet delay (%1)")(failure.words()),
+                       failure);
     arv_camera_gv_set_packet_size_adjustment(camera, ARV_GV_PACKET_SIZE_ADJUSTMENT_NEVER);
     // Packet sockets, which root would get, hold packets back for 5 ms and lose some at the start.
     arv_camera_gv_set_stream_options(camera, ARV_GV_STREAM_OPTION_PACKET_SOCKET_DISABLED);
@@ -327,21 +374,32 @@ Result<void> AravisDevice::readBack(const AravisAddress &wanted)
     ArvFailure failure;
     const auto format = usableGenicamFormat(arv_camera_get_pixel_format(camera, failure.out()));
     if (failure)
-        return refused(wanted, "it does not tell its pixel format", failure);
+        return refused(
+            wanted,
+            ODO_TEXT("capture.format_not_told", "it does not tell its pixel format (%1)")(failure.words()),
+            failure);
     if (!format)
-        return fail(ErrorCode::InvalidInput, "camera " + wanted.uri, "its pixel format is not understood",
-                    "ask it for one of " + namesOfUsableFormats());
+        return fail(
+            ErrorCode::InvalidInput, cameraAtAddress(wanted.uri),
+            ODO_TEXT("capture.format_not_understood", "its pixel format is not understood"),
+            ODO_TEXT("capture.ask_for_usable_format", "ask it for one of %1")(namesOfUsableFormats()));
     m_mode.format = *format;
     int x = 0, y = 0;
     arv_camera_get_region(camera, &x, &y, &m_mode.widthPx, &m_mode.heightPx, failure.out());
     if (failure)
-        return refused(wanted, "it does not tell its size", failure);
+        return refused(wanted,
+                       ODO_TEXT("capture.size_not_told", "it does not tell its size (%1)")(failure.words()),
+                       failure);
     if (m_mode.widthPx < 2 || m_mode.heightPx < 2)
-        return fail(ErrorCode::InvalidInput, "camera " + wanted.uri, "its pictures have no size",
-                    "set its width and height");
+        return fail(ErrorCode::InvalidInput, cameraAtAddress(wanted.uri),
+                    ODO_TEXT("capture.pictures_without_size", "its pictures have no size"),
+                    ODO_TEXT("capture.set_width_and_height", "set its width and height"));
     m_mode.payload = arv_camera_get_payload(camera, failure.out());
     if (failure)
-        return refused(wanted, "it does not tell how large its pictures are", failure);
+        return refused(wanted,
+                       ODO_TEXT("capture.payload_not_told",
+                                "it does not tell how large its pictures are (%1)")(failure.words()),
+                       failure);
     m_mode.payload = std::max(m_mode.payload, m_mode.imageSize());
     m_mode.framesPerSecond = arv_camera_get_frame_rate(camera, failure.out());
     const bool untold = failure || !(m_mode.framesPerSecond > 0);

@@ -27,7 +27,10 @@ std::span<const GenicamFormat> usableGenicamFormats();
 std::optional<GenicamFormat> usableGenicamFormat(std::uint32_t code);
 
 /// "BayerRG8, RGB8, ..."
-std::string namesOfUsableFormats();
+MessageArgument namesOfUsableFormats();
+
+Message doesNotAnswer();
+Message checkPowerAndCable();
 
 /// The planes of a picture of a usable format; rows lie behind one another. The bytes are copied.
 Frame genicamPlanes(const GenicamFormat &format, const std::uint8_t *bytes, int widthPx, int heightPx);
@@ -93,8 +96,7 @@ private:
     Result<void> choosePace(const AravisAddress &wanted);
     Result<void> setUpTransport(const AravisAddress &wanted);
     Result<void> readBack(const AravisAddress &wanted);
-    tl::unexpected<Error> refused(const AravisAddress &wanted, const std::string &what,
-                                  const ArvFailure &failure) const;
+    tl::unexpected<Error> refused(const AravisAddress &wanted, Message why, const ArvFailure &failure) const;
 
     AravisPlace m_place;
     ArvPointer<ArvCamera> m_camera;

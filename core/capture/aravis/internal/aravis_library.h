@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/message.h"
+
 #include <arv.h>
 #include <functional>
 #include <memory>
@@ -82,7 +84,7 @@ public:
     }
     explicit operator bool() const { return m_error != nullptr; }
     bool is(ArvDeviceError code) const { return g_error_matches(m_error, ARV_DEVICE_ERROR, code); }
-    std::string words() const { return m_error ? m_error->message : ""; }
+    Message words() const { return m_error ? foreignWords(m_error->message) : Message(); }
 
 private:
     GError *m_error = nullptr;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/aravis/internal/aravis_session.h"
 
+#include "core/capture/camera_errors.h"
+
 namespace odo {
 
 namespace {
@@ -14,7 +16,7 @@ Result<CapturedFrame> AravisSession::next(Nanoseconds patience)
     std::unique_lock lock(m_mutex);
     m_forUser.wait_for(lock, patience, [this] { return m_stopped || !m_frames.empty(); });
     if (m_stopped)
-        return cancelled("camera " + m_uri);
+        return cancelled(cameraAtAddress(m_uri));
     if (!m_frames.empty()) {
         CapturedFrame frame = std::move(m_frames.front());
         m_frames.pop_front();
@@ -22,8 +24,9 @@ Result<CapturedFrame> AravisSession::next(Nanoseconds patience)
     }
     if (m_trouble)
         return tl::unexpected(*m_trouble);
-    return fail(ErrorCode::Unavailable, "camera " + m_uri, "no picture came for half a second",
-                "wait, or check its cable");
+    return fail(ErrorCode::Unavailable, cameraAtAddress(m_uri),
+                ODO_TEXT("capture.no_picture_came", "no picture came for half a second"),
+                ODO_TEXT("capture.wait_or_check_cable", "wait, or check its cable"));
 }
 
 CameraCounts AravisSession::counts() const

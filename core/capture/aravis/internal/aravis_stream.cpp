@@ -3,6 +3,7 @@
 
 #include "core/base/file_system.h"
 #include "core/base/steady_now.h"
+#include "core/capture/camera_errors.h"
 
 #include <netinet/in.h>
 #include <sys/socket.h>
@@ -71,9 +72,10 @@ Nanoseconds arrivalOf(ArvBuffer *buffer)
 Result<std::unique_ptr<AravisStream>> AravisStream::start(AravisDevice &device, const AravisAddress &address)
 {
     const auto cannot = [&](const ArvFailure &failure) {
-        return fail(ErrorCode::Unavailable, "camera " + address.uri,
-                    "it does not start (" + failure.words() + ")",
-                    "check its cable, and that no other program uses it");
+        return fail(
+            ErrorCode::Unavailable, cameraAtAddress(address.uri),
+            ODO_TEXT("capture.does_not_start", "it does not start (%1)")(failure.words()),
+            ODO_TEXT("capture.does_not_start_advice", "check its cable, and that no other program uses it"));
     };
     ArvFailure failure;
     ArvPointer<ArvStream> created(arv_camera_create_stream(device.camera(), nullptr, nullptr, failure.out()));
@@ -114,8 +116,12 @@ void AravisStream::enlargeReceiveBuffer()
     const int handle = socketOfPort(arv_gv_stream_get_port(ARV_GV_STREAM(m_stream.get())));
     const std::size_t granted = handle < 0 ? 0 : setReceiveBuffer(handle, wanted);
     if (granted < std::min(wanted, 2 * m_device.mode().payload))
-        m_warning = "the system keeps only " + std::to_string(granted / 1024) +
-                    " kB of the network's packets; sysctl -w net.core.rmem_max=" + std::to_string(wanted);
+        m_warning = joined(
+            {ODO_TEXT("capture.receive_buffer_granted", "the system keeps only %1 of the network's packets")(
+                 quantity(static_cast<double>(granted / 1024), 0, "kB")),
+             ODO_TEXT("capture.set_receive_buffer",
+                      "sysctl -w net.core.rmem_max=%1")(std::to_string(wanted))},
+            Join::Semicolon);
 }
 
 std::optional<AravisPicture> AravisStream::next(Nanoseconds patience)

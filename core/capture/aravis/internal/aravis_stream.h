@@ -32,7 +32,7 @@ public:
     /// Grows with each picture that came while none of our buffers was free, perhaps by more than one.
     std::uint64_t unbuffered() const;
     /// Why pictures may come incomplete, where this machine is the cause; empty otherwise.
-    const std::string &warning() const { return m_warning; }
+    const Message &warning() const { return m_warning; }
     /// The camera is gone: it is not told to stop, which would take seconds.
     void abandon() { m_abandoned = true; }
 
@@ -44,7 +44,7 @@ private:
     AravisDevice &m_device;
     ArvPointer<ArvStream> m_stream;
     std::uint64_t m_damaged = 0;
-    std::string m_warning;
+    Message m_warning;
     bool m_abandoned = false;
 };
 

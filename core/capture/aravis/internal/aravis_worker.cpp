@@ -4,6 +4,7 @@
 #include "core/base/steady_now.h"
 #include "core/capture/aravis/internal/aravis_controls.h"
 #include "core/capture/aravis/internal/gvcp.h"
+#include "core/capture/camera_errors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,12 +29,20 @@ CameraDescription describe(const AravisAddress &address, const AravisDevice &dev
     const AravisPlace &place = device.place();
     return {.uri = address.uri,
             .kind = "aravis",
-            .name = place.vendor + " " + place.model,
+            .name = foreignWords(place.vendor + " " + place.model),
             .widthPx = mode.widthPx,
             .heightPx = mode.heightPx,
             .framesPerSecond = mode.framesPerSecond,
             .serial = place.serial,
             .formats = {formatWords(mode.format.name, mode.widthPx, mode.heightPx, mode.framesPerSecond)}};
+}
+
+/// With what can be done, in case it does not help itself.
+Message takenUpByItself(Message advice)
+{
+    return joined(
+        {std::move(advice), ODO_TEXT("capture.taken_up_by_itself", "it is taken up again by itself")},
+        Join::Semicolon);
 }
 
 } // namespace
@@ -50,9 +59,10 @@ void AravisWorker::remember(const std::string &id, double value)
     m_settings.emplace_back(id, value);
 }
 
-void AravisWorker::tell(const std::string &why, const std::string &advice)
+void AravisWorker::tell(Message why, Message advice)
 {
-    m_session->trouble({ErrorCode::Unavailable, "camera " + m_address.uri, why, advice});
+    m_session->trouble(
+        {ErrorCode::Unavailable, cameraAtAddress(m_address.uri), std::move(why), std::move(advice)});
 }
 
 void AravisWorker::run()
@@ -84,9 +94,12 @@ Result<AravisPlace> AravisWorker::findAgain()
 {
     auto found = AravisDevice::find(m_address);
     if (found && m_place && found->serial != m_place->serial)
-        return fail(ErrorCode::Unavailable, "camera " + m_address.uri,
-                    "another camera (" + found->serial + ") is in the place of camera " + m_place->serial,
-                    "connect the one that belongs there, or begin anew with this one");
+        return fail(
+            ErrorCode::Unavailable, cameraAtAddress(m_address.uri),
+            ODO_TEXT("capture.other_serial_in_place",
+                     "another camera (%1) is in the place of camera %2")(found->serial, m_place->serial),
+            ODO_TEXT("capture.connect_right_camera",
+                     "connect the one that belongs there, or begin anew with this one"));
     return found;
 }
 
@@ -105,9 +118,11 @@ Result<void> AravisWorker::setAsBefore(AravisDevice &device)
     }
     if (mode.widthPx != m_mode.widthPx || mode.heightPx != m_mode.heightPx ||
         mode.format.code != m_mode.format.code)
-        return fail(ErrorCode::Unavailable, "camera " + m_address.uri,
-                    "it came back with pictures of another size or format",
-                    "set it as before, or begin anew with size and format in its address");
+        return fail(
+            ErrorCode::Unavailable, cameraAtAddress(m_address.uri),
+            ODO_TEXT("capture.came_back_changed", "it came back with pictures of another size or format"),
+            ODO_TEXT("capture.set_as_before",
+                     "set it as before, or begin anew with size and format in its address"));
     for (const auto &[id, value] : m_settings)
         setAravisControl(device.camera(), m_address.uri, id, value);
     device.readExposure();
@@ -125,11 +140,11 @@ Result<void> AravisWorker::set(AravisDevice &device, const std::string &id, doub
     return done;
 }
 
-std::vector<std::string> AravisWorker::holdAutomatics(AravisDevice *device)
+std::vector<Message> AravisWorker::holdAutomatics(AravisDevice *device)
 {
     m_holdWhenBack = !device;
     if (!device)
-        return {"Exposure and gain"};
+        return {exposureAndGain()};
     HeldAutomatics held = holdAravisAutomatics(device->camera());
     for (const auto &[id, value] : held.settings)
         remember(id, value);
@@ -281,7 +296,8 @@ bool AravisWorker::stillStreams(AravisDevice &device, AravisStream &stream)
     if (silence < std::max(shortestSilence, usual))
         return true;
     if (!device.place().onNetwork) {
-        tell("it sends no pictures", "check its cable; it is taken up again by itself");
+        tell(ODO_TEXT("capture.sends_no_pictures", "it sends no pictures"),
+             takenUpByItself(ODO_TEXT("capture.check_cable", "check its cable")));
         if (silence < longestStall + usual)
             return true;
         stream.abandon();
@@ -289,7 +305,7 @@ bool AravisWorker::stillStreams(AravisDevice &device, AravisStream &stream)
     }
     const auto controlled = isGvcpControlled(device.place().openId, runningPatience);
     if (!controlled) {
-        tell("it does not answer", "check its power and cable; it is taken up again by itself");
+        tell(doesNotAnswer(), takenUpByItself(checkPowerAndCable()));
         if (++m_unanswered < mostUnanswered)
             return true;
         stream.abandon();
@@ -297,15 +313,20 @@ bool AravisWorker::stillStreams(AravisDevice &device, AravisStream &stream)
     }
     m_unanswered = 0;
     if (!*controlled || device.isLost()) {
-        tell("it has been away", "wait: it is taken up again");
+        tell(ODO_TEXT("capture.has_been_away", "it has been away"),
+             ODO_TEXT("capture.wait_for_it", "wait: it is taken up again"));
         return false;
     }
     if (stream.damaged() > m_damagedBefore)
-        tell("its pictures come incomplete",
-             stream.warning().empty() ? "check its cable and the network; ask for a smaller size or rate"
-                                      : stream.warning());
+        tell(ODO_TEXT("capture.pictures_incomplete", "its pictures come incomplete"),
+             stream.warning().isEmpty()
+                 ? joined({ODO_TEXT("capture.check_cable_and_network", "check its cable and the network"),
+                           ODO_TEXT("capture.ask_for_less", "ask for a smaller size or rate")},
+                          Join::Semicolon)
+                 : stream.warning());
     else
-        tell("it answers, but sends no pictures", "check its trigger and this computer's firewall");
+        tell(ODO_TEXT("capture.answers_but_silent", "it answers, but sends no pictures"),
+             ODO_TEXT("capture.answers_but_silent_advice", "check its trigger and this computer's firewall"));
     return silence < longestStall + usual;
 }
 

@@ -27,7 +27,7 @@ public:
     Result<void> set(AravisDevice &device, const std::string &id, double value);
     /// Holds them now, and again when the camera comes back; without a camera, when it does. Gives what is
     /// not held.
-    std::vector<std::string> holdAutomatics(AravisDevice *device);
+    std::vector<Message> holdAutomatics(AravisDevice *device);
     /// Gives back what is held, without a camera when it comes back.
     void releaseAutomatics(AravisDevice *device);
 
@@ -45,7 +45,7 @@ private:
     Nanoseconds fireIfDue(AravisDevice &device);
     std::uint64_t lostHere(const AravisStream &stream, std::uint64_t sequence);
     void updateCounts(const AravisStream &stream);
-    void tell(const std::string &why, const std::string &advice);
+    void tell(Message why, Message advice);
 
     const AravisAddress m_address;
     const std::shared_ptr<AravisSession> m_session;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/v4l2/internal/v4l2_controls.h"
 
+#include "core/capture/camera_errors.h"
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -193,8 +195,10 @@ Result<void> write(const V4l2Device &device, const std::string &uri, const Contr
     case EACCES:
     case EINVAL:
     case ERANGE:
-        return fail(ErrorCode::InvalidInput, "camera " + uri,
-                    "it refuses this value of " + control.shown.name, "choose another one");
+        return fail(
+            ErrorCode::InvalidInput, cameraAtAddress(uri),
+            ODO_TEXT("capture.control_value_refused", "it refuses this value of %1")(control.shown.name),
+            ODO_TEXT("capture.choose_another_value", "choose another one"));
     default:
         return tl::unexpected(v4l2Failure(uri, failure));
     }
@@ -246,18 +250,17 @@ Result<void> setV4l2Control(const V4l2Device &device, const std::string &uri, co
     const auto found =
         std::ranges::find(*controls, id, [](const Control &control) { return control.shown.id; });
     if (found == controls->end())
-        return fail(ErrorCode::NotFound, "camera " + uri,
-                    "it has nothing named '" + id + "' that could be set", "leave it out");
+        return noSuchControl(uri, id);
     const CameraControl &shown = found->shown;
     if (shown.readOnly)
-        return fail(ErrorCode::InvalidInput, "camera " + uri,
-                    shown.name + " cannot be set as the camera stands now",
-                    "turn off the automatic that moves it first");
+        return fail(
+            ErrorCode::InvalidInput, cameraAtAddress(uri),
+            ODO_TEXT("capture.control_inactive", "%1 cannot be set as the camera stands now")(shown.name),
+            ODO_TEXT("capture.turn_off_automatic_first", "turn off the automatic that moves it first"));
     if (!(value >= shown.minimum && value <= shown.maximum))
-        return fail(ErrorCode::InvalidInput, "camera " + uri,
-                    shown.name + " goes from " + std::to_string(std::llround(shown.minimum)) + " to " +
-                        std::to_string(std::llround(shown.maximum)),
-                    "choose a value between");
+        return fail(ErrorCode::InvalidInput, cameraAtAddress(uri),
+                    controlGoes(shown.name, quantity(shown.minimum, 0), quantity(shown.maximum, 0)),
+                    ODO_TEXT("capture.choose_value_between", "choose a value between"));
     if (found->type == V4L2_CTRL_TYPE_BUTTON && value == 0)
         return {};
     const auto rounded = static_cast<__s64>(std::llround(value));
@@ -276,7 +279,7 @@ V4l2Held holdV4l2Automatics(const V4l2Device &device, const std::string &uri)
         if (!control)
             continue;
         if (!turnOff(device, uri, *control, automatic.off, held)) {
-            held.stillOn.push_back(control->shown.name);
+            held.stillOn.push_back(foreignWords(control->shown.name));
             continue;
         }
         // Many a camera falls back to what was set by hand before: it is to stay where the automatic had it.

@@ -25,9 +25,9 @@ Result<void> setV4l2Control(const V4l2Device &device, const std::string &uri, co
 /// As CameraSource::holdAutomatics.
 struct V4l2Held
 {
-    V4l2Settings settings;            ///< what was set for it
-    V4l2Settings automatics;          ///< as they stood, those that were on
-    std::vector<std::string> stillOn; ///< names of what could not be turned off
+    V4l2Settings settings;        ///< what was set for it
+    V4l2Settings automatics;      ///< as they stood, those that were on
+    std::vector<Message> stillOn; ///< names of what could not be turned off
 };
 V4l2Held holdV4l2Automatics(const V4l2Device &device, const std::string &uri);
 

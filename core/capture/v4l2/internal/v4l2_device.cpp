@@ -2,6 +2,7 @@
 #include "core/capture/v4l2/internal/v4l2_device.h"
 
 #include "core/base/file_system.h"
+#include "core/capture/camera_errors.h"
 #include "core/capture/v4l2/internal/v4l2_sysfs.h"
 
 #include <algorithm>
@@ -71,29 +72,35 @@ std::string textOf(const __u8 (&bytes)[size])
 
 Error v4l2Failure(const std::string &uri, int errorNumber)
 {
-    const std::string what = "camera " + uri;
+    const Message what = cameraAtAddress(uri);
     switch (errorNumber) {
     case ENOENT:
-        return {ErrorCode::NotFound, what, "it is not there",
-                "plug it in, or choose one of those that odograph cameras lists"};
+        return {ErrorCode::NotFound, what, ODO_TEXT("capture.not_there", "it is not there"),
+                ODO_TEXT("capture.plug_in_or_choose",
+                         "plug it in, or choose one of those that odograph cameras lists")};
     case EACCES:
     case EPERM:
-        return {ErrorCode::Io, what, "you may not use it",
-                "join the group video (sudo usermod -aG video YOUR-NAME) and log in again"};
+        return {ErrorCode::Io, what, ODO_TEXT("capture.forbidden", "you may not use it"),
+                ODO_TEXT("capture.forbidden_advice",
+                         "join the group video (sudo usermod -aG video YOUR-NAME) and log in again")};
     case EBUSY:
-        return {ErrorCode::Unavailable, what, "another program uses it", "close that program"};
+        return {ErrorCode::Unavailable, what, usedByAnotherProgram(), closeThatProgram()};
     case ENODEV:
     case ENXIO:
-        return {ErrorCode::Unavailable, what, "it was unplugged", "plug it in again"};
+        return {ErrorCode::Unavailable, what, ODO_TEXT("capture.unplugged", "it was unplugged"),
+                ODO_TEXT("capture.plug_in_again", "plug it in again")};
     case ENOSPC:
         return {ErrorCode::Unavailable, what,
-                "its USB bus has no room left for its pictures (the bus is full, not the disk)",
-                "plug it in where it shares no bus with another camera, or choose MJPEG, a smaller picture "
-                "or a lower rate (?format=MJPG&size=640x480&rate=30)"};
+                ODO_TEXT("capture.usb_bus_full",
+                         "its USB bus has no room left for its pictures (the bus is full, not the disk)"),
+                ODO_TEXT("capture.usb_bus_full_advice",
+                         "plug it in where it shares no bus with another camera, or choose MJPEG, a "
+                         "smaller picture or a lower rate (?format=MJPG&size=640x480&rate=30)")};
     default:
         return {ErrorCode::Unavailable, what,
-                "it failed (" + std::generic_category().message(errorNumber) + ")",
-                "unplug it and plug it in again if that lasts"};
+                ODO_TEXT("capture.failed",
+                         "it failed (%1)")(foreignWords(std::generic_category().message(errorNumber))),
+                ODO_TEXT("capture.failed_advice", "unplug it and plug it in again if that lasts")};
     }
 }
 
@@ -102,11 +109,10 @@ Error v4l2Failure(const V4l2Device &device, const std::string &uri, int errorNum
     Error failure = v4l2Failure(uri, errorNumber);
     if (errorNumber != EBUSY)
         return failure;
-    std::string names;
-    for (const std::string &name : programsThatHold(device.node()))
-        names += (names.empty() ? "" : ", ") + name;
+    const std::vector<std::string> names = programsThatHold(device.node());
     if (!names.empty())
-        failure.why = "another program uses it (open in " + names + ")";
+        failure.why = ODO_TEXT("capture.used_by_program", "another program uses it (open in %1)")(
+            listed(names, MessageArgument::Kind::Label, MessageArgument::Joint::Comma));
     return failure;
 }
 
@@ -125,8 +131,9 @@ Result<std::shared_ptr<V4l2Device>> V4l2Device::open(const std::filesystem::path
     const __u32 abilities =
         capability.capabilities & V4L2_CAP_DEVICE_CAPS ? capability.device_caps : capability.capabilities;
     if (failure != 0 || (abilities & needed) != needed)
-        return fail(ErrorCode::InvalidInput, "camera " + uri, node.string() + " gives no pictures",
-                    "choose one of those that odograph cameras lists");
+        return fail(ErrorCode::InvalidInput, cameraAtAddress(uri),
+                    ODO_TEXT("capture.gives_no_pictures", "%1 gives no pictures")(Named::file(node)),
+                    ODO_TEXT("capture.choose_listed", "choose one of those that odograph cameras lists"));
     device->m_identity = {textOf(capability.driver), textOf(capability.card), textOf(capability.bus_info),
                           v4l2Sysfs::serialOf(node), v4l2Sysfs::indexOf(node)};
     return device;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/v4l2/internal/v4l2_mode.h"
 
+#include "core/capture/camera_errors.h"
 #include "core/capture/camera_source.h"
 #include "core/capture/v4l2/internal/v4l2_pictures.h"
 
@@ -113,12 +114,14 @@ auto merit(const V4l2Mode &mode)
                       v4l2FormatRank(mode.format));
 }
 
-std::string offerWords(const std::vector<V4l2Mode> &modes)
+Message offerWords(const std::vector<V4l2Mode> &modes)
 {
-    std::string words;
+    std::vector<Message> named;
     for (std::size_t i = 0; i < std::min(modes.size(), mostModesNamed); ++i)
-        words += (i == 0 ? "" : ", ") + modeWords(modes[i]);
-    return modes.size() > mostModesNamed ? words + " and others" : words;
+        named.push_back(modeWords(modes[i]));
+    const MessageArgument list = listed(std::move(named), MessageArgument::Joint::Comma);
+    return modes.size() > mostModesNamed ? ODO_TEXT("capture.these_and_others", "%1 and others")(list)
+                                         : nameAlone(list);
 }
 
 } // namespace
@@ -132,7 +135,7 @@ std::string fourccWords(std::uint32_t fourcc)
     return words;
 }
 
-std::string modeWords(const V4l2Mode &mode)
+Message modeWords(const V4l2Mode &mode)
 {
     return formatWords(fourccWords(mode.format), mode.widthPx, mode.heightPx, mode.framesPerSecond());
 }
@@ -172,10 +175,13 @@ Result<V4l2Mode> chooseMode(const std::vector<V4l2Mode> &modes, const V4l2Reques
     if (best)
         return *best;
     if (modes.empty())
-        return fail(ErrorCode::NotFound, "camera " + uri, "it has no format that can be read",
-                    "take another camera");
-    return fail(ErrorCode::NotFound, "camera " + uri, "it does not offer what was asked for",
-                "choose of what it offers: " + offerWords(modes));
+        return fail(ErrorCode::NotFound, cameraAtAddress(uri),
+                    ODO_TEXT("capture.no_readable_format", "it has no format that can be read"),
+                    ODO_TEXT("capture.take_another_camera", "take another camera"));
+    return fail(ErrorCode::NotFound, cameraAtAddress(uri),
+                ODO_TEXT("capture.not_offered", "it does not offer what was asked for"),
+                joined({ODO_TEXT("capture.choose_of_offer", "choose of what it offers"), offerWords(modes)},
+                       Join::Colon));
 }
 
 } // namespace odo

@@ -30,7 +30,7 @@ struct V4l2Request
 /// "MJPG"; blanks at the end are left out.
 std::string fourccWords(std::uint32_t fourcc);
 /// "MJPG 1280×720 at 30 frames/s"
-std::string modeWords(const V4l2Mode &mode);
+Message modeWords(const V4l2Mode &mode);
 
 /// All modes of the camera that can be read; where it offers ranges, the usual sizes and rates within them.
 std::vector<V4l2Mode> v4l2Modes(const V4l2Device &device);

@@ -2,6 +2,7 @@
 #include "core/capture/v4l2/internal/v4l2_stream.h"
 
 #include "core/base/steady_now.h"
+#include "core/capture/camera_errors.h"
 
 #include <algorithm>
 #include <array>
@@ -139,8 +140,9 @@ Result<std::unique_ptr<V4l2Stream>> V4l2Stream::start(std::shared_ptr<V4l2Device
     if (failure == 0 && (stream->m_format->pixelformat != mode.format ||
                          static_cast<int>(stream->m_format->width) != mode.widthPx ||
                          static_cast<int>(stream->m_format->height) != mode.heightPx))
-        return fail(ErrorCode::Unavailable, "camera " + uri, "it does not take " + modeWords(mode),
-                    "ask for another size or format");
+        return fail(ErrorCode::Unavailable, cameraAtAddress(uri),
+                    ODO_TEXT("capture.mode_not_taken", "it does not take %1")(modeWords(mode)),
+                    ODO_TEXT("capture.ask_for_other_mode", "ask for another size or format"));
     if (failure == 0)
         failure = stream->makeBuffers();
     int type = V4L2_BUF_TYPE_VIDEO_CAPTURE;

@@ -49,7 +49,8 @@ private:
 
     QTemporaryDir m_folder;
     LiveCameras m_live{[] {
-        return std::vector<CameraDescription>{{.uri = "sim:A", .kind = "simulated", .name = "Simulated"}};
+        return std::vector<CameraDescription>{
+            {.uri = "sim:A", .kind = "simulated", .name = foreignWords("Simulated")}};
     }};
     SimulatedScene m_scene = demoTestbed(1);
     QString m_picture;
@@ -116,9 +117,9 @@ void TestLengthWizard::measuresByMouse()
     QCOMPARE(table->item(0, 1)->text(), QStringLiteral("tag"));
     named<QDoubleSpinBox>(*wizard, "True length")->setValue(trueLengthMm());
     const LengthCheck &check = *wizard->page().check();
-    QVERIFY2(check.agrees, check.words.c_str());
+    QVERIFY2(check.agrees, check.words.english().c_str());
     // Both tags are found to a few tenths of a pixel, which is a millimetre or two here.
-    QVERIFY2(std::abs(*check.differenceM) < 0.003, check.words.c_str());
+    QVERIFY2(std::abs(*check.differenceM) < 0.003, check.words.english().c_str());
     QVERIFY(says(*wizard, "inside the expected error"));
     // The same in another unit.
     named<QDoubleSpinBox>(*wizard, "True length")->setValue(trueLengthMm() / 1000);
@@ -157,7 +158,7 @@ void TestLengthWizard::measuresByKeysAlone()
     told->selectAll();
     QTest::keyClicks(told, QLocale().toString(trueLengthMm(), 'f', 1).remove(QLocale().groupSeparator()));
     QTest::keyClick(told, Qt::Key_Tab);
-    QVERIFY2(wizard->page().check()->agrees, wizard->page().check()->words.c_str());
+    QVERIFY2(wizard->page().check()->agrees, wizard->page().check()->words.english().c_str());
     QTest::keyClick(wizard.get(), Qt::Key_Return);
     QVERIFY(!wizard->isVisible());
 }

@@ -95,7 +95,7 @@ void TestMovedDialog::init()
     for (const char *name : {"A", "B"}) {
         IntrinsicsRecord lens;
         lens.camera = m_project->cameras().add({0, name, ""})->id;
-        lens.origin = "told";
+        lens.origin = foreignWords("told");
         lens.calibration.intrinsics = m_scene.cameras[0].view.camera().intrinsics();
         QVERIFY(m_project->cameras().addIntrinsics(lens));
         RegisterJob job({name, m_scene.floor.markers.name, {}, m_still.toStdString(), {}, {}});

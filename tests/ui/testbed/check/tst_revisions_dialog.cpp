@@ -60,7 +60,7 @@ void TestRevisionsDialog::init()
     for (const CameraRecord &camera : *cameras) {
         RegistrationRecord record = *m_project->cameras().currentRegistration(camera.id).value();
         record.registration.worldFromCamera.translation.x() += 0.01;
-        record.registration.verdict = "Good: once more.";
+        record.registration.verdict = foreignWords("Good: once more.");
         record.softwareVersion = "0.2";
         QVERIFY(m_project->cameras().addRegistration(record));
     }

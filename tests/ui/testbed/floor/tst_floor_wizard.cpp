@@ -4,6 +4,7 @@
 #include "core/simulation/renderer.h"
 #include "core/video/picture_writer.h"
 #include "tests/support/registered_test.h"
+#include "tests/support/said_error.h"
 #include "tests/ui/support/busy_watch.h"
 #include "tests/ui/support/found_widgets.h"
 #include "ui/models/camera_lists.h"
@@ -63,7 +64,8 @@ private:
     int m_keptWidth = 0;            ///< of the picture that was to be kept
     std::optional<Error> m_problem; ///< of keeping it
     LiveCameras m_live{[] {
-        return std::vector<CameraDescription>{{.uri = "sim:A", .kind = "simulated", .name = "Simulated"}};
+        return std::vector<CameraDescription>{
+            {.uri = "sim:A", .kind = "simulated", .name = foreignWords("Simulated")}};
     }};
     SimulatedScene m_scene = demoTestbed(1);
     QString m_picture, m_bare; ///< with tags, and without
@@ -184,8 +186,8 @@ void TestFloorWizard::byMouseFromACamera()
 
 void TestFloorWizard::staysOpenWhenTheDiskIsFull()
 {
-    m_problem = Error{ErrorCode::Io, "calibration picture 'A_floor'", "no space left on device",
-                      "check the free space"};
+    m_problem = test::saidError(ErrorCode::Io, "calibration picture 'A_floor'", "no space left on device",
+                                "check the free space");
     const auto wizard = makeWizard(m_picture);
     walkToMarkers(*wizard);
     QTRY_VERIFY_WITH_TIMEOUT(button(*wizard, "Save")->isEnabled(), patienceMs);

@@ -6,6 +6,7 @@
 #include "core/simulation/renderer.h"
 #include "core/video/picture_writer.h"
 #include "tests/support/registered_test.h"
+#include "tests/support/said_error.h"
 #include "tests/ui/support/busy_watch.h"
 #include "tests/ui/support/found_widgets.h"
 #include "tests/ui/support/person.h"
@@ -49,7 +50,7 @@ CameraModel lens()
 
 CameraDescription simulatedCamera()
 {
-    return {"sim:T", "simulated", "Test camera", widthPx, heightPx, 30};
+    return {"sim:T", "simulated", foreignWords("Test camera"), widthPx, heightPx, 30};
 }
 
 std::shared_ptr<CameraSource> fastCamera()
@@ -127,8 +128,9 @@ std::unique_ptr<LensWizard> TestLensWizard::makeWizard(bool cameraThere)
         QStringList{QStringLiteral("A"), QStringLiteral("B")}, QStringLiteral("B"), m_live,
         LensWizard::Callbacks{[cameraThere](const QString &) -> Result<std::shared_ptr<CameraSource>> {
                                   if (!cameraThere)
-                                      return fail(ErrorCode::Io, "'sim:T'", "the camera does not answer",
-                                                  "plug it in again");
+                                      return test::saidFailure(ErrorCode::Io, "'sim:T'",
+                                                               "the camera does not answer",
+                                                               "plug it in again");
                                   return fastCamera();
                               },
                               [this](const MeasuredLens &lens, const JobControl &) { return keep(lens); }});
@@ -362,8 +364,8 @@ void TestLensWizard::staysOpenWhenTheDiskIsFull()
     walkToPictures(*wizard);
     QTest::mouseClick(button(*wizard, "Next >"), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(button(*wizard, "Save")->isEnabled(), patienceMs);
-    m_problem =
-        Error{ErrorCode::Io, "calibration picture 'B_1'", "no space left on device", "check the free space"};
+    m_problem = test::saidError(ErrorCode::Io, "calibration picture 'B_1'", "no space left on device",
+                                "check the free space");
     QTest::mouseClick(button(*wizard, "Save"), Qt::LeftButton);
     QTRY_VERIFY(says(
         *wizard,

@@ -294,7 +294,7 @@ void TestTasksDialog::tasksAreMadeCopiedAndDeleted()
         if (action->shortcut() == QKeySequence(Qt::CTRL | Qt::Key_Z))
             action->trigger();
     QVERIFY(m_project->tasks().find("Gymkhana").has_value());
-    QCOMPARE(QString::fromStdString(m_project->changes()->front().words),
+    QCOMPARE(QString::fromStdString(m_project->changes()->front().words.english()),
              QStringLiteral("delete task Gymkhana"));
 }
 

@@ -56,7 +56,8 @@ private:
 
     QTemporaryDir m_folder;
     LiveCameras m_live{[] {
-        return std::vector<CameraDescription>{{.uri = "sim:A", .kind = "simulated", .name = "Simulated"}};
+        return std::vector<CameraDescription>{
+            {.uri = "sim:A", .kind = "simulated", .name = foreignWords("Simulated")}};
     }};
     SimulatedScene m_scene = demoTestbed(1);
     const std::vector<Eigen::Vector2d> m_places{{0.6, 0.5}, {2.4, 0.5}, {2.4, 1.7},

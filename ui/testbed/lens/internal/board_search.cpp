@@ -9,7 +9,8 @@
 #include "core/video/video_reader.h"
 #include "core/workflow/calibrate/calibration_pictures.h"
 #include "core/workflow/job_runner.h"
-#include "ui/models/core_words.h"
+#include "ui/models/shared_messages.h"
+#include "ui/models/shown_message.h"
 #include "ui/views/picture/picture_painting.h"
 #include "ui/views/widgets/path_field.h"
 
@@ -344,7 +345,7 @@ BoardSearch::~BoardSearch()
 void BoardSearch::ask(std::function<void(BoardSearchWorker &)> what)
 {
     if (!m_thread.isRunning())
-        return callLater(this, [this] { Q_EMIT troubled(errorLine(noThread("the picture"))); });
+        return callLater(this, [this] { Q_EMIT troubled(errorLine(noThread(pictureSubject()))); });
     callLater(m_worker, [worker = m_worker, what = std::move(what)] { what(*worker); });
 }
 

@@ -2,7 +2,7 @@
 #include "ui/testbed/lens/internal/lens_pictures_page.h"
 
 #include "core/calibration/board_placement.h"
-#include "ui/models/core_words.h"
+#include "ui/models/shown_message.h"
 #include "ui/testbed/lens/internal/board_canvas.h"
 #include "ui/views/widgets/card.h"
 #include "ui/views/widgets/command_keys.h"
@@ -211,6 +211,15 @@ void LensPicturesPage::begin(bool live)
              : QString());
 }
 
+namespace {
+
+QString shownRefusal(const Error &refusal)
+{
+    return shownWords(joined({refusal.why, refusal.advice}, Join::Semicolon));
+}
+
+} // namespace
+
 void LensPicturesPage::showSearched(const SearchedPicture &picture)
 {
     const PictureAnswer &answer = picture.answer;
@@ -229,10 +238,9 @@ void LensPicturesPage::showSearched(const SearchedPicture &picture)
         say(tr("Taken"), tr("Now the dashed outline shows where the board would help most."));
     else if (answer.picture && picture.wanted)
         say(wordsOf(hintTowards(*picture.wanted, answer.picture->placement)),
-            answer.refusal ? shownWords(answer.refusal->why + "; " + answer.refusal->advice) : QString());
+            answer.refusal ? shownRefusal(*answer.refusal) : QString());
     else if (answer.refusal)
-        say(tr("Hold the board before the camera"),
-            shownWords(answer.refusal->why + "; " + answer.refusal->advice));
+        say(tr("Hold the board before the camera"), shownRefusal(*answer.refusal));
 }
 
 void LensPicturesPage::showState()

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/testbed/lens/internal/lens_result_page.h"
 
-#include "ui/models/core_words.h"
+#include "ui/models/shown_message.h"
 #include "ui/testbed/lens/internal/board_canvas.h"
 #include "ui/testbed/lens/internal/picture_bars.h"
 #include "ui/views/widgets/card.h"
@@ -222,7 +222,7 @@ void LensResultPage::showFigures()
 void LensResultPage::showFailure(const Error &error)
 {
     m_progress->setVisible(false);
-    m_verdict->setText(shownWords(error.why + "; " + error.advice + "."));
+    m_verdict->setText(fullSentence(shownWords(joined({error.why, error.advice}, Join::Semicolon))));
     m_facts->setFacts({});
     Q_EMIT completeChanged();
 }

@@ -3,7 +3,7 @@
 
 #include "core/base/shortage.h"
 #include "core/workflow/job_runner.h"
-#include "ui/models/core_words.h"
+#include "ui/models/shown_message.h"
 
 #include <cmath>
 
@@ -52,7 +52,7 @@ void LensSolver::start()
     m_wanted = true;
     JobControl control;
     control.cancel = m_cancel;
-    control.progress = [this, cancel = m_cancel](double fraction, const std::string &text) {
+    control.progress = [this, cancel = m_cancel](double fraction, const Message &text) {
         callLater(this, [this, cancel, fraction, words = shownWords(text)] {
             if (!cancel.isCancelled())
                 Q_EMIT progressed(fraction, words);
@@ -61,8 +61,8 @@ void LensSolver::start()
     const auto finishLater = [this](Result<LensAnswer> answer) {
         callLater(this, [this, answer = std::move(answer)] { finish(answer); });
     };
-    auto thread = startThread(cannotDoThis, [control, finishLater, question = std::move(*m_next)] {
-        finishLater(orShortage(cannotDoThis, [&] { return answerTo(question, control); }));
+    auto thread = startThread(cannotDoThis(), [control, finishLater, question = std::move(*m_next)] {
+        finishLater(orShortage(cannotDoThis(), [&] { return answerTo(question, control); }));
     });
     m_next.reset();
     if (thread)

@@ -4,7 +4,7 @@
 #include "core/analysis/task_templates.h"
 #include "core/base/units.h"
 #include "core/exchange/task_file.h"
-#include "ui/models/core_words.h"
+#include "ui/models/shown_message.h"
 #include "ui/testbed/tasks/internal/part_tables.h"
 #include "ui/testbed/tasks/internal/scoring_table.h"
 #include "ui/testbed/tasks/internal/task_canvas.h"

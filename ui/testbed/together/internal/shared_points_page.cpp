@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/testbed/together/internal/shared_points_page.h"
-#include "ui/models/core_words.h"
+#include "ui/models/shown_message.h"
 #include "ui/testbed/floor/marker_page.h"
 
 #include "core/base/units.h"
@@ -259,9 +259,10 @@ void SharedPointsPage::evaluate()
         const std::optional<Intrinsics> lens =
             m_camera.intrinsics ? std::optional(m_camera.intrinsics->calibration.intrinsics) : std::nullopt;
         const auto shared = points();
-        const auto chained =
-            registerThrough(m_through->view, tr("camera %1").arg(m_through->name).toStdString(), shared,
-                            cameraOf(lens, format.width, format.height), lens.has_value());
+        const auto chained = registerThrough(
+            m_through->view,
+            ODO_TEXT("ui.camera_named", "camera %1")(Named::camera(m_through->name.toStdString())), shared,
+            cameraOf(lens, format.width, format.height), lens.has_value());
         if (chained) {
             m_registration = *chained;
             const FloorRegistration &registration = chained->registration;

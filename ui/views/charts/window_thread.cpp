@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/models/window_thread.h"
+#include "ui/views/charts/window_thread.h"
 
 #include "core/base/job_control.h"
 #include "core/workflow/job_runner.h"

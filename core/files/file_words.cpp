@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/files/file_words.h"
+
+namespace odo {
+
+Message cannotBeRead(std::string because)
+{
+    return ODO_TEXT("files.cannot_be_read", "it cannot be read (%1)")(foreignWords(std::move(because)));
+}
+
+Message cannotBeWritten(std::string because)
+{
+    return ODO_TEXT("files.cannot_be_written", "it cannot be written (%1)")(foreignWords(std::move(because)));
+}
+
+Message noSuchFile()
+{
+    return ODO_TEXT("files.no_such_file", "there is no such file");
+}
+
+Message noSuchFolder(const std::filesystem::path &folder)
+{
+    return ODO_TEXT("files.no_such_folder", "there is no folder '%1'")(Named::file(folder));
+}
+
+Message isThereAlready()
+{
+    return ODO_TEXT("files.is_there_already", "it is there already");
+}
+
+Message nameAFile()
+{
+    return ODO_TEXT("files.name_a_file", "name a file");
+}
+
+Message chooseAnotherName()
+{
+    return ODO_TEXT("files.choose_another_name", "choose another name");
+}
+
+Message chooseAnotherNameOrFolder()
+{
+    return ODO_TEXT("files.choose_name_or_folder", "choose another name or folder");
+}
+
+Message chooseFolderWithRoom()
+{
+    return ODO_TEXT("files.choose_folder_with_room",
+                    "choose a folder that you may write to and that has room");
+}
+
+Message makeFolderFirst()
+{
+    return ODO_TEXT("files.make_folder_first", "make the folder first, or choose another one");
+}
+
+Message checkFileMayBeRead()
+{
+    return ODO_TEXT("files.check_may_be_read", "check that you may read the file");
+}
+
+Message checkFileIsThere()
+{
+    return ODO_TEXT("files.check_file_is_there", "check that the file is there and may be read");
+}
+
+} // namespace odo
