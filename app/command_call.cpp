@@ -166,11 +166,6 @@ tl::unexpected<Error> CommandCall::verbNotKnown() const
     return wrongCall(ODO_TEXT("app.verb_not_known", "'%1' is not known")(text(0)));
 }
 
-Message CommandCall::isRecording()
-{
-    return ODO_TEXT("app.is_recording", "it is a recording of the project");
-}
-
 Result<std::unique_ptr<Project>> CommandCall::openProject(int index, Project::Access access) const
 {
     noteOpenProject(files::absolute(text(index)));

@@ -79,13 +79,12 @@ public:
     static void warnOf(const Error &error);
 
 private:
-    static Message isRecording();
-
     CommandSyntax m_syntax;
     QCommandLineParser m_parser;
     JobControl m_control;
     InputFiles m_inputs;
-    const std::unique_ptr<InputFiles> m_recordings = std::make_unique<InputFiles>(isRecording());
+    const std::unique_ptr<InputFiles> m_recordings =
+        std::make_unique<InputFiles>(ODO_TEXT("app.is_recording", "it is a recording of the project"));
 };
 
 } // namespace odo

@@ -1694,32 +1694,12 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>ShownMessageWords</name>
     <message>
-        <source>none</source>
-        <translation>keine</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
-        <source>%1 or %2</source>
-        <translation>%1 oder %2</translation>
-    </message>
-    <message>
-        <source>%1 and %2</source>
-        <translation>%1 und %2</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
     <message>
         <source>%1.</source>
         <translation>%1.</translation>
-    </message>
-    <message>
-        <source>%1; %2</source>
-        <translation>%1; %2</translation>
     </message>
 </context>
 <context>
@@ -2848,6 +2828,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>base.and</name>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 und %2</translation>
+    </message>
+</context>
+<context>
     <name>base.camera</name>
     <message>
         <source>camera &apos;%1&apos;</source>
@@ -2960,13 +2947,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>base.marker</name>
-    <message>
-        <source>marker %1</source>
-        <translation>Marker %1</translation>
-    </message>
-</context>
-<context>
     <name>base.name</name>
     <message>
         <source>%1</source>
@@ -3034,6 +3014,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>number &apos;%1&apos;</source>
         <translation>Zahl &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.or</name>
+    <message>
+        <source>%1 or %2</source>
+        <translation>%1 oder %2</translation>
     </message>
 </context>
 <context>
@@ -3993,6 +3980,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>keep the whole board in the picture</source>
         <translation>halten Sie die ganze Tafel im Bild</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.label_each_marker</name>
+    <message>
+        <source>give each marker a label of its own</source>
+        <translation>geben Sie jedem Marker eine eigene Bezeichnung</translation>
     </message>
 </context>
 <context>
@@ -5337,13 +5331,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Usable: %1.</source>
         <translation>Brauchbar: %1.</translation>
-    </message>
-</context>
-<context>
-    <name>calibration.use_another_picture</name>
-    <message>
-        <source>use another picture</source>
-        <translation>verwenden Sie ein anderes Bild</translation>
     </message>
 </context>
 <context>
@@ -6859,20 +6846,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>exchange.cannot_be_read</name>
-    <message>
-        <source>it cannot be read</source>
-        <translation>Lesen nicht möglich</translation>
-    </message>
-</context>
-<context>
-    <name>exchange.cannot_write_archive</name>
-    <message>
-        <source>cannot write &apos;%1&apos;</source>
-        <translation>&apos;%1&apos; kann nicht geschrieben werden</translation>
-    </message>
-</context>
-<context>
     <name>exchange.cell_not_a_number</name>
     <message>
         <source>%1 &apos;%2&apos; is not a finite number</source>
@@ -6912,13 +6885,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>check that it is the right file</source>
         <translation>prüfen Sie, ob es die richtige Datei ist</translation>
-    </message>
-</context>
-<context>
-    <name>exchange.check_room_and_rights</name>
-    <message>
-        <source>check the free space and the rights of its folder</source>
-        <translation>prüfen Sie den freien Platz und die Rechte seines Ordners</translation>
     </message>
 </context>
 <context>
@@ -7006,13 +6972,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>exchange.file_is_empty</name>
-    <message>
-        <source>the file is empty</source>
-        <translation>die Datei ist leer</translation>
-    </message>
-</context>
-<context>
     <name>exchange.file_too_large</name>
     <message>
         <source>it is larger than %1</source>
@@ -7048,13 +7007,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>exchange.give_marker_own_label</name>
-    <message>
-        <source>give each marker a label of its own</source>
-        <translation>geben Sie jedem Marker eine eigene Bezeichnung</translation>
-    </message>
-</context>
-<context>
     <name>exchange.give_one_path</name>
     <message>
         <source>give one of points_mm, circle, figure_eight or slalom</source>
@@ -7073,13 +7025,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>give each point a label</source>
         <translation>geben Sie jedem Punkt eine Bezeichnung</translation>
-    </message>
-</context>
-<context>
-    <name>exchange.give_point_own_label</name>
-    <message>
-        <source>give each point a label of its own</source>
-        <translation>geben Sie jedem Punkt eine eigene Bezeichnung</translation>
     </message>
 </context>
 <context>
@@ -7741,10 +7686,24 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
+    <name>files.cannot_write</name>
+    <message>
+        <source>cannot write &apos;%1&apos;</source>
+        <translation>&apos;%1&apos; kann nicht geschrieben werden</translation>
+    </message>
+</context>
+<context>
     <name>files.check_file_is_there</name>
     <message>
         <source>check that the file is there and may be read</source>
         <translation>prüfen Sie, ob die Datei da ist und gelesen werden darf</translation>
+    </message>
+</context>
+<context>
+    <name>files.check_its_folder</name>
+    <message>
+        <source>check the free space and the rights of its folder</source>
+        <translation>prüfen Sie den freien Platz und die Rechte seines Ordners</translation>
     </message>
 </context>
 <context>
@@ -7815,6 +7774,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>the disk is full</source>
         <translation>die Platte ist voll</translation>
+    </message>
+</context>
+<context>
+    <name>files.file_is_empty</name>
+    <message>
+        <source>the file is empty</source>
+        <translation>die Datei ist leer</translation>
     </message>
 </context>
 <context>
@@ -7983,6 +7949,13 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>choose another name, or replace it with --force</source>
         <translation>wählen Sie einen anderen Namen, oder ersetzen Sie sie mit --force</translation>
+    </message>
+</context>
+<context>
+    <name>files.unreadable</name>
+    <message>
+        <source>it cannot be read</source>
+        <translation>Lesen nicht möglich</translation>
     </message>
 </context>
 <context>
@@ -14672,20 +14645,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>project.cannot_be_looked_at</name>
-    <message>
-        <source>it cannot be looked at (%1)</source>
-        <translation>Zugriff nicht möglich (%1)</translation>
-    </message>
-</context>
-<context>
-    <name>project.cannot_be_read</name>
-    <message>
-        <source>it cannot be read</source>
-        <translation>Lesen nicht möglich</translation>
-    </message>
-</context>
-<context>
     <name>project.cannot_be_written_to</name>
     <message>
         <source>it cannot be written to</source>
@@ -14777,13 +14736,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>project.check_its_folder</name>
-    <message>
-        <source>check the free space and the rights of its folder</source>
-        <translation>prüfen Sie den freien Platz und die Rechte seines Ordners</translation>
-    </message>
-</context>
-<context>
     <name>project.check_its_input</name>
     <message>
         <source>check the input that it was computed from</source>
@@ -14795,13 +14747,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>check the name, or make a new project</source>
         <translation>prüfen Sie den Namen, oder legen Sie ein neues Projekt an</translation>
-    </message>
-</context>
-<context>
-    <name>project.check_numbers</name>
-    <message>
-        <source>check the numbers</source>
-        <translation>prüfen Sie die Zahlen</translation>
     </message>
 </context>
 <context>
@@ -14844,13 +14789,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>choose a file that Odograph has written</source>
         <translation>wählen Sie eine Datei, die Odograph geschrieben hat</translation>
-    </message>
-</context>
-<context>
-    <name>project.choose_shorter_name</name>
-    <message>
-        <source>choose a shorter name</source>
-        <translation>wählen Sie einen kürzeren Namen</translation>
     </message>
 </context>
 <context>
@@ -15085,13 +15023,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>project.file_empty</name>
-    <message>
-        <source>the file is empty</source>
-        <translation>die Datei ist leer</translation>
-    </message>
-</context>
-<context>
     <name>project.file_lost</name>
     <message>
         <source>its file was deleted, renamed or replaced while it was open; nothing was stored</source>
@@ -15250,13 +15181,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>frame times of &apos;%1&apos;</source>
         <translation>Bildzeiten von &apos;%1&apos;</translation>
-    </message>
-</context>
-<context>
-    <name>project.gate</name>
-    <message>
-        <source>gate &apos;%1&apos;</source>
-        <translation>Tor &apos;%1&apos;</translation>
     </message>
 </context>
 <context>
@@ -15659,13 +15583,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>project.make_room</name>
-    <message>
-        <source>make room on the disk and try again</source>
-        <translation>schaffen Sie Platz auf der Platte und versuchen Sie es noch einmal</translation>
-    </message>
-</context>
-<context>
     <name>project.marker_errors_differ</name>
     <message>
         <source>the marker errors of registration %1 are not those that its markers give</source>
@@ -15803,13 +15720,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>the project has a %1 of that name already</source>
         <translation>das Projekt hat schon einen Eintrag „%1“ dieses Namens</translation>
-    </message>
-</context>
-<context>
-    <name>project.name_too_long</name>
-    <message>
-        <source>its name is too long</source>
-        <translation>der Name ist zu lang</translation>
     </message>
 </context>
 <context>
@@ -16062,13 +15972,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>the manual overrides have changed since robot &apos;%1&apos; was analysed</source>
         <translation>die Entscheidungen von Hand haben sich seit der Auswertung des Roboters &apos;%1&apos; geändert</translation>
-    </message>
-</context>
-<context>
-    <name>project.own_labels</name>
-    <message>
-        <source>give each marker a label of its own</source>
-        <translation>geben Sie jedem Marker eine eigene Bezeichnung</translation>
     </message>
 </context>
 <context>
@@ -16748,13 +16651,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>another program wrote over its file while it was open; nothing more was stored</source>
         <translation>ein anderes Programm hat seine Datei überschrieben, während es offen war; danach wurde nichts mehr gespeichert</translation>
-    </message>
-</context>
-<context>
-    <name>project.zone</name>
-    <message>
-        <source>zone &apos;%1&apos;</source>
-        <translation>Zone &apos;%1&apos;</translation>
     </message>
 </context>
 <context>
@@ -17633,13 +17529,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>ui.comparison</name>
-    <message>
-        <source>comparison</source>
-        <translation>Vergleich</translation>
-    </message>
-</context>
-<context>
     <name>ui.completing_recording</name>
     <message>
         <source>Completing a recording that was cut off</source>
@@ -17812,13 +17701,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>Looking for lost videos</source>
         <translation>Verlorene Videos werden gesucht</translation>
-    </message>
-</context>
-<context>
-    <name>ui.looking_for_markers</name>
-    <message>
-        <source>looking for the markers in %1</source>
-        <translation>Marker werden in %1 gesucht</translation>
     </message>
 </context>
 <context>
@@ -18130,20 +18012,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>ui.redo</name>
-    <message>
-        <source>redo</source>
-        <translation>wiederholen</translation>
-    </message>
-</context>
-<context>
-    <name>ui.register_camera</name>
-    <message>
-        <source>register camera %1</source>
-        <translation>Kamera %1 einmessen</translation>
-    </message>
-</context>
-<context>
     <name>ui.register_one_first</name>
     <message>
         <source>register one that sees the markers first</source>
@@ -18372,13 +18240,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>take %1 trials out of the bin</source>
         <translation>%1 Versuche aus dem Papierkorb holen</translation>
-    </message>
-</context>
-<context>
-    <name>ui.undo</name>
-    <message>
-        <source>undo</source>
-        <translation>rückgängig machen</translation>
     </message>
 </context>
 <context>
@@ -18666,13 +18527,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>writing has failed before</source>
         <translation>das Schreiben ist schon vorher misslungen</translation>
-    </message>
-</context>
-<context>
-    <name>video.file_is_empty</name>
-    <message>
-        <source>the file is empty</source>
-        <translation>die Datei ist leer</translation>
     </message>
 </context>
 <context>
@@ -19313,20 +19167,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>workflow.cannot_be_looked_at</name>
-    <message>
-        <source>it cannot be looked at (%1)</source>
-        <translation>Zugriff nicht möglich (%1)</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.cannot_write</name>
-    <message>
-        <source>cannot write &apos;%1&apos;</source>
-        <translation>&apos;%1&apos; kann nicht geschrieben werden</translation>
-    </message>
-</context>
-<context>
     <name>workflow.changed_in_file</name>
     <message>
         <source>they were changed in the file</source>
@@ -19348,24 +19188,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>workflow.check_folder_is_there</name>
-    <message>
-        <source>check that the folder is there and may be read</source>
-        <translation>prüfen Sie, ob der Ordner da ist und gelesen werden darf</translation>
-    </message>
-</context>
-<context>
     <name>workflow.check_it_is_connected</name>
     <message>
         <source>check that it is connected and not used by another program</source>
         <translation>prüfen Sie, ob sie angeschlossen ist und kein anderes Programm sie benutzt</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.check_it_is_there</name>
-    <message>
-        <source>check that it is there and may be read</source>
-        <translation>prüfen Sie, ob sie da ist und gelesen werden darf</translation>
     </message>
 </context>
 <context>
@@ -19397,13 +19223,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>workflow.check_room_and_rights</name>
-    <message>
-        <source>check the free space and the rights of the project&apos;s folder</source>
-        <translation>prüfen Sie den freien Platz und die Rechte des Projektordners</translation>
-    </message>
-</context>
-<context>
     <name>workflow.check_they_are_connected</name>
     <message>
         <source>check that they are connected and not used by another program</source>
@@ -19425,24 +19244,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>workflow.choose_another_name</name>
-    <message>
-        <source>choose another name</source>
-        <translation>wählen Sie einen anderen Namen</translation>
-    </message>
-</context>
-<context>
     <name>workflow.choose_another_one</name>
     <message>
         <source>choose another one</source>
         <translation>wählen Sie einen anderen</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.choose_another_run</name>
-    <message>
-        <source>choose another run as well</source>
-        <translation>wählen Sie noch eine Fahrt</translation>
     </message>
 </context>
 <context>
@@ -19523,31 +19328,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>workflow.choose_writable_folder</name>
-    <message>
-        <source>choose a folder that you may write to</source>
-        <translation>wählen Sie einen Ordner, in den Sie schreiben dürfen</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.close_other_programs</name>
-    <message>
-        <source>close other programs and try again</source>
-        <translation>schließen Sie andere Programme und versuchen Sie es noch einmal</translation>
-    </message>
-</context>
-<context>
     <name>workflow.compared_with_itself</name>
     <message>
         <source>a run cannot be compared with itself</source>
         <translation>eine Fahrt kann nicht mit sich selbst verglichen werden</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.comparison</name>
-    <message>
-        <source>comparison</source>
-        <translation>Vergleich</translation>
     </message>
 </context>
 <context>
@@ -19583,13 +19367,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>computing the intrinsics</source>
         <translation>Objektivdaten werden berechnet</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.copy</name>
-    <message>
-        <source>copy &apos;%1&apos;</source>
-        <translation>Kopie &apos;%1&apos;</translation>
     </message>
 </context>
 <context>
@@ -19663,13 +19440,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>workflow.end_recording_first</name>
-    <message>
-        <source>end its recording first</source>
-        <translation>beenden Sie zuerst seine Aufnahme</translation>
-    </message>
-</context>
-<context>
     <name>workflow.error_estimated</name>
     <message>
         <source>positions to %1, as estimated from them</source>
@@ -19695,13 +19465,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>record to a faster disk, or fewer cameras at once</source>
         <translation>nehmen Sie auf eine schnellere Platte oder mit weniger Kameras zugleich auf</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.file_is_missing</name>
-    <message>
-        <source>%1 is missing</source>
-        <translation>%1 fehlt</translation>
     </message>
 </context>
 <context>
@@ -19992,20 +19755,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>workflow.look_for_strays</name>
-    <message>
-        <source>look for stray files</source>
-        <translation>Suche nach herrenlosen Dateien</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.look_in</name>
-    <message>
-        <source>look in &apos;%1&apos;</source>
-        <translation>Suche in &apos;%1&apos;</translation>
-    </message>
-</context>
-<context>
     <name>workflow.looking_for_board_in</name>
     <message>
         <source>looking for the board in %1</source>
@@ -20129,13 +19878,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>measure it again</source>
         <translation>messen Sie ihn neu</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.moved_cannot_be_told</name>
-    <message>
-        <source>whether %1 has moved cannot be told</source>
-        <translation>ob sich %1 bewegt hat, ist nicht zu sagen</translation>
     </message>
 </context>
 <context>
@@ -20370,13 +20112,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>workflow.not_registered_to_floor</name>
-    <message>
-        <source>it is not registered to the floor</source>
-        <translation>sie ist nicht eingemessen</translation>
-    </message>
-</context>
-<context>
     <name>workflow.not_synchronised</name>
     <message>
         <source>it is not synchronised but taken as begun together with the first view, so that a moving robot is not where the two views put it</source>
@@ -20496,13 +20231,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>workflow.pack</name>
-    <message>
-        <source>pack &apos;%1&apos;</source>
-        <translation>&apos;%1&apos; packen</translation>
-    </message>
-</context>
-<context>
     <name>workflow.pick_or_take_colour</name>
     <message>
         <source>pick its colour again, or take the colour from it</source>
@@ -20573,13 +20301,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>workflow.project</name>
-    <message>
-        <source>project &apos;%1&apos;</source>
-        <translation>Projekt &apos;%1&apos;</translation>
-    </message>
-</context>
-<context>
     <name>workflow.project_file_gone</name>
     <message>
         <source>the project&apos;s file is no longer there</source>
@@ -20608,31 +20329,10 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>workflow.put_disk_back</name>
-    <message>
-        <source>put its disk or folder back where it was</source>
-        <translation>bringen Sie den Datenträger oder Ordner wieder dorthin, wo er war</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.put_file_back</name>
-    <message>
-        <source>put the file back in its place, and open the project again</source>
-        <translation>legen Sie die Datei an ihren Ort zurück, und öffnen Sie das Projekt noch einmal</translation>
-    </message>
-</context>
-<context>
     <name>workflow.put_plate_on_it</name>
     <message>
         <source>put a plate of another colour on it, or tell the colour it really has</source>
         <translation>setzen Sie eine Platte anderer Farbe darauf, oder geben Sie seine wirkliche Farbe an</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.reading_file</name>
-    <message>
-        <source>reading %1</source>
-        <translation>gelesen wird: %1</translation>
     </message>
 </context>
 <context>
@@ -20668,13 +20368,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>recording</source>
         <translation>Aufnahme</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.recording_cut_off</name>
-    <message>
-        <source>its recording was cut off</source>
-        <translation>seine Aufnahme wurde abgebrochen</translation>
     </message>
 </context>
 <context>
@@ -20979,13 +20672,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>workflow.takes_two_runs</name>
-    <message>
-        <source>it takes two runs</source>
-        <translation>es braucht zwei Fahrten</translation>
-    </message>
-</context>
-<context>
     <name>workflow.taking_over_set_up</name>
     <message>
         <source>taking over the set-up</source>
@@ -21018,13 +20704,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>its times count from %1</source>
         <translation>die Zeiten zählen ab %1</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.too_many_views</name>
-    <message>
-        <source>it has %1 views</source>
-        <translation>er hat %1 Sichten</translation>
     </message>
 </context>
 <context>
@@ -21067,13 +20746,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>track only the robots that are in the pictures (--robot)</source>
         <translation>messen Sie nur die Roboter, die in den Bildern sind (--robot)</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.track_trial_again</name>
-    <message>
-        <source>track the trial again</source>
-        <translation>verfolgen Sie den Versuch noch einmal</translation>
     </message>
 </context>
 <context>
@@ -21140,13 +20812,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     </message>
 </context>
 <context>
-    <name>workflow.unlike_first_picture</name>
-    <message>
-        <source>it is %1×%2, the first picture %3×%4</source>
-        <translation>dieses Bild hat %1×%2, das erste %3×%4</translation>
-    </message>
-</context>
-<context>
     <name>workflow.unusual_frame_rate</name>
     <message>
         <source>its frame rate is not between 0.1 and 100,000 frames a second</source>
@@ -21165,13 +20830,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>what is kept from before is no time, or more than 10 s</source>
         <translation>was von vorher behalten wird, ist keine Zeit, oder mehr als 10 s</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.use_at_most</name>
-    <message>
-        <source>use at most %1</source>
-        <translation>verwenden Sie höchstens %1</translation>
     </message>
 </context>
 <context>
@@ -21256,13 +20914,6 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
     <message>
         <source>they put it %1 apart</source>
         <translation>sie setzen ihn %1 auseinander</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.wait_until_ended</name>
-    <message>
-        <source>wait until that has ended</source>
-        <translation>warten Sie, bis das beendet ist</translation>
     </message>
 </context>
 <context>

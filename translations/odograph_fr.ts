@@ -1694,32 +1694,12 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>ShownMessageWords</name>
     <message>
-        <source>none</source>
-        <translation>aucun</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
-        <source>%1 or %2</source>
-        <translation>%1 ou %2</translation>
-    </message>
-    <message>
-        <source>%1 and %2</source>
-        <translation>%1 et %2</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
     <message>
         <source>%1.</source>
         <translation>%1.</translation>
-    </message>
-    <message>
-        <source>%1; %2</source>
-        <translation>%1; %2</translation>
     </message>
 </context>
 <context>
@@ -2848,6 +2828,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>base.and</name>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 et %2</translation>
+    </message>
+</context>
+<context>
     <name>base.camera</name>
     <message>
         <source>camera &apos;%1&apos;</source>
@@ -2960,13 +2947,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>base.marker</name>
-    <message>
-        <source>marker %1</source>
-        <translation>marqueur %1</translation>
-    </message>
-</context>
-<context>
     <name>base.name</name>
     <message>
         <source>%1</source>
@@ -3034,6 +3014,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>number &apos;%1&apos;</source>
         <translation>nombre &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
+    <name>base.or</name>
+    <message>
+        <source>%1 or %2</source>
+        <translation>%1 ou %2</translation>
     </message>
 </context>
 <context>
@@ -3993,6 +3980,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>keep the whole board in the picture</source>
         <translation>gardez toute la mire dans l’image</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.label_each_marker</name>
+    <message>
+        <source>give each marker a label of its own</source>
+        <translation>donnez à chaque marqueur son propre libellé</translation>
     </message>
 </context>
 <context>
@@ -5337,13 +5331,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Usable: %1.</source>
         <translation>Utilisable&#xa0;: %1.</translation>
-    </message>
-</context>
-<context>
-    <name>calibration.use_another_picture</name>
-    <message>
-        <source>use another picture</source>
-        <translation>utilisez une autre image</translation>
     </message>
 </context>
 <context>
@@ -6859,20 +6846,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>exchange.cannot_be_read</name>
-    <message>
-        <source>it cannot be read</source>
-        <translation>lecture impossible</translation>
-    </message>
-</context>
-<context>
-    <name>exchange.cannot_write_archive</name>
-    <message>
-        <source>cannot write &apos;%1&apos;</source>
-        <translation>impossible d’écrire &apos;%1&apos;</translation>
-    </message>
-</context>
-<context>
     <name>exchange.cell_not_a_number</name>
     <message>
         <source>%1 &apos;%2&apos; is not a finite number</source>
@@ -6912,13 +6885,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>check that it is the right file</source>
         <translation>vérifiez que c’est le bon fichier</translation>
-    </message>
-</context>
-<context>
-    <name>exchange.check_room_and_rights</name>
-    <message>
-        <source>check the free space and the rights of its folder</source>
-        <translation>vérifiez la place libre et les droits de son dossier</translation>
     </message>
 </context>
 <context>
@@ -7006,13 +6972,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>exchange.file_is_empty</name>
-    <message>
-        <source>the file is empty</source>
-        <translation>le fichier est vide</translation>
-    </message>
-</context>
-<context>
     <name>exchange.file_too_large</name>
     <message>
         <source>it is larger than %1</source>
@@ -7048,13 +7007,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>exchange.give_marker_own_label</name>
-    <message>
-        <source>give each marker a label of its own</source>
-        <translation>donnez à chaque marqueur son propre libellé</translation>
-    </message>
-</context>
-<context>
     <name>exchange.give_one_path</name>
     <message>
         <source>give one of points_mm, circle, figure_eight or slalom</source>
@@ -7073,13 +7025,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>give each point a label</source>
         <translation>donnez un libellé à chaque point</translation>
-    </message>
-</context>
-<context>
-    <name>exchange.give_point_own_label</name>
-    <message>
-        <source>give each point a label of its own</source>
-        <translation>donnez à chaque point son propre libellé</translation>
     </message>
 </context>
 <context>
@@ -7741,10 +7686,24 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
+    <name>files.cannot_write</name>
+    <message>
+        <source>cannot write &apos;%1&apos;</source>
+        <translation>impossible d’écrire &apos;%1&apos;</translation>
+    </message>
+</context>
+<context>
     <name>files.check_file_is_there</name>
     <message>
         <source>check that the file is there and may be read</source>
         <translation>vérifiez que le fichier est là et peut être lu</translation>
+    </message>
+</context>
+<context>
+    <name>files.check_its_folder</name>
+    <message>
+        <source>check the free space and the rights of its folder</source>
+        <translation>vérifiez la place libre et les droits de son dossier</translation>
     </message>
 </context>
 <context>
@@ -7815,6 +7774,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>the disk is full</source>
         <translation>le disque est plein</translation>
+    </message>
+</context>
+<context>
+    <name>files.file_is_empty</name>
+    <message>
+        <source>the file is empty</source>
+        <translation>le fichier est vide</translation>
     </message>
 </context>
 <context>
@@ -7983,6 +7949,13 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>choose another name, or replace it with --force</source>
         <translation>choisissez un autre nom, ou remplacez-le avec --force</translation>
+    </message>
+</context>
+<context>
+    <name>files.unreadable</name>
+    <message>
+        <source>it cannot be read</source>
+        <translation>lecture impossible</translation>
     </message>
 </context>
 <context>
@@ -14672,20 +14645,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>project.cannot_be_looked_at</name>
-    <message>
-        <source>it cannot be looked at (%1)</source>
-        <translation>accès impossible (%1)</translation>
-    </message>
-</context>
-<context>
-    <name>project.cannot_be_read</name>
-    <message>
-        <source>it cannot be read</source>
-        <translation>lecture impossible</translation>
-    </message>
-</context>
-<context>
     <name>project.cannot_be_written_to</name>
     <message>
         <source>it cannot be written to</source>
@@ -14777,13 +14736,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>project.check_its_folder</name>
-    <message>
-        <source>check the free space and the rights of its folder</source>
-        <translation>vérifiez la place libre et les droits de son dossier</translation>
-    </message>
-</context>
-<context>
     <name>project.check_its_input</name>
     <message>
         <source>check the input that it was computed from</source>
@@ -14795,13 +14747,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>check the name, or make a new project</source>
         <translation>vérifiez le nom, ou créez un nouveau projet</translation>
-    </message>
-</context>
-<context>
-    <name>project.check_numbers</name>
-    <message>
-        <source>check the numbers</source>
-        <translation>vérifiez les nombres</translation>
     </message>
 </context>
 <context>
@@ -14844,13 +14789,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>choose a file that Odograph has written</source>
         <translation>choisissez un fichier écrit par Odograph</translation>
-    </message>
-</context>
-<context>
-    <name>project.choose_shorter_name</name>
-    <message>
-        <source>choose a shorter name</source>
-        <translation>choisissez un nom plus court</translation>
     </message>
 </context>
 <context>
@@ -15085,13 +15023,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>project.file_empty</name>
-    <message>
-        <source>the file is empty</source>
-        <translation>le fichier est vide</translation>
-    </message>
-</context>
-<context>
     <name>project.file_lost</name>
     <message>
         <source>its file was deleted, renamed or replaced while it was open; nothing was stored</source>
@@ -15250,13 +15181,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>frame times of &apos;%1&apos;</source>
         <translation>temps des images de &apos;%1&apos;</translation>
-    </message>
-</context>
-<context>
-    <name>project.gate</name>
-    <message>
-        <source>gate &apos;%1&apos;</source>
-        <translation>porte &apos;%1&apos;</translation>
     </message>
 </context>
 <context>
@@ -15659,13 +15583,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>project.make_room</name>
-    <message>
-        <source>make room on the disk and try again</source>
-        <translation>libérez de la place sur le disque et réessayez</translation>
-    </message>
-</context>
-<context>
     <name>project.marker_errors_differ</name>
     <message>
         <source>the marker errors of registration %1 are not those that its markers give</source>
@@ -15803,13 +15720,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>the project has a %1 of that name already</source>
         <translation>le projet a déjà un élément « %1&#xa0;» de ce nom</translation>
-    </message>
-</context>
-<context>
-    <name>project.name_too_long</name>
-    <message>
-        <source>its name is too long</source>
-        <translation>son nom est trop long</translation>
     </message>
 </context>
 <context>
@@ -16062,13 +15972,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>the manual overrides have changed since robot &apos;%1&apos; was analysed</source>
         <translation>les décisions prises à la main ont changé depuis l’analyse du robot &apos;%1&apos;</translation>
-    </message>
-</context>
-<context>
-    <name>project.own_labels</name>
-    <message>
-        <source>give each marker a label of its own</source>
-        <translation>donnez à chaque marqueur son propre libellé</translation>
     </message>
 </context>
 <context>
@@ -16748,13 +16651,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>another program wrote over its file while it was open; nothing more was stored</source>
         <translation>un autre programme a écrasé son fichier pendant qu’il était ouvert ; plus rien n’a été enregistré</translation>
-    </message>
-</context>
-<context>
-    <name>project.zone</name>
-    <message>
-        <source>zone &apos;%1&apos;</source>
-        <translation>zone &apos;%1&apos;</translation>
     </message>
 </context>
 <context>
@@ -17633,13 +17529,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>ui.comparison</name>
-    <message>
-        <source>comparison</source>
-        <translation>comparaison</translation>
-    </message>
-</context>
-<context>
     <name>ui.completing_recording</name>
     <message>
         <source>Completing a recording that was cut off</source>
@@ -17812,13 +17701,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>Looking for lost videos</source>
         <translation>Recherche des vidéos perdues</translation>
-    </message>
-</context>
-<context>
-    <name>ui.looking_for_markers</name>
-    <message>
-        <source>looking for the markers in %1</source>
-        <translation>recherche des marqueurs dans %1</translation>
     </message>
 </context>
 <context>
@@ -18130,20 +18012,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>ui.redo</name>
-    <message>
-        <source>redo</source>
-        <translation>rétablir</translation>
-    </message>
-</context>
-<context>
-    <name>ui.register_camera</name>
-    <message>
-        <source>register camera %1</source>
-        <translation>localisation de la caméra %1</translation>
-    </message>
-</context>
-<context>
     <name>ui.register_one_first</name>
     <message>
         <source>register one that sees the markers first</source>
@@ -18372,13 +18240,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>take %1 trials out of the bin</source>
         <translation>restauration de %1 essais depuis la corbeille</translation>
-    </message>
-</context>
-<context>
-    <name>ui.undo</name>
-    <message>
-        <source>undo</source>
-        <translation>annuler</translation>
     </message>
 </context>
 <context>
@@ -18666,13 +18527,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>writing has failed before</source>
         <translation>l’écriture avait déjà échoué</translation>
-    </message>
-</context>
-<context>
-    <name>video.file_is_empty</name>
-    <message>
-        <source>the file is empty</source>
-        <translation>le fichier est vide</translation>
     </message>
 </context>
 <context>
@@ -19313,20 +19167,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>workflow.cannot_be_looked_at</name>
-    <message>
-        <source>it cannot be looked at (%1)</source>
-        <translation>accès impossible (%1)</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.cannot_write</name>
-    <message>
-        <source>cannot write &apos;%1&apos;</source>
-        <translation>impossible d’écrire &apos;%1&apos;</translation>
-    </message>
-</context>
-<context>
     <name>workflow.changed_in_file</name>
     <message>
         <source>they were changed in the file</source>
@@ -19348,24 +19188,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>workflow.check_folder_is_there</name>
-    <message>
-        <source>check that the folder is there and may be read</source>
-        <translation>vérifiez que le dossier est là et peut être lu</translation>
-    </message>
-</context>
-<context>
     <name>workflow.check_it_is_connected</name>
     <message>
         <source>check that it is connected and not used by another program</source>
         <translation>vérifiez qu’elle est branchée et qu’aucun autre programme ne l’utilise</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.check_it_is_there</name>
-    <message>
-        <source>check that it is there and may be read</source>
-        <translation>vérifiez qu’il est là et peut être lu</translation>
     </message>
 </context>
 <context>
@@ -19397,13 +19223,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>workflow.check_room_and_rights</name>
-    <message>
-        <source>check the free space and the rights of the project&apos;s folder</source>
-        <translation>vérifiez la place libre et les droits du dossier du projet</translation>
-    </message>
-</context>
-<context>
     <name>workflow.check_they_are_connected</name>
     <message>
         <source>check that they are connected and not used by another program</source>
@@ -19425,24 +19244,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>workflow.choose_another_name</name>
-    <message>
-        <source>choose another name</source>
-        <translation>choisissez un autre nom</translation>
-    </message>
-</context>
-<context>
     <name>workflow.choose_another_one</name>
     <message>
         <source>choose another one</source>
         <translation>choisissez-en un autre</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.choose_another_run</name>
-    <message>
-        <source>choose another run as well</source>
-        <translation>choisissez aussi un autre passage</translation>
     </message>
 </context>
 <context>
@@ -19523,31 +19328,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>workflow.choose_writable_folder</name>
-    <message>
-        <source>choose a folder that you may write to</source>
-        <translation>choisissez un dossier où vous pouvez écrire</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.close_other_programs</name>
-    <message>
-        <source>close other programs and try again</source>
-        <translation>fermez d’autres programmes et réessayez</translation>
-    </message>
-</context>
-<context>
     <name>workflow.compared_with_itself</name>
     <message>
         <source>a run cannot be compared with itself</source>
         <translation>un passage ne peut pas être comparé à lui-même</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.comparison</name>
-    <message>
-        <source>comparison</source>
-        <translation>comparaison</translation>
     </message>
 </context>
 <context>
@@ -19583,13 +19367,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>computing the intrinsics</source>
         <translation>calcul des paramètres intrinsèques</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.copy</name>
-    <message>
-        <source>copy &apos;%1&apos;</source>
-        <translation>copie &apos;%1&apos;</translation>
     </message>
 </context>
 <context>
@@ -19663,13 +19440,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>workflow.end_recording_first</name>
-    <message>
-        <source>end its recording first</source>
-        <translation>terminez d’abord son enregistrement</translation>
-    </message>
-</context>
-<context>
     <name>workflow.error_estimated</name>
     <message>
         <source>positions to %1, as estimated from them</source>
@@ -19695,13 +19465,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>record to a faster disk, or fewer cameras at once</source>
         <translation>enregistrez sur un disque plus rapide, ou avec moins de caméras à la fois</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.file_is_missing</name>
-    <message>
-        <source>%1 is missing</source>
-        <translation>%1 manque</translation>
     </message>
 </context>
 <context>
@@ -19992,20 +19755,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>workflow.look_for_strays</name>
-    <message>
-        <source>look for stray files</source>
-        <translation>chercher les fichiers orphelins</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.look_in</name>
-    <message>
-        <source>look in &apos;%1&apos;</source>
-        <translation>recherche dans &apos;%1&apos;</translation>
-    </message>
-</context>
-<context>
     <name>workflow.looking_for_board_in</name>
     <message>
         <source>looking for the board in %1</source>
@@ -20129,13 +19878,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>measure it again</source>
         <translation>mesurez-le à nouveau</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.moved_cannot_be_told</name>
-    <message>
-        <source>whether %1 has moved cannot be told</source>
-        <translation>impossible de dire si %1 a bougé</translation>
     </message>
 </context>
 <context>
@@ -20370,13 +20112,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>workflow.not_registered_to_floor</name>
-    <message>
-        <source>it is not registered to the floor</source>
-        <translation>elle n’est pas localisée au sol</translation>
-    </message>
-</context>
-<context>
     <name>workflow.not_synchronised</name>
     <message>
         <source>it is not synchronised but taken as begun together with the first view, so that a moving robot is not where the two views put it</source>
@@ -20496,13 +20231,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>workflow.pack</name>
-    <message>
-        <source>pack &apos;%1&apos;</source>
-        <translation>empaquetage de &apos;%1&apos;</translation>
-    </message>
-</context>
-<context>
     <name>workflow.pick_or_take_colour</name>
     <message>
         <source>pick its colour again, or take the colour from it</source>
@@ -20573,13 +20301,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>workflow.project</name>
-    <message>
-        <source>project &apos;%1&apos;</source>
-        <translation>projet &apos;%1&apos;</translation>
-    </message>
-</context>
-<context>
     <name>workflow.project_file_gone</name>
     <message>
         <source>the project&apos;s file is no longer there</source>
@@ -20608,31 +20329,10 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>workflow.put_disk_back</name>
-    <message>
-        <source>put its disk or folder back where it was</source>
-        <translation>remettez son disque ou son dossier où il était</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.put_file_back</name>
-    <message>
-        <source>put the file back in its place, and open the project again</source>
-        <translation>remettez le fichier à sa place, et rouvrez le projet</translation>
-    </message>
-</context>
-<context>
     <name>workflow.put_plate_on_it</name>
     <message>
         <source>put a plate of another colour on it, or tell the colour it really has</source>
         <translation>posez dessus une plaque d’une autre couleur, ou indiquez sa vraie couleur</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.reading_file</name>
-    <message>
-        <source>reading %1</source>
-        <translation>lecture de %1</translation>
     </message>
 </context>
 <context>
@@ -20668,13 +20368,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>recording</source>
         <translation>enregistrement</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.recording_cut_off</name>
-    <message>
-        <source>its recording was cut off</source>
-        <translation>son enregistrement a été interrompu</translation>
     </message>
 </context>
 <context>
@@ -20979,13 +20672,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>workflow.takes_two_runs</name>
-    <message>
-        <source>it takes two runs</source>
-        <translation>il faut deux passages</translation>
-    </message>
-</context>
-<context>
     <name>workflow.taking_over_set_up</name>
     <message>
         <source>taking over the set-up</source>
@@ -21018,13 +20704,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>its times count from %1</source>
         <translation>ses temps comptent à partir de %1</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.too_many_views</name>
-    <message>
-        <source>it has %1 views</source>
-        <translation>il a %1 vues</translation>
     </message>
 </context>
 <context>
@@ -21067,13 +20746,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>track only the robots that are in the pictures (--robot)</source>
         <translation>ne suivez que les robots qui sont dans les images (--robot)</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.track_trial_again</name>
-    <message>
-        <source>track the trial again</source>
-        <translation>suivez l’essai à nouveau</translation>
     </message>
 </context>
 <context>
@@ -21140,13 +20812,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     </message>
 </context>
 <context>
-    <name>workflow.unlike_first_picture</name>
-    <message>
-        <source>it is %1×%2, the first picture %3×%4</source>
-        <translation>elle fait %1×%2, la première photo %3×%4</translation>
-    </message>
-</context>
-<context>
     <name>workflow.unusual_frame_rate</name>
     <message>
         <source>its frame rate is not between 0.1 and 100,000 frames a second</source>
@@ -21165,13 +20830,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>what is kept from before is no time, or more than 10 s</source>
         <translation>ce qui est gardé d’avant n’est pas une durée, ou dépasse 10 s</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.use_at_most</name>
-    <message>
-        <source>use at most %1</source>
-        <translation>utilisez-en %1 au plus</translation>
     </message>
 </context>
 <context>
@@ -21256,13 +20914,6 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
     <message>
         <source>they put it %1 apart</source>
         <translation>elles le placent à %1 d’écart</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.wait_until_ended</name>
-    <message>
-        <source>wait until that has ended</source>
-        <translation>attendez que ce soit terminé</translation>
     </message>
 </context>
 <context>

@@ -1688,32 +1688,12 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>ShownMessageWords</name>
     <message>
-        <source>none</source>
-        <translation>无</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
-        <source>%1 or %2</source>
-        <translation>%1 或 %2</translation>
-    </message>
-    <message>
-        <source>%1 and %2</source>
-        <translation>%1 和 %2</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
     <message>
         <source>%1.</source>
         <translation>%1.</translation>
-    </message>
-    <message>
-        <source>%1; %2</source>
-        <translation>%1; %2</translation>
     </message>
 </context>
 <context>
@@ -2842,6 +2822,13 @@ Much more than expected means that something is not as it was told: the views ar
     </message>
 </context>
 <context>
+    <name>base.and</name>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 与 %2</translation>
+    </message>
+</context>
+<context>
     <name>base.camera</name>
     <message>
         <source>camera &apos;%1&apos;</source>
@@ -2954,13 +2941,6 @@ Much more than expected means that something is not as it was told: the views ar
     </message>
 </context>
 <context>
-    <name>base.marker</name>
-    <message>
-        <source>marker %1</source>
-        <translation>标记 %1</translation>
-    </message>
-</context>
-<context>
     <name>base.name</name>
     <message>
         <source>%1</source>
@@ -3028,6 +3008,13 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>number &apos;%1&apos;</source>
         <translation>数字“%1”</translation>
+    </message>
+</context>
+<context>
+    <name>base.or</name>
+    <message>
+        <source>%1 or %2</source>
+        <translation>%1 或 %2</translation>
     </message>
 </context>
 <context>
@@ -3987,6 +3974,13 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>keep the whole board in the picture</source>
         <translation>请让整块标定板都在画面内</translation>
+    </message>
+</context>
+<context>
+    <name>calibration.label_each_marker</name>
+    <message>
+        <source>give each marker a label of its own</source>
+        <translation>请给每个标记各自的标号</translation>
     </message>
 </context>
 <context>
@@ -5331,13 +5325,6 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>Usable: %1.</source>
         <translation>可用：%1。</translation>
-    </message>
-</context>
-<context>
-    <name>calibration.use_another_picture</name>
-    <message>
-        <source>use another picture</source>
-        <translation>请换一张图片</translation>
     </message>
 </context>
 <context>
@@ -6853,20 +6840,6 @@ Much more than expected means that something is not as it was told: the views ar
     </message>
 </context>
 <context>
-    <name>exchange.cannot_be_read</name>
-    <message>
-        <source>it cannot be read</source>
-        <translation>无法读取</translation>
-    </message>
-</context>
-<context>
-    <name>exchange.cannot_write_archive</name>
-    <message>
-        <source>cannot write &apos;%1&apos;</source>
-        <translation>无法写出“%1”</translation>
-    </message>
-</context>
-<context>
     <name>exchange.cell_not_a_number</name>
     <message>
         <source>%1 &apos;%2&apos; is not a finite number</source>
@@ -6906,13 +6879,6 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>check that it is the right file</source>
         <translation>请检查是否为正确的文件</translation>
-    </message>
-</context>
-<context>
-    <name>exchange.check_room_and_rights</name>
-    <message>
-        <source>check the free space and the rights of its folder</source>
-        <translation>请检查其文件夹的可用空间和权限</translation>
     </message>
 </context>
 <context>
@@ -7000,13 +6966,6 @@ Much more than expected means that something is not as it was told: the views ar
     </message>
 </context>
 <context>
-    <name>exchange.file_is_empty</name>
-    <message>
-        <source>the file is empty</source>
-        <translation>文件为空</translation>
-    </message>
-</context>
-<context>
     <name>exchange.file_too_large</name>
     <message>
         <source>it is larger than %1</source>
@@ -7042,13 +7001,6 @@ Much more than expected means that something is not as it was told: the views ar
     </message>
 </context>
 <context>
-    <name>exchange.give_marker_own_label</name>
-    <message>
-        <source>give each marker a label of its own</source>
-        <translation>请给每个标记各自的标号</translation>
-    </message>
-</context>
-<context>
     <name>exchange.give_one_path</name>
     <message>
         <source>give one of points_mm, circle, figure_eight or slalom</source>
@@ -7067,13 +7019,6 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>give each point a label</source>
         <translation>请给每个点一个标号</translation>
-    </message>
-</context>
-<context>
-    <name>exchange.give_point_own_label</name>
-    <message>
-        <source>give each point a label of its own</source>
-        <translation>请给每个点各自的标号</translation>
     </message>
 </context>
 <context>
@@ -7735,10 +7680,24 @@ Much more than expected means that something is not as it was told: the views ar
     </message>
 </context>
 <context>
+    <name>files.cannot_write</name>
+    <message>
+        <source>cannot write &apos;%1&apos;</source>
+        <translation>无法写出“%1”</translation>
+    </message>
+</context>
+<context>
     <name>files.check_file_is_there</name>
     <message>
         <source>check that the file is there and may be read</source>
         <translation>请检查文件是否存在且可读</translation>
+    </message>
+</context>
+<context>
+    <name>files.check_its_folder</name>
+    <message>
+        <source>check the free space and the rights of its folder</source>
+        <translation>请检查其文件夹的可用空间和权限</translation>
     </message>
 </context>
 <context>
@@ -7809,6 +7768,13 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>the disk is full</source>
         <translation>磁盘已满</translation>
+    </message>
+</context>
+<context>
+    <name>files.file_is_empty</name>
+    <message>
+        <source>the file is empty</source>
+        <translation>文件为空</translation>
     </message>
 </context>
 <context>
@@ -7977,6 +7943,13 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>choose another name, or replace it with --force</source>
         <translation>请换个名称，或用 --force 替换</translation>
+    </message>
+</context>
+<context>
+    <name>files.unreadable</name>
+    <message>
+        <source>it cannot be read</source>
+        <translation>无法读取</translation>
     </message>
 </context>
 <context>
@@ -14639,20 +14612,6 @@ Much more than expected means that something is not as it was told: the views ar
     </message>
 </context>
 <context>
-    <name>project.cannot_be_looked_at</name>
-    <message>
-        <source>it cannot be looked at (%1)</source>
-        <translation>无法查看（%1）</translation>
-    </message>
-</context>
-<context>
-    <name>project.cannot_be_read</name>
-    <message>
-        <source>it cannot be read</source>
-        <translation>无法读取</translation>
-    </message>
-</context>
-<context>
     <name>project.cannot_be_written_to</name>
     <message>
         <source>it cannot be written to</source>
@@ -14744,13 +14703,6 @@ Much more than expected means that something is not as it was told: the views ar
     </message>
 </context>
 <context>
-    <name>project.check_its_folder</name>
-    <message>
-        <source>check the free space and the rights of its folder</source>
-        <translation>请检查其文件夹的可用空间和权限</translation>
-    </message>
-</context>
-<context>
     <name>project.check_its_input</name>
     <message>
         <source>check the input that it was computed from</source>
@@ -14762,13 +14714,6 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>check the name, or make a new project</source>
         <translation>请检查名称，或新建项目</translation>
-    </message>
-</context>
-<context>
-    <name>project.check_numbers</name>
-    <message>
-        <source>check the numbers</source>
-        <translation>请检查数字</translation>
     </message>
 </context>
 <context>
@@ -14811,13 +14756,6 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>choose a file that Odograph has written</source>
         <translation>请选择 Odograph 写出的文件</translation>
-    </message>
-</context>
-<context>
-    <name>project.choose_shorter_name</name>
-    <message>
-        <source>choose a shorter name</source>
-        <translation>请换个更短的名称</translation>
     </message>
 </context>
 <context>
@@ -15052,13 +14990,6 @@ Much more than expected means that something is not as it was told: the views ar
     </message>
 </context>
 <context>
-    <name>project.file_empty</name>
-    <message>
-        <source>the file is empty</source>
-        <translation>文件为空</translation>
-    </message>
-</context>
-<context>
     <name>project.file_lost</name>
     <message>
         <source>its file was deleted, renamed or replaced while it was open; nothing was stored</source>
@@ -15217,13 +15148,6 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>frame times of &apos;%1&apos;</source>
         <translation>“%1”的帧时间</translation>
-    </message>
-</context>
-<context>
-    <name>project.gate</name>
-    <message>
-        <source>gate &apos;%1&apos;</source>
-        <translation>计时门“%1”</translation>
     </message>
 </context>
 <context>
@@ -15626,13 +15550,6 @@ Much more than expected means that something is not as it was told: the views ar
     </message>
 </context>
 <context>
-    <name>project.make_room</name>
-    <message>
-        <source>make room on the disk and try again</source>
-        <translation>请腾出磁盘空间后重试</translation>
-    </message>
-</context>
-<context>
     <name>project.marker_errors_differ</name>
     <message>
         <source>the marker errors of registration %1 are not those that its markers give</source>
@@ -15770,13 +15687,6 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>the project has a %1 of that name already</source>
         <translation>项目中已有同名的%1</translation>
-    </message>
-</context>
-<context>
-    <name>project.name_too_long</name>
-    <message>
-        <source>its name is too long</source>
-        <translation>名称太长</translation>
     </message>
 </context>
 <context>
@@ -16029,13 +15939,6 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>the manual overrides have changed since robot &apos;%1&apos; was analysed</source>
         <translation>分析机器人“%1”之后，手动判定有更改</translation>
-    </message>
-</context>
-<context>
-    <name>project.own_labels</name>
-    <message>
-        <source>give each marker a label of its own</source>
-        <translation>请给每个标记各自的标号</translation>
     </message>
 </context>
 <context>
@@ -16715,13 +16618,6 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>another program wrote over its file while it was open; nothing more was stored</source>
         <translation>打开期间另一个程序覆盖了其文件；此后未保存任何内容</translation>
-    </message>
-</context>
-<context>
-    <name>project.zone</name>
-    <message>
-        <source>zone &apos;%1&apos;</source>
-        <translation>区域“%1”</translation>
     </message>
 </context>
 <context>
@@ -17600,13 +17496,6 @@ Much more than expected means that something is not as it was told: the views ar
     </message>
 </context>
 <context>
-    <name>ui.comparison</name>
-    <message>
-        <source>comparison</source>
-        <translation>比较</translation>
-    </message>
-</context>
-<context>
     <name>ui.completing_recording</name>
     <message>
         <source>Completing a recording that was cut off</source>
@@ -17779,13 +17668,6 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>Looking for lost videos</source>
         <translation>正在查找丢失的视频</translation>
-    </message>
-</context>
-<context>
-    <name>ui.looking_for_markers</name>
-    <message>
-        <source>looking for the markers in %1</source>
-        <translation>正在 %1 中寻找标记</translation>
     </message>
 </context>
 <context>
@@ -18097,20 +17979,6 @@ Much more than expected means that something is not as it was told: the views ar
     </message>
 </context>
 <context>
-    <name>ui.redo</name>
-    <message>
-        <source>redo</source>
-        <translation>重做</translation>
-    </message>
-</context>
-<context>
-    <name>ui.register_camera</name>
-    <message>
-        <source>register camera %1</source>
-        <translation>配准相机 %1</translation>
-    </message>
-</context>
-<context>
     <name>ui.register_one_first</name>
     <message>
         <source>register one that sees the markers first</source>
@@ -18339,13 +18207,6 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>take %1 trials out of the bin</source>
         <translation>从回收站放回 %1 次试验</translation>
-    </message>
-</context>
-<context>
-    <name>ui.undo</name>
-    <message>
-        <source>undo</source>
-        <translation>撤销</translation>
     </message>
 </context>
 <context>
@@ -18633,13 +18494,6 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>writing has failed before</source>
         <translation>此前写入已失败</translation>
-    </message>
-</context>
-<context>
-    <name>video.file_is_empty</name>
-    <message>
-        <source>the file is empty</source>
-        <translation>文件为空</translation>
     </message>
 </context>
 <context>
@@ -19280,20 +19134,6 @@ Much more than expected means that something is not as it was told: the views ar
     </message>
 </context>
 <context>
-    <name>workflow.cannot_be_looked_at</name>
-    <message>
-        <source>it cannot be looked at (%1)</source>
-        <translation>无法查看（%1）</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.cannot_write</name>
-    <message>
-        <source>cannot write &apos;%1&apos;</source>
-        <translation>无法写出“%1”</translation>
-    </message>
-</context>
-<context>
     <name>workflow.changed_in_file</name>
     <message>
         <source>they were changed in the file</source>
@@ -19315,24 +19155,10 @@ Much more than expected means that something is not as it was told: the views ar
     </message>
 </context>
 <context>
-    <name>workflow.check_folder_is_there</name>
-    <message>
-        <source>check that the folder is there and may be read</source>
-        <translation>请检查文件夹是否存在且可读</translation>
-    </message>
-</context>
-<context>
     <name>workflow.check_it_is_connected</name>
     <message>
         <source>check that it is connected and not used by another program</source>
         <translation>请检查它已连接且未被其他程序占用</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.check_it_is_there</name>
-    <message>
-        <source>check that it is there and may be read</source>
-        <translation>请检查其是否存在且可读</translation>
     </message>
 </context>
 <context>
@@ -19364,13 +19190,6 @@ Much more than expected means that something is not as it was told: the views ar
     </message>
 </context>
 <context>
-    <name>workflow.check_room_and_rights</name>
-    <message>
-        <source>check the free space and the rights of the project&apos;s folder</source>
-        <translation>请检查项目文件夹的可用空间和权限</translation>
-    </message>
-</context>
-<context>
     <name>workflow.check_they_are_connected</name>
     <message>
         <source>check that they are connected and not used by another program</source>
@@ -19392,24 +19211,10 @@ Much more than expected means that something is not as it was told: the views ar
     </message>
 </context>
 <context>
-    <name>workflow.choose_another_name</name>
-    <message>
-        <source>choose another name</source>
-        <translation>请换个名称</translation>
-    </message>
-</context>
-<context>
     <name>workflow.choose_another_one</name>
     <message>
         <source>choose another one</source>
         <translation>请另选一个</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.choose_another_run</name>
-    <message>
-        <source>choose another run as well</source>
-        <translation>请再选一次运行</translation>
     </message>
 </context>
 <context>
@@ -19490,31 +19295,10 @@ Much more than expected means that something is not as it was told: the views ar
     </message>
 </context>
 <context>
-    <name>workflow.choose_writable_folder</name>
-    <message>
-        <source>choose a folder that you may write to</source>
-        <translation>请选择可写的文件夹</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.close_other_programs</name>
-    <message>
-        <source>close other programs and try again</source>
-        <translation>请关闭其他程序后重试</translation>
-    </message>
-</context>
-<context>
     <name>workflow.compared_with_itself</name>
     <message>
         <source>a run cannot be compared with itself</source>
         <translation>运行不能与自身比较</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.comparison</name>
-    <message>
-        <source>comparison</source>
-        <translation>比较</translation>
     </message>
 </context>
 <context>
@@ -19550,13 +19334,6 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>computing the intrinsics</source>
         <translation>正在计算内参</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.copy</name>
-    <message>
-        <source>copy &apos;%1&apos;</source>
-        <translation>副本“%1”</translation>
     </message>
 </context>
 <context>
@@ -19630,13 +19407,6 @@ Much more than expected means that something is not as it was told: the views ar
     </message>
 </context>
 <context>
-    <name>workflow.end_recording_first</name>
-    <message>
-        <source>end its recording first</source>
-        <translation>请先结束录制</translation>
-    </message>
-</context>
-<context>
     <name>workflow.error_estimated</name>
     <message>
         <source>positions to %1, as estimated from them</source>
@@ -19662,13 +19432,6 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>record to a faster disk, or fewer cameras at once</source>
         <translation>请录制到更快的磁盘，或同时使用更少的相机</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.file_is_missing</name>
-    <message>
-        <source>%1 is missing</source>
-        <translation>缺少 %1</translation>
     </message>
 </context>
 <context>
@@ -19959,20 +19722,6 @@ Much more than expected means that something is not as it was told: the views ar
     </message>
 </context>
 <context>
-    <name>workflow.look_for_strays</name>
-    <message>
-        <source>look for stray files</source>
-        <translation>查找无归属的文件</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.look_in</name>
-    <message>
-        <source>look in &apos;%1&apos;</source>
-        <translation>在“%1”中查找</translation>
-    </message>
-</context>
-<context>
     <name>workflow.looking_for_board_in</name>
     <message>
         <source>looking for the board in %1</source>
@@ -20096,13 +19845,6 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>measure it again</source>
         <translation>请重新测量</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.moved_cannot_be_told</name>
-    <message>
-        <source>whether %1 has moved cannot be told</source>
-        <translation>无法判断 %1 是否移动</translation>
     </message>
 </context>
 <context>
@@ -20337,13 +20079,6 @@ Much more than expected means that something is not as it was told: the views ar
     </message>
 </context>
 <context>
-    <name>workflow.not_registered_to_floor</name>
-    <message>
-        <source>it is not registered to the floor</source>
-        <translation>它未配准到地面</translation>
-    </message>
-</context>
-<context>
     <name>workflow.not_synchronised</name>
     <message>
         <source>it is not synchronised but taken as begun together with the first view, so that a moving robot is not where the two views put it</source>
@@ -20463,13 +20198,6 @@ Much more than expected means that something is not as it was told: the views ar
     </message>
 </context>
 <context>
-    <name>workflow.pack</name>
-    <message>
-        <source>pack &apos;%1&apos;</source>
-        <translation>打包“%1”</translation>
-    </message>
-</context>
-<context>
     <name>workflow.pick_or_take_colour</name>
     <message>
         <source>pick its colour again, or take the colour from it</source>
@@ -20540,13 +20268,6 @@ Much more than expected means that something is not as it was told: the views ar
     </message>
 </context>
 <context>
-    <name>workflow.project</name>
-    <message>
-        <source>project &apos;%1&apos;</source>
-        <translation>项目“%1”</translation>
-    </message>
-</context>
-<context>
     <name>workflow.project_file_gone</name>
     <message>
         <source>the project&apos;s file is no longer there</source>
@@ -20575,31 +20296,10 @@ Much more than expected means that something is not as it was told: the views ar
     </message>
 </context>
 <context>
-    <name>workflow.put_disk_back</name>
-    <message>
-        <source>put its disk or folder back where it was</source>
-        <translation>请把其磁盘或文件夹放回原处</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.put_file_back</name>
-    <message>
-        <source>put the file back in its place, and open the project again</source>
-        <translation>请把文件放回原处，并重新打开项目</translation>
-    </message>
-</context>
-<context>
     <name>workflow.put_plate_on_it</name>
     <message>
         <source>put a plate of another colour on it, or tell the colour it really has</source>
         <translation>请在其上放另一种颜色的板，或给出它真实的颜色</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.reading_file</name>
-    <message>
-        <source>reading %1</source>
-        <translation>正在读取 %1</translation>
     </message>
 </context>
 <context>
@@ -20635,13 +20335,6 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>recording</source>
         <translation>正在录制</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.recording_cut_off</name>
-    <message>
-        <source>its recording was cut off</source>
-        <translation>其录像被中断</translation>
     </message>
 </context>
 <context>
@@ -20946,13 +20639,6 @@ Much more than expected means that something is not as it was told: the views ar
     </message>
 </context>
 <context>
-    <name>workflow.takes_two_runs</name>
-    <message>
-        <source>it takes two runs</source>
-        <translation>需要两次运行</translation>
-    </message>
-</context>
-<context>
     <name>workflow.taking_over_set_up</name>
     <message>
         <source>taking over the set-up</source>
@@ -20985,13 +20671,6 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>its times count from %1</source>
         <translation>其时间从 %1 起算</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.too_many_views</name>
-    <message>
-        <source>it has %1 views</source>
-        <translation>它有 %1 个视角</translation>
     </message>
 </context>
 <context>
@@ -21034,13 +20713,6 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>track only the robots that are in the pictures (--robot)</source>
         <translation>请只跟踪画面中的机器人 (--robot)</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.track_trial_again</name>
-    <message>
-        <source>track the trial again</source>
-        <translation>请重新跟踪该试验</translation>
     </message>
 </context>
 <context>
@@ -21107,13 +20779,6 @@ Much more than expected means that something is not as it was told: the views ar
     </message>
 </context>
 <context>
-    <name>workflow.unlike_first_picture</name>
-    <message>
-        <source>it is %1×%2, the first picture %3×%4</source>
-        <translation>它为 %1×%2，第一张图片为 %3×%4</translation>
-    </message>
-</context>
-<context>
     <name>workflow.unusual_frame_rate</name>
     <message>
         <source>its frame rate is not between 0.1 and 100,000 frames a second</source>
@@ -21132,13 +20797,6 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>what is kept from before is no time, or more than 10 s</source>
         <translation>预先保留的时长无效，或超过 10 s</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.use_at_most</name>
-    <message>
-        <source>use at most %1</source>
-        <translation>最多使用 %1 个</translation>
     </message>
 </context>
 <context>
@@ -21223,13 +20881,6 @@ Much more than expected means that something is not as it was told: the views ar
     <message>
         <source>they put it %1 apart</source>
         <translation>它们给出的位置相差 %1</translation>
-    </message>
-</context>
-<context>
-    <name>workflow.wait_until_ended</name>
-    <message>
-        <source>wait until that has ended</source>
-        <translation>请等待其结束</translation>
     </message>
 </context>
 <context>

@@ -67,8 +67,8 @@ Result<void> runCameras(const QStringList &arguments, const CancelToken &cancel)
     for (const CameraDescription &camera : listCameras()) {
         const QString uri = QString::fromStdString(camera.uri), name = english(camera.name);
         QStringList formats;
-        for (const Message &format : camera.formats)
-            formats << english(format);
+        for (const CameraFormat &format : camera.formats)
+            formats << english(format.words);
         cameras.append(QJsonObject{{QStringLiteral("uri"), uri},
                                    {QStringLiteral("kind"), QString::fromStdString(camera.kind)},
                                    {QStringLiteral("name"), name},

@@ -206,8 +206,7 @@ Result<void> runCheck(const QStringList &arguments, const CancelToken &cancel)
         list.append(QJsonObject{{QStringLiteral("what"), english(problem.what)},
                                 {QStringLiteral("where"), english(problem.where)},
                                 {QStringLiteral("advice"), english(problem.advice)}});
-        lines << english(
-            joined({joined({problem.where, problem.what}, Join::Colon), problem.advice}, Join::Semicolon));
+        lines << english(wholeMessage(problem.where, problem.what, problem.advice));
     }
     if (problems->empty())
         lines << QStringLiteral("All is well.");

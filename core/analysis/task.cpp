@@ -17,24 +17,9 @@ constexpr std::string_view insideWord = "stay_inside", outsideWord = "stay_outsi
 constexpr std::size_t fewestCorners = 3, mostCorners = 100, mostZones = 30;
 constexpr double shortestEdgeM = 0.001;
 
-Message zoneSubject(const Zone &zone)
-{
-    return ODO_TEXT("analysis.zone", "zone '%1'")(zone.name);
-}
-
-Message gateSubject(const Gate &gate)
-{
-    return ODO_TEXT("analysis.gate", "gate '%1'")(gate.name);
-}
-
 Message nameIsThereTwice()
 {
     return ODO_TEXT("analysis.name_twice", "the name is there twice");
-}
-
-Message checkTheNumbers()
-{
-    return ODO_TEXT("analysis.check_numbers", "check the numbers");
 }
 
 /// As much of a word that was typed as an error shows.
@@ -84,6 +69,21 @@ bool meetsItself(const std::vector<Vector2d> &corners)
 
 } // namespace
 
+Message zoneSubject(std::string name)
+{
+    return ODO_TEXT("analysis.zone", "zone '%1'")(std::move(name));
+}
+
+Message gateSubject(std::string name)
+{
+    return ODO_TEXT("analysis.gate", "gate '%1'")(std::move(name));
+}
+
+Message checkTheNumbers()
+{
+    return ODO_TEXT("analysis.check_numbers", "check the numbers");
+}
+
 bool isOnFloor(const Vector2d &point)
 {
     constexpr double furthestM = 1000; // a floor, not a country
@@ -115,7 +115,7 @@ Zone rectangularZone(const std::string &name, ZoneRule rule, const Vector2d &one
 Result<void> checkZone(const Zone &zone)
 {
     const auto refuse = [&zone](Message why, Message advice) {
-        return fail(ErrorCode::InvalidInput, zoneSubject(zone), std::move(why), std::move(advice));
+        return fail(ErrorCode::InvalidInput, zoneSubject(zone.name), std::move(why), std::move(advice));
     };
     const auto &corners = zone.corners;
     if (corners.size() < fewestCorners)
@@ -141,7 +141,7 @@ Result<void> checkZone(const Zone &zone)
 
 Result<void> checkZoneAmong(const std::vector<Zone> &zones)
 {
-    const Message what = zoneSubject(zones.back());
+    const Message what = zoneSubject(zones.back().name);
     if (zones.size() > mostZones)
         return fail(ErrorCode::InvalidInput, what,
                     ODO_TEXT("analysis.many_zones", "the task has %1 zones already")(mostZones),
@@ -235,7 +235,7 @@ std::string_view gateRoleWord(GateRole role)
 
 Result<void> checkGate(const Gate &gate)
 {
-    const Message what = gateSubject(gate);
+    const Message what = gateSubject(gate.name);
     if (!isOnFloor(gate.from) || !isOnFloor(gate.to))
         return fail(ErrorCode::InvalidInput, what,
                     ODO_TEXT("analysis.ends_off_floor", "its ends are not on a floor of 1 km"),
@@ -250,7 +250,7 @@ Result<void> checkGate(const Gate &gate)
 Result<void> checkGateAmong(const std::vector<Gate> &gates)
 {
     const Gate &last = gates.back();
-    const Message what = gateSubject(last);
+    const Message what = gateSubject(last.name);
     const auto starts = [](GateRole role) {
         return role == GateRole::Start || role == GateRole::StartFinish;
     };

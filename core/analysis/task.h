@@ -99,6 +99,12 @@ Result<void> checkGateAmong(const std::vector<Gate> &gates);
 Result<void> checkReferencePath(const ReferencePath &path);
 Result<void> checkTaskLimits(const TaskLimits &limits);
 
+/// What errors of a zone or a gate are about, and the advice where numbers make no sense, also those of
+/// others.
+Message zoneSubject(std::string name);
+Message gateSubject(std::string name);
+Message checkTheNumbers();
+
 /// A gate of a width that is passed in a direction, at right angles.
 Gate gateAcross(const std::string &name, GateRole role, const Eigen::Vector2d &centre,
                 const Eigen::Vector2d &direction, double widthM);

@@ -68,11 +68,6 @@ Kind kindOfItself(const fs::path &path)
         answer(unknown, [&](std::error_code &code) { return fs::symlink_status(path, code); }));
 }
 
-Message isAFolder()
-{
-    return ODO_TEXT("base.is_folder", "it is a folder");
-}
-
 Message insteadOfFile(Kind kind)
 {
     switch (kind) {
@@ -81,7 +76,7 @@ Message insteadOfFile(Kind kind)
     case Kind::Link:
         return {};
     case Kind::Folder:
-        return isAFolder();
+        return ODO_TEXT("base.is_folder", "it is a folder");
     case Kind::Pipe:
         return ODO_TEXT("base.is_pipe", "it is a named pipe");
     case Kind::Socket:

@@ -25,8 +25,6 @@ Kind kindOf(const std::filesystem::path &path, std::error_code &problem);
 Kind kindOfItself(const std::filesystem::path &path);
 /// What is there in place of a file: "it is a named pipe". Empty for a file, a link and nothing.
 Message insteadOfFile(Kind kind);
-/// "it is a folder"
-Message isAFolder();
 
 /// Through links; false where it cannot be looked at.
 bool exists(const std::filesystem::path &path);

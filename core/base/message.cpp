@@ -3,7 +3,6 @@
 
 #include "core/base/units.h"
 
-#include <algorithm>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -110,8 +109,6 @@ Message foreignWords(std::string words)
     return words.empty() ? Message() : ODO_TEXT("base.foreign", "%1")(std::move(words));
 }
 
-namespace {
-
 const MessageText &textOf(Join how)
 {
     switch (how) {
@@ -127,40 +124,36 @@ const MessageText &textOf(Join how)
     return ODO_TEXT("base.space", "%1 %2");
 }
 
-std::string englishNumber(const MessageArgument &number)
+namespace {
+
+const MessageText &textOf(MessageArgument::Joint joint)
 {
-    const std::string figure = formatNumber(number.number, number.decimals);
-    const char *const gap = number.text.empty() || number.text == "°" ? "" : " ";
-    return figure + gap + number.text;
+    switch (joint) {
+    case MessageArgument::Joint::And:
+        return ODO_TEXT("base.and", "%1 and %2");
+    case MessageArgument::Joint::Or:
+        return ODO_TEXT("base.or", "%1 or %2");
+    case MessageArgument::Joint::Comma:
+        break;
+    }
+    return textOf(Join::Comma);
 }
 
-std::string englishList(const MessageArgument &list)
+/// Words with what stands for their placeholders; what is put in is not looked through again.
+template <class Value>
+std::string filled(const std::string &words, const Value &value)
 {
-    if (list.parts.empty())
-        return ODO_TEXT("base.none", "none").english;
-    std::string words = list.parts.front().english();
-    for (std::size_t i = 1; i < list.parts.size(); ++i) {
-        const bool isLast = i + 1 == list.parts.size();
-        const char *const between = !isLast || list.joint == MessageArgument::Joint::Comma ? ", "
-                                    : list.joint == MessageArgument::Joint::Or             ? " or "
-                                                                                           : " and ";
-        words += between + list.parts[i].english();
+    std::string text;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const char digit = words[i] == '%' && i + 1 < words.size() ? words[i + 1] : '0';
+        if (digit < '1' || digit > '9') {
+            text += words[i];
+            continue;
+        }
+        text += value(static_cast<std::size_t>(digit - '1'));
+        ++i;
     }
-    return words;
-}
-
-std::string englishOf(const MessageArgument &argument)
-{
-    switch (argument.kind) {
-    case MessageArgument::Kind::Number:
-        return englishNumber(argument);
-    case MessageArgument::Kind::List:
-        return englishList(argument);
-    case MessageArgument::Kind::Message:
-        return argument.parts.front().english();
-    default:
-        return argument.text;
-    }
+    return text;
 }
 
 } // namespace
@@ -176,22 +169,56 @@ Message joined(std::vector<Message> messages, Join how)
     return all;
 }
 
+std::string MessageLanguage::number(double value, int decimals) const
+{
+    return formatNumber(value, decimals);
+}
+
+std::string MessageLanguage::name(const MessageArgument &name) const
+{
+    return name.text;
+}
+
+std::string MessageLanguage::said(const Message &message) const
+{
+    return message.isEmpty() ? std::string() : filled(words(*message.text), [&](std::size_t which) {
+        return which < message.arguments.size() ? said(message.arguments[which]) : std::string();
+    });
+}
+
+std::string MessageLanguage::said(const MessageArgument &argument) const
+{
+    switch (argument.kind) {
+    case MessageArgument::Kind::Number: {
+        const char *const gap = argument.text.empty() || argument.text == "°" ? "" : " ";
+        return number(argument.number, argument.decimals) + gap + argument.text;
+    }
+    case MessageArgument::Kind::List:
+        return list(argument);
+    case MessageArgument::Kind::Message:
+        return said(argument.parts.front());
+    default:
+        return name(argument);
+    }
+}
+
+std::string MessageLanguage::list(const MessageArgument &list) const
+{
+    if (list.parts.empty())
+        return words(ODO_TEXT("base.none", "none"));
+    std::string all = said(list.parts.front());
+    for (std::size_t i = 1; i < list.parts.size(); ++i) {
+        const bool isLast = i + 1 == list.parts.size();
+        const std::string next = said(list.parts[i]);
+        all = filled(words(textOf(isLast ? list.joint : MessageArgument::Joint::Comma)),
+                     [&](std::size_t which) { return which == 0 ? all : next; });
+    }
+    return all;
+}
+
 std::string Message::english() const
 {
-    const std::string_view words = text ? text->english : "";
-    std::string filled;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        const char digit = words[i] == '%' && i + 1 < words.size() ? words[i + 1] : '0';
-        if (digit < '1' || digit > '9') {
-            filled += words[i];
-            continue;
-        }
-        const auto which = static_cast<std::size_t>(digit - '1');
-        if (which < arguments.size())
-            filled += englishOf(arguments[which]);
-        ++i;
-    }
-    return filled;
+    return MessageLanguage().said(*this);
 }
 
 } // namespace odo

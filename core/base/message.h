@@ -24,6 +24,10 @@ struct MessageText
     Message operator()(Arguments &&...arguments) const;
 };
 
+template <class Type>
+constexpr bool isCount =
+    std::is_integral_v<Type> && !std::is_same_v<Type, bool> && !std::is_same_v<Type, char>;
+
 /// What varies in a message: a number with its unit, a name of a known kind, a list, or another message.
 /// Plain value.
 struct MessageArgument
@@ -55,10 +59,8 @@ struct MessageArgument
 
     MessageArgument();
     MessageArgument(Kind itsKind, std::string name);
-    template <class Count, std::enable_if_t<std::is_integral_v<Count> && !std::is_same_v<Count, bool> &&
-                                                !std::is_same_v<Count, char>,
-                                            int> = 0>
-    MessageArgument(Count count);
+    template <class Count>
+    requires isCount<Count> MessageArgument(Count count);
     MessageArgument(std::string label);
     MessageArgument(const char *) = delete; ///< words of ours are a Message
     MessageArgument(Message message);
@@ -96,10 +98,8 @@ struct Message
     }
 };
 
-template <class Count,
-          std::enable_if_t<
-              std::is_integral_v<Count> && !std::is_same_v<Count, bool> && !std::is_same_v<Count, char>, int>>
-MessageArgument::MessageArgument(Count count) : MessageArgument(Kind::Number, {})
+template <class Count>
+requires isCount<Count> MessageArgument::MessageArgument(Count count) : MessageArgument(Kind::Number, {})
 {
     number = static_cast<double>(count);
 }
@@ -160,6 +160,22 @@ Message nameAlone(MessageArgument name);
 /// What is not ours: a library's or a device's own words. They are never translated.
 Message foreignWords(std::string words);
 
+/// How messages are put into words. This one speaks English, a window another language.
+class MessageLanguage
+{
+public:
+    virtual ~MessageLanguage() = default;
+    virtual std::string words(const MessageText &text) const { return text.english; }
+    virtual std::string number(double value, int decimals) const; ///< without its unit
+    virtual std::string name(const MessageArgument &name) const;  ///< of any kind of name
+
+    std::string said(const Message &message) const;
+
+private:
+    std::string said(const MessageArgument &argument) const;
+    std::string list(const MessageArgument &list) const;
+};
+
 /// How messages follow one another.
 enum class Join {
     Colon,     ///< "%1: %2"
@@ -167,6 +183,8 @@ enum class Join {
     Comma,     ///< "%1, %2"
     Space,     ///< "%1 %2": whole sentences with their full stops
 };
+/// The words that join two of them.
+const MessageText &textOf(Join how);
 /// Messages as one; empty ones are left out.
 Message joined(std::vector<Message> messages, Join how);
 

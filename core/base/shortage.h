@@ -28,14 +28,18 @@ Error shortageNow(Message what);
 /// That there is no thread to be had, where something else than the standard library found out.
 Error noThread(Message what);
 
-/// Does work that gives a Result; an exception in it is its Error.
-template <class Work>
-std::invoke_result_t<Work &> orShortage(const Message &what, Work &&work)
+/// Does work that gives a Result; an exception in it is its Error. what: the Message that says what could not
+/// be done, or, for what is done for each picture, a function that gives it.
+template <class What, class Work>
+std::invoke_result_t<Work &> orShortage(const What &what, Work &&work)
 {
     try {
         return work();
     } catch (...) {
-        return tl::unexpected(shortageNow(what));
+        if constexpr (std::is_invocable_r_v<Message, const What &>)
+            return tl::unexpected(shortageNow(what()));
+        else
+            return tl::unexpected(shortageNow(what));
     }
 }
 

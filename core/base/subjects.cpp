@@ -38,11 +38,6 @@ Message layoutSubject(std::string name)
     return ODO_TEXT("base.layout", "layout '%1'")(Named::layout(std::move(name)));
 }
 
-Message markerSubject(std::string label)
-{
-    return ODO_TEXT("base.marker", "marker %1")(Named::marker(std::move(label)));
-}
-
 Message fileSubject(const std::filesystem::path &path)
 {
     return nameAlone(Named::file(path));

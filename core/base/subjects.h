@@ -15,7 +15,6 @@ Message classSubject(std::string name);
 Message taskSubject(std::string name);
 Message trialSubject(std::string name);
 Message layoutSubject(std::string name);
-Message markerSubject(std::string label);
 Message fileSubject(const std::filesystem::path &path);       ///< the path alone
 Message quotedFileSubject(const std::filesystem::path &path); ///< "file 'A.csv'"
 Message quotedName(MessageArgument name);                     ///< "'Left'", in a list

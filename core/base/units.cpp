@@ -42,6 +42,11 @@ std::string formatNumber(double value, int decimals)
     return std::string(text, end);
 }
 
+std::string sizeText(int width, int height)
+{
+    return std::to_string(width) + "×" + std::to_string(height);
+}
+
 Result<double> parseLengthM(std::string_view text)
 {
     struct Unit

@@ -38,6 +38,9 @@ Result<double> parseNumber(std::string_view text);
 /// Writes a number with so many decimals, with a point whatever the locale.
 std::string formatNumber(double value, int decimals);
 
+/// "1280×720"
+std::string sizeText(int width, int height);
+
 /// Reads a length as the command line promises: "25mm", "2.5cm", "0.3m"; a bare number is millimetres. Gives
 /// metres.
 Result<double> parseLengthM(std::string_view text);

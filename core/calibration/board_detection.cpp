@@ -7,6 +7,7 @@
 #include "core/calibration/internal/luma_matrix.h"
 #include "core/calibration/internal/wording.h"
 #include "core/geometry/homography.h"
+#include "core/video/picture_writer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -132,7 +133,7 @@ std::vector<ForetoldCorner> foretellCorners(const std::vector<ReadMarker> &marke
     return sure;
 }
 
-std::string sizeText(int columns, int rows)
+std::string boardText(int columns, int rows)
 {
     return std::to_string(columns) + "x" + std::to_string(rows);
 }
@@ -217,7 +218,7 @@ Result<BoardView> findCharucoBoard(const cv::Mat &luma, const BoardSpec &spec, c
         return refuseBoard(source,
                            ODO_TEXT("calibration.no_charuco_of_size",
                                     "the markers that were read do not lie as on a ChArUco board of %1 inner "
-                                    "corners")(sizeText(spec.columns, spec.rows)),
+                                    "corners")(boardText(spec.columns, spec.rows)),
                            countCorners());
     return refuseBoard(
         source,
@@ -407,8 +408,8 @@ Result<CornerGrid> matched(const cv::Mat &luma, const CornerGrid &grid, const Bo
     const CornerGrid upright = oriented(grid, spec.columns, spec.rows);
     if (isSize(grid, spec.columns, spec.rows))
         return upright;
-    const std::string found = sizeText(std::max(grid.columns, grid.rows), std::min(grid.columns, grid.rows));
-    const std::string asked = sizeText(spec.columns, spec.rows);
+    const std::string found = boardText(std::max(grid.columns, grid.rows), std::min(grid.columns, grid.rows));
+    const std::string asked = boardText(spec.columns, spec.rows);
     const bool cutOff = !upright.corners.empty() &&
                         (upright.columns == spec.columns || leavesPicture(upright, luma, true)) &&
                         (upright.rows == spec.rows || leavesPicture(upright, luma, false));
@@ -472,7 +473,7 @@ Result<BoardView> findBoard(const Frame &frame, const BoardSpec &spec, const std
         return fail(
             ErrorCode::InvalidInput, nameAlone(source),
             ODO_TEXT("calibration.told_board_too_small",
-                     "a board of %1 inner corners is too small")(sizeText(spec.columns, spec.rows)),
+                     "a board of %1 inner corners is too small")(boardText(spec.columns, spec.rows)),
             ODO_TEXT("calibration.give_board_size", "give 3x3 at least, like 9x6, or leave the size out"));
     if (!(spec.squareM > 0))
         return fail(ErrorCode::InvalidInput, nameAlone(source),
@@ -488,7 +489,7 @@ Result<BoardView> findBoard(const Frame &frame, const BoardSpec &spec, const std
         return findCheckerboard(luma, spec, source);
     } catch (const cv::Exception &exception) {
         return fail(ErrorCode::Internal, nameAlone(source), foreignWords(exception.what()),
-                    ODO_TEXT("calibration.use_another_picture", "use another picture"));
+                    useAnotherPicture());
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/calibration/chained_registration.h"
 
+#include "core/base/units.h"
 #include "core/calibration/internal/plane_pose.h"
 #include "core/calibration/internal/wording.h"
 #include "core/geometry/homography.h"
@@ -39,7 +40,7 @@ tl::unexpected<Error> refuseThrough(Message why, Message advice)
 
 std::string pictureSize(const CameraModel &camera)
 {
-    return std::to_string(camera.intrinsics().widthPx) + "×" + std::to_string(camera.intrinsics().heightPx);
+    return sizeText(camera.intrinsics().widthPx, camera.intrinsics().heightPx);
 }
 
 Result<void> checkInPicture(const SharedPoint &point, const Vector2d &pixel, const CameraModel &camera,
@@ -303,11 +304,6 @@ Result<FloorRegistration> unweighted(const MarkerLayout &places, const std::vect
 }
 
 } // namespace
-
-Message labelEachPoint()
-{
-    return ODO_TEXT("calibration.label_each_point", "give each point a label of its own");
-}
 
 Result<ChainedRegistration> registerThrough(const FloorView &through, const Message &throughName,
                                             const std::vector<SharedPoint> &points, const CameraModel &camera,

@@ -24,9 +24,6 @@ struct ChainedRegistration
     std::vector<MarkerPixel> pixels;
 };
 
-/// The advice where points share a label.
-Message labelEachPoint();
-
 /// Registers a camera to the floor without markers: the points are laid on the floor by a camera that is
 /// registered (itself through another, if need be), and the pose is fitted to where they lie.
 ///

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/message.h"
+
 #include <Eigen/Core>
 #include <string>
 #include <vector>
@@ -27,5 +29,9 @@ struct MarkerPixel
     std::string label;
     Eigen::Vector2d pixel;
 };
+
+/// The advice where several share a label.
+Message labelEachMarker();
+Message labelEachPoint();
 
 } // namespace odo

@@ -36,4 +36,9 @@ Message closeThatProgram()
     return ODO_TEXT("capture.close_that_program", "close that program");
 }
 
+Message notRegisteredToFloor()
+{
+    return ODO_TEXT("capture.not_registered", "it is not registered to the floor");
+}
+
 } // namespace odo

@@ -20,5 +20,6 @@ Message controlGoes(const std::string &name, MessageArgument from, MessageArgume
 
 Message usedByAnotherProgram();
 Message closeThatProgram();
+Message notRegisteredToFloor();
 
 } // namespace odo

@@ -51,7 +51,7 @@ CameraDescription describe(const SimulatedCamera &camera)
             .widthPx = lens.widthPx,
             .heightPx = lens.heightPx,
             .framesPerSecond = camera.framesPerSecond,
-            .formats = {formatWords("", lens.widthPx, lens.heightPx, camera.framesPerSecond)}};
+            .formats = {{formatWords("", lens.widthPx, lens.heightPx, camera.framesPerSecond)}}};
 }
 
 Result<std::unique_ptr<CameraSource>> openSimulated(const std::string &uri)
@@ -83,7 +83,7 @@ Result<std::unique_ptr<CameraSource>> openSimulated(const std::string &uri)
 
 Message formatWords(const std::string &coding, int widthPx, int heightPx, double framesPerSecond)
 {
-    const std::string size = std::to_string(widthPx) + "×" + std::to_string(heightPx);
+    const std::string size = sizeText(widthPx, heightPx);
     const long long hundredths = std::llround(100 * framesPerSecond);
     const int decimals = hundredths % 100 == 0 ? 0 : hundredths % 10 == 0 ? 1 : 2;
     return ODO_TEXT("capture.format", "%1 at %2")(coding.empty() ? size : coding + ' ' + size,

@@ -32,6 +32,14 @@ struct CapturedFrame
     std::uint64_t lostHere = 0;
 };
 
+/// A kind of picture that a camera offers.
+struct CameraFormat
+{
+    Message words;           ///< "MJPG 1280×720 at 30 frames/s", or why the camera cannot be used
+    std::string coding = {}; ///< as the camera names it; empty where it cannot be chosen
+    int widthPx = 0, heightPx = 0;
+};
+
 /// What a source is, as it is shown to a person.
 struct CameraDescription
 {
@@ -40,9 +48,9 @@ struct CameraDescription
     Message name;
     int widthPx = 0, heightPx = 0;
     double framesPerSecond = 0;
-    std::string serial = {};           ///< empty where it has none
-    std::vector<Message> formats = {}; ///< what it offers, for people: "MJPG 1280×720 at 30 frames/s"
-    bool busy = false;                 ///< another program holds it
+    std::string serial = {};                ///< empty where it has none
+    std::vector<CameraFormat> formats = {}; ///< the best first
+    bool busy = false;                      ///< another program holds it
 };
 
 /// What a source has counted since it was opened. Gaps in CapturedFrame::sequence are counted by who takes

@@ -152,4 +152,9 @@ DerivedTimes deriveTimes(const RecordedTimes &times)
     return derived;
 }
 
+Message putDiskBack()
+{
+    return ODO_TEXT("capture.put_disk_back", "put its disk or folder back where it was");
+}
+
 } // namespace odo

@@ -56,4 +56,7 @@ struct DerivedTimes
 /// learns it, with what came before and after. Pure.
 DerivedTimes deriveTimes(const RecordedTimes &times);
 
+/// The advice where a file that is needed for a recording is no longer there.
+Message putDiskBack();
+
 } // namespace odo

@@ -2,6 +2,7 @@
 #include "core/capture/setup_checks.h"
 
 #include "core/base/file_system.h"
+#include "core/capture/camera_errors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -79,11 +80,6 @@ MessageArgument camerasNamed(const std::vector<std::string> &names)
 Message mayPulse()
 {
     return ODO_TEXT("capture.pictures_may_pulse", "pictures may pulse under lamps");
-}
-
-std::string sizeText(int widthPx, int heightPx)
-{
-    return std::to_string(widthPx) + "×" + std::to_string(heightPx);
 }
 
 } // namespace
@@ -303,8 +299,7 @@ SetupFinding checkPictureSize(const CheckedCamera &camera)
         ODO_TEXT("capture.picture_size_of_camera", "Picture size, camera %1")(Named::camera(camera.name));
     const std::string is = sizeText(camera.description.widthPx, camera.description.heightPx);
     if (camera.registeredWidthPx == 0)
-        return {Verdict::Warning, what,
-                ODO_TEXT("capture.not_registered", "it is not registered to the floor"),
+        return {Verdict::Warning, what, notRegisteredToFloor(),
                 ODO_TEXT("capture.register_in_testbed",
                          "register it in Testbed, or its pictures cannot tell where a robot is")};
     if (camera.registeredWidthPx == camera.description.widthPx &&

@@ -56,7 +56,7 @@ Result<std::vector<LabelledPoint>> readLabelledPoints(const std::filesystem::pat
         const auto [earlier, isNew] = lineOfLabel.emplace(label, row.line);
         if (!isNew)
             return fail(ErrorCode::InvalidInput, atLine(file, row.line), labelIsThere(label, earlier->second),
-                        ODO_TEXT("exchange.give_marker_own_label", "give each marker a label of its own"));
+                        labelEachMarker());
         const auto x = csvNumber(file, row, 1, columns[1]);
         if (!x)
             return tl::unexpected(x.error());
@@ -140,7 +140,7 @@ Result<std::vector<SharedPoint>> readSharedPointsCsv(const std::filesystem::path
         const auto [earlier, isNew] = lineOfLabel.emplace(label, row.line);
         if (!isNew)
             return fail(ErrorCode::InvalidInput, atLine(file, row.line), labelIsThere(label, earlier->second),
-                        ODO_TEXT("exchange.give_point_own_label", "give each point a label of its own"));
+                        labelEachPoint());
         std::array<double, 4> numbers{};
         for (std::size_t i = 0; i < numbers.size(); ++i) {
             const auto number = csvNumber(file, row, i + 1, columns[i + 1]);

@@ -42,11 +42,6 @@ Message problemOf(archive *handle)
                  : ODO_TEXT("exchange.archive_library_refused", "the archive library refused");
 }
 
-Message packSubject(const std::filesystem::path &file)
-{
-    return ODO_TEXT("exchange.pack", "pack '%1'")(Named::file(file));
-}
-
 Message unpackSubject(const std::filesystem::path &archive)
 {
     return ODO_TEXT("exchange.unpack", "unpack '%1'")(Named::file(archive));
@@ -55,11 +50,6 @@ Message unpackSubject(const std::filesystem::path &archive)
 Message unpackIntoSubject(const std::filesystem::path &folder)
 {
     return ODO_TEXT("exchange.unpack_into", "unpack into '%1'")(Named::file(folder));
-}
-
-Message checkRoomAndRights()
-{
-    return ODO_TEXT("exchange.check_room_and_rights", "check the free space and the rights of its folder");
 }
 
 /// An archive in the making.
@@ -93,10 +83,7 @@ public:
         const auto bytes = files::sizeOf(file.file, problem);
         std::ifstream in(file.file, std::ios::binary);
         if (problem || !in)
-            return fail(ErrorCode::Io, packSubject(file.file),
-                        problem ? foreignWords(problem.message())
-                                : ODO_TEXT("exchange.cannot_be_read", "it cannot be read"),
-                        ODO_TEXT("exchange.check_it_is_there", "check that it is there and may be read"));
+            return cannotPack(file.file, problem ? foreignWords(problem.message()) : cannotBeRead());
         const bool isProject = file.name.find('/') == std::string::npos;
         if (isProject)
             archive_write_zip_set_compression_deflate(m_archive);
@@ -137,10 +124,7 @@ public:
 private:
     tl::unexpected<Error> failure(Message why) const
     {
-        return fail(
-            ErrorCode::Io,
-            ODO_TEXT("exchange.cannot_write_archive", "cannot write '%1'")(Named::file(m_target.file)),
-            std::move(why), checkRoomAndRights());
+        return fail(ErrorCode::Io, cannotWriteFile(m_target.file), std::move(why), checkItsFolder());
     }
 
     const OutputTarget m_target;
@@ -281,7 +265,7 @@ private:
 
     tl::unexpected<Error> failure(Message why) const
     {
-        return fail(ErrorCode::Io, unpackIntoSubject(m_folder), std::move(why), checkRoomAndRights());
+        return fail(ErrorCode::Io, unpackIntoSubject(m_folder), std::move(why), checkItsFolder());
     }
     tl::unexpected<Error> refuse(Message why) const
     {
@@ -298,6 +282,17 @@ private:
 };
 
 } // namespace
+
+Message packSubject(const std::filesystem::path &file)
+{
+    return ODO_TEXT("exchange.pack", "pack '%1'")(Named::file(file));
+}
+
+tl::unexpected<Error> cannotPack(const std::filesystem::path &file, Message why)
+{
+    return fail(ErrorCode::Io, packSubject(file), std::move(why),
+                ODO_TEXT("exchange.check_it_is_there", "check that it is there and may be read"));
+}
 
 Result<void> writeArchive(const OutputTarget &archive, const std::vector<ArchiveEntry> &entries,
                           const JobControl &control)

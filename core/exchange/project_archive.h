@@ -26,6 +26,10 @@ struct ArchiveEntry
 Result<void> writeArchive(const OutputTarget &archive, const std::vector<ArchiveEntry> &entries,
                           const JobControl &control);
 
+/// What errors of packing are about, and the Io of a file or folder that cannot be read.
+Message packSubject(const std::filesystem::path &file);
+tl::unexpected<Error> cannotPack(const std::filesystem::path &file, Message why);
+
 /// Unpacks an archive into a new folder and gives the path of the project in it. Whatever would leave the
 /// folder, and whatever is neither the project nor in its media folder, is refused: an archive may come from
 /// anyone. Any thread; long. Errors: AlreadyExists where the folder is; InvalidInput for what is no such

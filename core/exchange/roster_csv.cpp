@@ -4,6 +4,7 @@
 #include "core/exchange/internal/delimited_text.h"
 #include "core/exchange/internal/input_words.h"
 #include "core/exchange/text_file.h"
+#include "core/files/file_words.h"
 
 #include <algorithm>
 #include <cctype>

@@ -70,7 +70,7 @@ private:
     /// An error of the model, at the line where its cause stands.
     tl::unexpected<Error> at(int line, const Error &error) const
     {
-        return failure(line, joined({error.what, error.why}, Join::Colon), error.advice);
+        return failure(line, wholeMessage(error.what, error.why), error.advice);
     }
 
     Result<void> onlyKeys(const YamlNode &node, std::initializer_list<std::string_view> keys) const

@@ -13,6 +13,36 @@ Message cannotBeWritten(std::string because)
     return ODO_TEXT("files.cannot_be_written", "it cannot be written (%1)")(foreignWords(std::move(because)));
 }
 
+tl::unexpected<Error> cannotBeLookedAt(Message what, const std::error_code &problem, Message advice)
+{
+    return fail(
+        ErrorCode::Io, std::move(what),
+        ODO_TEXT("files.cannot_be_looked_at", "it cannot be looked at (%1)")(foreignWords(problem.message())),
+        std::move(advice));
+}
+
+Message cannotBeRead()
+{
+    return ODO_TEXT("files.unreadable", "it cannot be read");
+}
+
+Message cannotWriteFile(const std::filesystem::path &file)
+{
+    return ODO_TEXT("files.cannot_write", "cannot write '%1'")(Named::file(file));
+}
+
+tl::unexpected<Error> nameIsTooLong(Message what)
+{
+    return fail(ErrorCode::InvalidInput, std::move(what),
+                ODO_TEXT("files.name_too_long", "its name is too long"),
+                ODO_TEXT("files.choose_shorter_name", "choose a shorter name"));
+}
+
+Message fileIsEmpty()
+{
+    return ODO_TEXT("files.file_is_empty", "the file is empty");
+}
+
 Message noSuchFile()
 {
     return ODO_TEXT("files.no_such_file", "there is no such file");
@@ -47,6 +77,21 @@ Message chooseFolderWithRoom()
 {
     return ODO_TEXT("files.choose_folder_with_room",
                     "choose a folder that you may write to and that has room");
+}
+
+Message chooseWritableFolder()
+{
+    return ODO_TEXT("files.choose_writable_folder", "choose a folder that you may write to");
+}
+
+Message makeRoomOnDisk()
+{
+    return ODO_TEXT("files.make_room", "make room on the disk and try again");
+}
+
+Message checkItsFolder()
+{
+    return ODO_TEXT("files.check_its_folder", "check the free space and the rights of its folder");
 }
 
 Message makeFolderFirst()

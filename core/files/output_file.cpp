@@ -181,11 +181,7 @@ public:
     Result<OutputPlace> run(std::optional<FileKind> kind)
     {
         if (!m_exists && m_problem != ENOENT)
-            return m_problem == ENAMETOOLONG
-                       ? fail(ErrorCode::InvalidInput, what(),
-                              ODO_TEXT("files.name_too_long", "its name is too long"),
-                              ODO_TEXT("files.choose_shorter_name", "choose a shorter name"))
-                       : notWritable(m_problem);
+            return m_problem == ENAMETOOLONG ? nameIsTooLong(what()) : notWritable(m_problem);
         if (Message reason = reasonOfName(); !reason.isEmpty())
             return refused(std::move(reason));
         if (const auto project = m_target.isOwnMedia ? std::filesystem::path() : projectOfMedia();

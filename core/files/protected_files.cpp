@@ -68,10 +68,7 @@ Result<void> checkMayBeRead(const std::filesystem::path &file, const Message &wh
     std::error_code problem;
     const files::Kind kind = files::kindOf(file, problem);
     if (problem)
-        return fail(ErrorCode::Io, what,
-                    ODO_TEXT("files.cannot_be_looked_at",
-                             "it cannot be looked at (%1)")(foreignWords(problem.message())),
-                    checkFileMayBeRead());
+        return cannotBeLookedAt(what, problem, checkFileMayBeRead());
     if (kind == files::Kind::Missing)
         return fail(ErrorCode::NotFound, what, noSuchFile(),
                     ODO_TEXT("files.check_name", "check the name and the folder"));
@@ -159,7 +156,7 @@ Result<ResolvedPath> resolved(const std::filesystem::path &file)
         resolved.named.push_back(named.lexically_normal());
         const std::filesystem::path name = named.filename(), folder = named.parent_path();
         if (name.empty() || name == "." || name == "..")
-            return fail(ErrorCode::WrongCall, what, files::isAFolder(), nameAFile());
+            return fail(ErrorCode::WrongCall, what, files::insteadOfFile(files::Kind::Folder), nameAFile());
         const auto realFolder = realPath(folder);
         if (!realFolder && errno == ENOENT)
             return fail(ErrorCode::NotFound, what, noSuchFolder(folder), makeFolderFirst());

@@ -108,11 +108,11 @@ tl::unexpected<Error> cannotMake(const std::filesystem::path &folder, const Mess
         return fail(ErrorCode::NotFound, what, noSuchFolder(folder), makeFolderFirst());
     if (reason == ENOSPC || reason == EDQUOT)
         return fail(ErrorCode::Io, what, ODO_TEXT("files.disk_is_full", "the disk is full"),
-                    ODO_TEXT("files.make_room", "make room on the disk and try again"));
+                    makeRoomOnDisk());
     return fail(ErrorCode::ReadOnly, what,
                 ODO_TEXT("files.folder_not_writable", "the folder '%1' cannot be written to (%2)")(
                     Named::file(folder), foreignWords(std::strerror(reason))),
-                ODO_TEXT("files.choose_writable_folder", "choose a folder that you may write to"));
+                chooseWritableFolder());
 }
 
 /// A new folder under a new name, locked and marked: its path, and what holds its lock.

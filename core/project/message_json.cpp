@@ -42,7 +42,8 @@ constexpr qsizetype longestCode = 100;
 /// How joined() puts messages together, two by two.
 bool isJoin(std::string_view code)
 {
-    return code == "base.colon" || code == "base.semicolon" || code == "base.comma" || code == "base.space";
+    constexpr std::array joins{Join::Colon, Join::Semicolon, Join::Comma, Join::Space};
+    return std::ranges::any_of(joins, [code](Join how) { return code == textOf(how).code; });
 }
 
 /// What a message says, of one that was joined from several all of these: sentences within one another would

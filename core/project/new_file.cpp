@@ -2,6 +2,7 @@
 #include "core/project/new_file.h"
 
 #include "core/base/file_system.h"
+#include "core/files/file_words.h"
 #include "core/files/temporary.h"
 #include "core/project/internal/words.h"
 
@@ -51,9 +52,7 @@ Result<void> NewFile::prepare()
     if (files::kindOfItself(m_target) != files::Kind::Missing)
         return alreadyThere();
     if (problem == std::errc::filename_too_long)
-        return fail(ErrorCode::InvalidInput, m_what,
-                    ODO_TEXT("project.name_too_long", "its name is too long"),
-                    ODO_TEXT("project.choose_shorter_name", "choose a shorter name"));
+        return nameIsTooLong(m_what);
     auto made = TemporaryFolder::make(folder, m_what);
     if (!made)
         return tl::unexpected(made.error());

@@ -97,10 +97,9 @@ std::optional<Message> placeWarning(const std::filesystem::path &project, const 
 {
     const std::filesystem::path file = files::realPath(project);
     const auto warning = [&](Message why) {
-        return joined({joined({projectSubject(project.filename()), std::move(why)}, Join::Colon),
-                       ODO_TEXT("project.keep_on_own_disk",
-                                "keep it on a disk of this computer, and pack it to share it")},
-                      Join::Semicolon);
+        return wholeMessage(projectSubject(project.filename()), std::move(why),
+                            ODO_TEXT("project.keep_on_own_disk",
+                                     "keep it on a disk of this computer, and pack it to share it"));
     };
     const std::string kind = fileSystemOf(file, mounts);
     if (std::ranges::find(networkFileSystems, kind) != networkFileSystems.end())

@@ -2,8 +2,10 @@
 #include "core/project/project_locks.h"
 
 #include "core/base/file_system.h"
+#include "core/files/file_words.h"
 #include "core/files/temporary.h"
 #include "core/project/names.h"
+#include "core/project/project_words.h"
 
 #include <QString>
 #include <QSysInfo>
@@ -46,8 +48,7 @@ std::optional<std::string> wordsIn(int descriptor)
 tl::unexpected<Error> cannotHold(const std::filesystem::path &file)
 {
     return fail(ErrorCode::Io, ODO_TEXT("project.cannot_hold", "cannot hold %1")(Named::file(file)),
-                foreignWords(std::strerror(errno)),
-                ODO_TEXT("project.check_its_folder", "check the free space and the rights of its folder"));
+                foreignWords(std::strerror(errno)), checkItsFolder());
 }
 
 } // namespace
@@ -127,16 +128,14 @@ Result<std::unique_ptr<RecordingLock>> RecordingLock::take(const std::filesystem
     std::error_code problem;
     files::makeFolders(mediaFolder, problem);
     if (problem)
-        return fail(ErrorCode::Io, what, foreignWords(problem.message()),
-                    ODO_TEXT("project.check_project_folder",
-                             "check the free space and the rights of the project's folder"));
+        return fail(ErrorCode::Io, what, foreignWords(problem.message()), checkProjectFolder());
     auto file = HeldFile::take(fileIn(mediaFolder), HeldFile::Afterwards::Stays);
     if (!file)
         return fail(file.error().code, what, file.error().why, file.error().advice);
     if (!*file)
         return fail(ErrorCode::AlreadyExists, what,
                     ODO_TEXT("project.recorded_into_now", "a trial is being recorded into it just now"),
-                    ODO_TEXT("project.wait_until_ended", "wait until that has ended"));
+                    waitUntilThatHasEnded());
     return std::unique_ptr<RecordingLock>(new RecordingLock(std::move(*file)));
 }
 

@@ -6,6 +6,7 @@
 #include "core/files/file_kind.h"
 #include "core/project/internal/opening_check.h"
 #include "core/project/project_locks.h"
+#include "core/project/project_words.h"
 #include "core/project/recording_rows.h"
 #include "core/project/repositories.h"
 
@@ -120,7 +121,7 @@ Result<ReferredFiles> filesUsedBeside(const std::filesystem::path &project)
         const auto other = Project::openAgain(beside, Project::Access::ReadOnly);
         const Result<void> added = other ? addAllOf(**other, files) : tl::unexpected(other.error());
         if (!added)
-            return fail(added.error().code, ODO_TEXT("project.look_for_strays", "look for stray files"),
+            return fail(added.error().code, lookForStrays(),
                         ODO_TEXT("project.may_be_used_beside",
                                  "project '%1' beside it may use them, and cannot be read (%2)")(
                             Named::file(beside.filename()), added.error().why),
@@ -225,10 +226,7 @@ Result<std::vector<std::filesystem::path>> unusedFiles(Project &project)
     std::error_code problem;
     addAllBelow(media, files, problem);
     if (problem && problem != std::errc::no_such_file_or_directory)
-        return fail(
-            ErrorCode::Io, ODO_TEXT("project.look_in", "look in '%1'")(Named::file(media)),
-            foreignWords(problem.message()),
-            ODO_TEXT("project.check_folder_is_there", "check that the folder is there and may be read"));
+        return cannotLookIn(media, problem);
     // Who adds a trial holds its files until it is in the project: looked at in this order, none of them is
     // taken for a stray one.
     std::erase_if(files, [&](const std::filesystem::path &file) {

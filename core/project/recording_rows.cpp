@@ -9,7 +9,6 @@
 #include "core/project/internal/analysis_digest.h"
 #include "core/project/internal/connection.h"
 #include "core/project/internal/series_blobs.h"
-#include "core/project/internal/words.h"
 #include "core/project/names.h"
 #include "core/project/repositories.h"
 
@@ -61,10 +60,9 @@ Result<void> readFrameTimes(const ProjectConnection &connection, RecordingRecord
     Statement select(
         connection,
         QStringLiteral("SELECT times FROM frame_time_chunk WHERE recording_id=? ORDER BY position"));
-    return select.bind(into.id).eachRow([&into](const Statement &row) -> Result<void> {
-        return unpackTimes(row.blob(0),
-                           ODO_TEXT("project.frame_times_of", "frame times of '%1'")(Named::file(into.path)),
-                           into.frameTimes);
+    const Message what = ODO_TEXT("project.frame_times_of", "frame times of '%1'")(Named::file(into.path));
+    return select.bind(into.id).eachRow([&](const Statement &row) -> Result<void> {
+        return unpackTimes(row.blob(0), what, into.frameTimes);
     });
 }
 

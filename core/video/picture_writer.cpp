@@ -20,8 +20,7 @@ constexpr int jpegQuality = 95;
 
 tl::unexpected<Error> notPacked(ErrorCode code, Message why)
 {
-    return fail(code, ODO_TEXT("video.picture", "picture"), std::move(why),
-                ODO_TEXT("video.use_another_picture", "use another picture"));
+    return fail(code, ODO_TEXT("video.picture", "picture"), std::move(why), useAnotherPicture());
 }
 
 tl::unexpected<Error> notPacked()
@@ -87,6 +86,11 @@ Result<PackedPicture> packedAs(const std::filesystem::path &ending, const Frame 
 }
 
 } // namespace
+
+Message useAnotherPicture()
+{
+    return ODO_TEXT("video.use_another_picture", "use another picture");
+}
 
 Result<void> writePicture(const Frame &frame, const OutputTarget &target)
 {

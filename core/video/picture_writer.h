@@ -20,4 +20,7 @@ Result<std::vector<unsigned char>> colourPng(const Frame &frame);
 /// A frame's luma as a grey PNG, unchanged.
 Result<std::vector<unsigned char>> greyPng(const Frame &frame);
 
+/// The advice where a picture makes trouble that is not known better.
+Message useAnotherPicture();
+
 } // namespace odo

@@ -35,8 +35,7 @@ Result<void> checkFile(const std::filesystem::path &file)
         return may;
     std::error_code unknown;
     if (files::sizeOf(file, unknown) == 0)
-        return fail(ErrorCode::InvalidInput, cannotOpenVideo(file),
-                    ODO_TEXT("video.file_is_empty", "the file is empty"), copyFromCamera());
+        return fail(ErrorCode::InvalidInput, cannotOpenVideo(file), fileIsEmpty(), copyFromCamera());
     return {};
 }
 

@@ -374,7 +374,8 @@ Result<std::optional<Frame>> VideoReader::next(const std::optional<PixelRect> &r
     if (d.nextIndex >= d.index.frames.size())
         return std::nullopt;
     const std::size_t wanted = d.nextIndex++;
-    return orShortage(d.cannotDecode(wanted), [&d, wanted] { return d.decoded(wanted); });
+    return orShortage([&d, wanted] { return d.cannotDecode(wanted); },
+                      [&d, wanted] { return d.decoded(wanted); });
 }
 
 Result<void> VideoReader::seek(std::int64_t frameIndex)
@@ -385,13 +386,15 @@ Result<void> VideoReader::seek(std::int64_t frameIndex)
                     ODO_TEXT("video.frames_it_has", "it has frames 0 to %1")(d.index.frames.size() - 1),
                     ODO_TEXT("video.choose_one_of_these", "choose one of these"));
     const auto frame = static_cast<std::size_t>(frameIndex);
-    return orShortage(d.cannotShow(frameIndex), [&d, frame]() -> Result<void> {
-        if (!d.isOnTheWay(frame) && (d.index.counted || !d.startAt(d.index.keyPacketFor(frame))))
-            if (auto again = d.restart(); !again)
-                return again;
-        d.nextIndex = frame;
-        return {};
-    });
+    return orShortage([&d, frameIndex] { return d.cannotShow(frameIndex); },
+                      [&d, frame]() -> Result<void> {
+                          if (!d.isOnTheWay(frame) &&
+                              (d.index.counted || !d.startAt(d.index.keyPacketFor(frame))))
+                              if (auto again = d.restart(); !again)
+                                  return again;
+                          d.nextIndex = frame;
+                          return {};
+                      });
 }
 
 std::int64_t VideoReader::keyFrameBefore(std::int64_t frameIndex) const

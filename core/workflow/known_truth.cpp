@@ -4,6 +4,7 @@
 #include "core/base/file_system.h"
 #include "core/exchange/file_name.h"
 #include "core/exchange/text_file.h"
+#include "core/files/file_words.h"
 #include "core/files/output_file.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
@@ -50,7 +51,7 @@ Result<void> keepTruth(Project &project, const TrialRecord &trial, const Simulat
     files::makeFolders(folder, problem);
     if (problem)
         return fail(ErrorCode::Io, folderCalled(folder), foreignWords(problem.message()),
-                    ODO_TEXT("workflow.choose_writable_folder", "choose a folder that you may write to"));
+                    chooseWritableFolder());
     for (std::size_t r = 0; r < scene.robots.size(); ++r) {
         const std::string &name = scene.robots[r].name;
         const auto robot = project.robots().find(name);

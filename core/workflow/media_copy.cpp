@@ -8,6 +8,7 @@
 #include "core/files/protected_files.h"
 #include "core/files/temporary.h"
 #include "core/project/project_media.h"
+#include "core/project/project_words.h"
 #include "core/project/recording_rows.h"
 #include "core/workflow/shared_words.h"
 
@@ -20,12 +21,6 @@ namespace {
 constexpr qint64 blockBytes = 1 << 18;
 /// How much may wait for the disk: who cancels, and the end, waits for no more.
 constexpr qint64 syncEach = 16 << 20;
-
-Message roomAdvice()
-{
-    return ODO_TEXT("workflow.check_room_and_rights",
-                    "check the free space and the rights of the project's folder");
-}
 
 /// Of what files may be called letters and digits of any script, '-' and '_' stay; the rest could mean
 /// something to a shell.
@@ -62,14 +57,15 @@ Result<std::string> copyHashed(const std::filesystem::path &source, const Claime
         return tl::unexpected(may.error());
     QFile in(QString::fromStdString(source.string()));
     if (!in.open(QIODevice::ReadOnly))
-        return fail(ErrorCode::Io, what, foreignWords(in.errorString().toStdString()), roomAdvice());
+        return fail(ErrorCode::Io, what, foreignWords(in.errorString().toStdString()), checkProjectFolder());
     Sha256 hash;
     for (qint64 waiting = 0; !in.atEnd();) {
         if (control.isCancelled())
             return cancelled(what);
         const QByteArray block = in.read(blockBytes);
         if (block.isEmpty() && in.error() != QFileDevice::NoError)
-            return fail(ErrorCode::Io, what, foreignWords(in.errorString().toStdString()), roomAdvice());
+            return fail(ErrorCode::Io, what, foreignWords(in.errorString().toStdString()),
+                        checkProjectFolder());
         hash.add(block.constData(), static_cast<std::size_t>(block.size()));
         std::error_code problem = target.write({block.constData(), static_cast<std::size_t>(block.size())});
         waiting += block.size();
@@ -78,7 +74,7 @@ Result<std::string> copyHashed(const std::filesystem::path &source, const Claime
             waiting = 0;
         }
         if (problem)
-            return fail(ErrorCode::Io, what, foreignWords(problem.message()), roomAdvice());
+            return fail(ErrorCode::Io, what, foreignWords(problem.message()), checkProjectFolder());
     }
     return hash.hex();
 }
@@ -90,7 +86,7 @@ Result<void> published(ClaimedFile &file, const std::string &name, const std::st
     if (!problem)
         problem = file.publish(safeName(name), ending);
     if (problem)
-        return fail(ErrorCode::Io, what, foreignWords(problem.message()), roomAdvice());
+        return fail(ErrorCode::Io, what, foreignWords(problem.message()), checkProjectFolder());
     syncToDisk(file.path().parent_path()); // some file systems cannot: the bytes are safe
     return {};
 }
@@ -103,7 +99,7 @@ Result<MediaCopy> held(const std::filesystem::path &file, const Message &what, c
         return fail(
             ErrorCode::Unavailable, what,
             ODO_TEXT("workflow.written_just_now", "another program is writing or removing it just now"),
-            ODO_TEXT("workflow.wait_until_ended", "wait until that has ended"));
+            waitUntilThatHasEnded());
     auto hash = fileSha256(file, control);
     if (!hash)
         return tl::unexpected(hash.error());
@@ -117,7 +113,7 @@ Result<MediaCopy> copied(const std::filesystem::path &source, const std::filesys
 {
     auto file = inFolder(mediaFolder, [&] { return ClaimedFile::begin(mediaFolder); });
     if (!file)
-        return fail(ErrorCode::Io, what, foreignWords(file.error().message()), roomAdvice());
+        return fail(ErrorCode::Io, what, foreignWords(file.error().message()), checkProjectFolder());
     auto hash = copyHashed(source, *file, what, control);
     if (!hash)
         return tl::unexpected(hash.error());
@@ -133,10 +129,8 @@ Result<ClaimedFile> claimMediaFile(const std::filesystem::path &folder, const st
 {
     auto file = inFolder(folder, [&] { return ClaimedFile::create(folder, safeName(name), ending); });
     if (!file)
-        return fail(ErrorCode::Io,
-                    ODO_TEXT("workflow.cannot_write",
-                             "cannot write '%1'")(Named::file(folder / (safeName(name) + ending))),
-                    foreignWords(file.error().message()), roomAdvice());
+        return fail(ErrorCode::Io, cannotWriteFile(folder / (safeName(name) + ending)),
+                    foreignWords(file.error().message()), checkProjectFolder());
     return std::move(*file);
 }
 
@@ -146,9 +140,9 @@ Result<ClaimedFile> writeMediaFile(const std::filesystem::path &folder, const st
 {
     auto file = inFolder(folder, [&] { return ClaimedFile::begin(folder); });
     if (!file)
-        return fail(ErrorCode::Io, what, foreignWords(file.error().message()), roomAdvice());
+        return fail(ErrorCode::Io, what, foreignWords(file.error().message()), checkProjectFolder());
     if (const std::error_code problem = file->write(content))
-        return fail(ErrorCode::Io, what, foreignWords(problem.message()), roomAdvice());
+        return fail(ErrorCode::Io, what, foreignWords(problem.message()), checkProjectFolder());
     if (auto done = published(*file, name, ending, what); !done)
         return tl::unexpected(done.error());
     return std::move(*file);
@@ -166,7 +160,7 @@ Result<MediaCopy> copyIntoMedia(const std::filesystem::path &source, const std::
         return copy;
     const auto bytes = copy->file.bytes();
     if (!bytes)
-        return cannotBeLookedAt(what, bytes.error());
+        return cannotBeLookedAt(what, bytes.error(), checkFileIsThere());
     copy->bytes = *bytes;
     return copy;
 }

@@ -4,6 +4,7 @@
 #include "core/base/file_system.h"
 #include "core/project/project.h"
 #include "core/project/project_media.h"
+#include "core/project/project_words.h"
 #include "core/project/recording_rows.h"
 #include "core/project/repositories.h"
 #include "core/video/video_input.h"
@@ -15,11 +16,6 @@
 namespace odo {
 
 namespace {
-
-Message lookIn(const std::filesystem::path &folder)
-{
-    return ODO_TEXT("workflow.look_in", "look in '%1'")(Named::file(folder));
-}
 
 /// Files of one of these sizes, so that only they are read.
 Result<std::vector<std::filesystem::path>> filesOfSizes(const std::filesystem::path &folder,
@@ -39,9 +35,7 @@ Result<std::vector<std::filesystem::path>> filesOfSizes(const std::filesystem::p
     if (control.isCancelled())
         return cancelled(ODO_TEXT("workflow.look_for_lost_videos", "look for lost videos"));
     if (problem)
-        return fail(
-            ErrorCode::Io, lookIn(folder), foreignWords(problem.message()),
-            ODO_TEXT("workflow.check_folder_is_there", "check that the folder is there and may be read"));
+        return cannotLookIn(folder, problem);
     return files;
 }
 
@@ -102,8 +96,7 @@ Result<void> RelinkJob::run(const JobControl &control)
 Result<void> RelinkJob::look(const std::vector<std::filesystem::path> &files, const JobControl &control)
 {
     for (std::size_t i = 0; i < files.size() && m_found.size() < m_lost.size(); ++i) {
-        control.report(static_cast<double>(i) / static_cast<double>(files.size()),
-                       ODO_TEXT("workflow.reading_file", "reading %1")(Named::file(files[i].filename())));
+        control.report(static_cast<double>(i) / static_cast<double>(files.size()), readingFile(files[i]));
         const auto hash = fileSha256(files[i], control);
         if (!hash && hash.error().code == ErrorCode::Cancelled)
             return tl::unexpected(hash.error());
@@ -188,7 +181,7 @@ Result<void> FindStraysJob::run(const JobControl &control)
         m_others.insert(m_others.end(), some->begin(), some->end());
     for (const std::filesystem::path &file : m_strays) {
         if (control.isCancelled())
-            return cancelled(ODO_TEXT("workflow.look_for_strays", "look for stray files"));
+            return cancelled(lookForStrays());
         // a link leads to what is somebody else's
         const bool isFile = files::kindOfItself(file) == files::Kind::File;
         if (isFile && file.extension() != inTheMaking && VideoInput::open(file))

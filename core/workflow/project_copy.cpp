@@ -4,11 +4,14 @@
 #include "core/base/error.h"
 #include "core/base/file_system.h"
 #include "core/base/subjects.h"
+#include "core/exchange/project_archive.h"
 #include "core/files/output_file.h"
 #include "core/files/temporary.h"
+#include "core/project/names.h"
 #include "core/project/new_file.h"
 #include "core/project/project.h"
 #include "core/project/project_media.h"
+#include "core/project/project_words.h"
 #include "core/project/recording_rows.h"
 #include "core/project/repositories.h"
 #include "core/video/video_input.h"
@@ -35,7 +38,7 @@ Result<void> CopyJob::prepare(Project &project)
 
 Result<void> CopyJob::run(const JobControl &control)
 {
-    const Message what = ODO_TEXT("workflow.copy", "copy '%1'")(Named::file(m_copy.filename()));
+    const Message what = copySubject(m_copy);
     if (auto may = checkNewProject(m_copy, what); !may)
         return may;
     control.report(0, copyingProject());
@@ -71,11 +74,6 @@ void addFilesBelow(const std::filesystem::path &folder, const std::filesystem::p
     }
 }
 
-Message packingOf(const std::filesystem::path &file)
-{
-    return ODO_TEXT("workflow.pack", "pack '%1'")(Named::file(file));
-}
-
 /// All that belongs to a project's media; none where there is no folder. Links that lead out of it are left.
 /// A folder that cannot be read is an error, for what lies in it would be missing.
 Result<std::vector<std::filesystem::path>> filesIn(const std::filesystem::path &folder)
@@ -84,8 +82,7 @@ Result<std::vector<std::filesystem::path>> filesIn(const std::filesystem::path &
     std::error_code problem;
     addFilesBelow(folder, folder, files, problem);
     if (problem && problem != std::errc::no_such_file_or_directory)
-        return fail(ErrorCode::Io, packingOf(folder), foreignWords(problem.message()),
-                    ODO_TEXT("workflow.check_it_is_there", "check that it is there and may be read"));
+        return cannotPack(folder, foreignWords(problem.message()));
     return files;
 }
 
@@ -131,10 +128,10 @@ Result<void> PackJob::look(Project &project, const JobControl &control)
     std::map<RecordId, std::string> names;
     for (const TrialName &trial : *trials) {
         if (trial.unfinished)
-            return fail(ErrorCode::InvalidInput, packingOf(m_project.filename()),
+            return fail(ErrorCode::InvalidInput, packSubject(m_project.filename()),
                         ODO_TEXT("workflow.trial_being_recorded",
                                  "trial '%1' is being recorded")(Named::trial(trial.name)),
-                        ODO_TEXT("workflow.end_recording_first", "end its recording first"));
+                        endRecordingFirst());
         names.emplace(trial.id, trial.name);
     }
     const auto recordings = project.trials().allRecordings();
@@ -297,7 +294,7 @@ Result<std::filesystem::path> makeProjectLike(const std::filesystem::path &origi
     const auto from = Project::openAgain(original, Project::Access::ReadOnly);
     if (!from)
         return tl::unexpected(from.error());
-    const Message what = ODO_TEXT("workflow.project", "project '%1'")(Named::file(file));
+    const Message what = projectSubject(file);
     if (auto may = checkNewProject(file, what); !may)
         return tl::unexpected(may.error());
     NewFile made(file, what);

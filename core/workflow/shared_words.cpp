@@ -44,24 +44,11 @@ MessageArgument quotedNames(const std::vector<std::string> &names, MessageArgume
     return listed(std::move(quoted), MessageArgument::Joint::Comma);
 }
 
-std::string sizeText(int width, int height)
-{
-    return std::to_string(width) + "×" + std::to_string(height);
-}
-
 tl::unexpected<Error> trialIsThere(Message what)
 {
     return fail(ErrorCode::AlreadyExists, std::move(what),
                 ODO_TEXT("workflow.trial_is_there", "the project has a trial of that name"),
-                ODO_TEXT("workflow.choose_another_name", "choose another name"));
-}
-
-tl::unexpected<Error> cannotBeLookedAt(Message what, const std::error_code &problem)
-{
-    return fail(ErrorCode::Io, std::move(what),
-                ODO_TEXT("workflow.cannot_be_looked_at",
-                         "it cannot be looked at (%1)")(foreignWords(problem.message())),
-                checkFileIsThere());
+                chooseAnotherName());
 }
 
 Message notTrackedYet()

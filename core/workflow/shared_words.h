@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
-#include <system_error>
 #include <vector>
 
 namespace odo {
@@ -23,13 +22,9 @@ Message trackingSubject();
 
 /// "'red', 'blue'"
 MessageArgument quotedNames(const std::vector<std::string> &names, MessageArgument::Kind kind);
-/// "1280×720"
-std::string sizeText(int width, int height);
 
 /// The AlreadyExists of a trial that is to be made.
 tl::unexpected<Error> trialIsThere(Message what);
-/// The Io of a file whose size cannot be found out.
-tl::unexpected<Error> cannotBeLookedAt(Message what, const std::error_code &problem);
 
 Message notTrackedYet();
 Message nothingToAnalyseAgain();

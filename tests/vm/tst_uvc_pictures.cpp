@@ -2,7 +2,7 @@
 // Runs in the emulated machine: the kernel's driver of USB webcams, fed by two played ones. What they are,
 // MJPEG, damaged pictures, controls.
 #include "core/video/jpeg.h"
-#include "tests/support/said_error.h"
+#include "tests/support/offered_formats.h"
 #include "tests/vm/played_cameras.h"
 
 #include <QTest>
@@ -29,7 +29,7 @@ private Q_SLOTS:
         QVERIFY(cameras[0].name.english().find("Camera A") != std::string::npos);
         QCOMPARE(cameras[0].serial, std::string("A1"));
         QCOMPARE(cameras[1].serial, std::string("B2"));
-        QCOMPARE(test::english(cameras[0].formats),
+        QCOMPARE(test::offeredFormats(cameras[0]),
                  (std::vector<std::string>{"MJPG 640×480 at 30 frames/s", "YUYV 640×480 at 30 frames/s",
                                            "MJPG 320×240 at 30 frames/s", "YUYV 320×240 at 30 frames/s"}));
         const auto source = opened(cameras[0].uri);

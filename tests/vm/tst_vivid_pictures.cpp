@@ -2,6 +2,7 @@
 // Runs in the emulated machine: what the kernel's emulated cameras offer, and whether their pictures are read
 // rightly.
 #include "core/capture/v4l2/v4l2_source.h"
+#include "tests/support/offered_formats.h"
 #include "tests/vm/vivid_cameras.h"
 
 #include <QTest>
@@ -68,9 +69,9 @@ private Q_SLOTS:
         QCOMPARE(cameras[0].widthPx, 640); // 30 frames/s or more, nearest to 1280×720
         QCOMPARE(cameras[0].heightPx, 360);
         // the best comes first
-        QCOMPARE(cameras[1].formats.front().english(), std::string("YUYV 640×360 at 40 frames/s"));
-        QVERIFY(std::ranges::find(cameras[1].formats, foreignWords("YUYV 640×480 at 25 frames/s")) !=
-                cameras[1].formats.end());
+        QCOMPARE(test::offeredFormats(cameras[1]).front(), std::string("YUYV 640×360 at 40 frames/s"));
+        const auto offered = test::offeredFormats(cameras[1]);
+        QVERIFY(std::ranges::find(offered, "YUYV 640×480 at 25 frames/s") != offered.end());
     }
 
     void aCameraInUseIsListedAsBusyAndNotDisturbed()
@@ -183,7 +184,7 @@ private Q_SLOTS:
         QVERIFY(source.error().message().ends_with(
             "you may not use it; join the group video (sudo usermod -aG video YOUR-NAME) and log in again"));
         QCOMPARE(cameras.size(), std::size_t(2));
-        QVERIFY(cameras[0].formats.at(0).english().find("join the group video") != std::string::npos);
+        QVERIFY(test::offeredFormats(cameras[0]).at(0).find("join the group video") != std::string::npos);
     }
 
     void withoutCamerasThereAreNone()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/main_window/main_window.h"
 
+#include "core/analysis/run_differences.h"
 #include "core/base/subjects.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
@@ -413,7 +414,7 @@ Result<void> MainWindow::showTrial(const std::string &name)
 
 Result<void> MainWindow::compareTrials(const QStringList &names)
 {
-    return m_pages ? m_pages->compareTrials(names) : noProject(ODO_TEXT("ui.comparison", "comparison"));
+    return m_pages ? m_pages->compareTrials(names) : noProject(comparisonSubject());
 }
 
 void MainWindow::finishRecording()

@@ -2,6 +2,7 @@
 #include "ui/models/project_changes.h"
 
 #include "core/project/project.h"
+#include "core/project/project_words.h"
 #include "ui/models/shared_messages.h"
 #include "ui/models/shown_message.h"
 
@@ -124,7 +125,7 @@ Result<QString> OwnChanges::undo()
 Result<QString> OwnChanges::redo()
 {
     if (m_takenBack == 0)
-        return nothing(ODO_TEXT("ui.redo", "redo"));
+        return nothing(redoSubject());
     const auto words = m_project.redo();
     if (!words)
         return tl::unexpected(words.error());

@@ -8,11 +8,6 @@ Message pictureSubject()
     return ODO_TEXT("ui.picture", "the picture");
 }
 
-Message undoSubject()
-{
-    return ODO_TEXT("ui.undo", "undo");
-}
-
 Message anotherJobRuns()
 {
     return ODO_TEXT("ui.another_job_runs", "another job is running");

@@ -8,7 +8,6 @@ namespace odo {
 /// What several windows say, or a window and the command line.
 
 Message pictureSubject(); ///< "the picture"
-Message undoSubject();
 Message anotherJobRuns();
 Message waitOrCancel(); ///< what to do while a job runs
 Message noProjectIsOpen();

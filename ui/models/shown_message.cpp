@@ -17,50 +17,29 @@ class ShownMessageWords
     Q_DECLARE_TR_FUNCTIONS(ShownMessageWords)
 };
 
-QString shownNumber(const MessageArgument &number)
+/// The language of the windows.
+class ShownLanguage : public MessageLanguage
 {
-    QLocale locale;
-    locale.setNumberOptions(QLocale::OmitGroupSeparator);
-    const QString figure = locale.toString(number.number, 'f', number.decimals);
-    if (number.text.empty())
-        return figure;
-    const QString unit = QString::fromStdString(number.text);
-    return unit == QStringLiteral("°") ? figure + unit : figure + QLatin1Char(' ') + unit;
-}
-
-QString shownList(const MessageArgument &list)
-{
-    if (list.parts.empty())
-        return ShownMessageWords::tr("none");
-    QString words = shownWords(list.parts.front());
-    for (std::size_t i = 1; i < list.parts.size(); ++i) {
-        const bool isLast = i + 1 == list.parts.size();
-        const QString pattern =
-            !isLast || list.joint == MessageArgument::Joint::Comma ? ShownMessageWords::tr("%1, %2")
-            : list.joint == MessageArgument::Joint::Or             ? ShownMessageWords::tr("%1 or %2")
-                                                                   : ShownMessageWords::tr("%1 and %2");
-        words = pattern.arg(words, shownWords(list.parts[i]));
+public:
+    std::string words(const MessageText &text) const override
+    {
+        return QCoreApplication::translate(text.code, text.english).toStdString();
     }
-    return words;
-}
-
-QString shownArgument(const MessageArgument &argument)
-{
-    switch (argument.kind) {
-    case MessageArgument::Kind::Number:
-        return shownNumber(argument);
-    case MessageArgument::Kind::List:
-        return shownList(argument);
-    case MessageArgument::Kind::Message:
-        return shownWords(argument.parts.front());
-    case MessageArgument::Kind::Team:
-        return shownTeam(argument.text);
-    case MessageArgument::Kind::Person:
-        return arePseudonymsShown() ? QStringLiteral("…") : QString::fromStdString(argument.text);
-    default:
-        return QString::fromStdString(plainLine(argument.text));
+    std::string number(double value, int decimals) const override
+    {
+        QLocale locale;
+        locale.setNumberOptions(QLocale::OmitGroupSeparator);
+        return locale.toString(value, 'f', decimals).toStdString();
     }
-}
+    std::string name(const MessageArgument &name) const override
+    {
+        if (name.kind == MessageArgument::Kind::Team)
+            return shownTeam(name.text).toStdString();
+        if (name.kind == MessageArgument::Kind::Person)
+            return arePseudonymsShown() ? "…" : name.text;
+        return plainLine(name.text);
+    }
+};
 
 QString sentence(QString text)
 {
@@ -91,21 +70,7 @@ QString breakable(const QString &text)
 
 QString shownWords(const Message &message)
 {
-    if (message.isEmpty())
-        return {};
-    const QString words = QCoreApplication::translate(message.text->code, message.text->english);
-    QString filled;
-    for (qsizetype i = 0; i < words.size(); ++i) {
-        const int which = words.at(i) == u'%' && i + 1 < words.size() ? words.at(i + 1).digitValue() : 0;
-        if (which < 1) {
-            filled += words.at(i);
-            continue;
-        }
-        if (std::size_t(which) <= message.arguments.size())
-            filled += shownArgument(message.arguments[std::size_t(which - 1)]);
-        ++i;
-    }
-    return filled;
+    return QString::fromStdString(ShownLanguage().said(message));
 }
 
 QString joinedWords(const QString &what, const QString &why)
@@ -130,9 +95,7 @@ QString errorInWords(const Error &error)
 
 QString errorLine(const Error &error)
 {
-    const QString line = joinedWords(shownWords(error.what), shownWords(error.why));
-    return error.advice.isEmpty() ? line
-                                  : ShownMessageWords::tr("%1; %2").arg(line, shownWords(error.advice));
+    return shownWords(wholeMessage(error));
 }
 
 } // namespace odo

@@ -93,9 +93,7 @@ private:
     Result<void> checkRuns()
     {
         if (m_runs.size() < 2)
-            return fail(ErrorCode::InvalidInput, ODO_TEXT("analysis.comparison", "comparison"),
-                        ODO_TEXT("analysis.takes_two_runs", "it takes two runs"),
-                        ODO_TEXT("analysis.choose_another_run", "choose another run as well"));
+            return takesTwoRuns();
         for (std::size_t run = 0; run < m_runs.size(); ++run) {
             const auto begin = firstMotionS(samples(run), points(run));
             if (!begin)
@@ -386,6 +384,18 @@ std::optional<Difference> RunComparison::timeDifferenceAt(std::size_t run, doubl
         return std::nullopt;
     return differenceOf(stationTime(*a, runs.front().aligned), runs.front().aligned,
                         stationTime(*b, runs[run].aligned), runs[run].aligned, shareCalibration);
+}
+
+Message comparisonSubject()
+{
+    return ODO_TEXT("analysis.comparison", "comparison");
+}
+
+tl::unexpected<Error> takesTwoRuns()
+{
+    return fail(ErrorCode::InvalidInput, comparisonSubject(),
+                ODO_TEXT("analysis.takes_two_runs", "it takes two runs"),
+                ODO_TEXT("analysis.choose_another_run", "choose another run as well"));
 }
 
 Result<RunComparison> compareRuns(const std::vector<ComparedRun> &runs, const ComparisonOptions &options)

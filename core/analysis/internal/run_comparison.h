@@ -94,4 +94,8 @@ struct RunComparison
 /// common.
 Result<RunComparison> compareRuns(const std::vector<ComparedRun> &runs, const ComparisonOptions &options);
 
+/// What errors are about before the runs are known, and the InvalidInput of fewer than two.
+Message comparisonSubject();
+tl::unexpected<Error> takesTwoRuns();
+
 } // namespace odo

@@ -5,7 +5,6 @@
 #include "core/capture/aravis/internal/aravis_library.h"
 #include "core/capture/aravis/internal/aravis_worker.h"
 #include "core/capture/aravis/internal/gvcp.h"
-#include "core/capture/camera_errors.h"
 
 #include <thread>
 

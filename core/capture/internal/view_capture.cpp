@@ -84,7 +84,8 @@ void ViewCapture::takePictures()
 {
     for (;;) {
         settleAutomatics();
-        auto captured = orShortage(cameraAtAddress(description().uri), [this] { return m_camera->next(); });
+        auto captured = orShortage([this] { return cameraAtAddress(description().uri); },
+                                   [this] { return m_camera->next(); });
         if (captured) {
             take(std::move(*captured));
             continue;

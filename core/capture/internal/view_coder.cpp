@@ -147,8 +147,9 @@ void ViewCoder::run()
 
 void ViewCoder::code(Coding &coding, const Picture &picture)
 {
-    auto coded = orShortage(ODO_TEXT("capture.picture_of_camera", "a picture of camera %1")(m_uri),
-                            [&] { return coding.code(picture); });
+    auto coded =
+        orShortage([this] { return ODO_TEXT("capture.picture_of_camera", "a picture of camera %1")(m_uri); },
+                   [&] { return coding.code(picture); });
     if (!coded) {
         if (coding.writer)
             coding.writer->fail(coded.error());

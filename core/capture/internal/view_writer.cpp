@@ -118,12 +118,13 @@ void ViewWriter::write()
     Output output;
     while (const auto next = waitForNext()) {
         bool isWriting = false;
-        const auto written = orShortage(recordingName(), [&]() -> Result<void> {
-            if (auto room = checkDisk(output.writer != nullptr); !room)
-                return room;
-            isWriting = true;
-            return write(output, next->frame);
-        });
+        const auto written = orShortage([this] { return recordingName(); },
+                                        [&]() -> Result<void> {
+                                            if (auto room = checkDisk(output.writer != nullptr); !room)
+                                                return room;
+                                            isWriting = true;
+                                            return write(output, next->frame);
+                                        });
         const std::lock_guard lock(m_mutex);
         m_waitingBytes -= next->frame.jpeg->size();
         m_writing.reset();
@@ -159,12 +160,11 @@ Result<void> ViewWriter::checkDisk(bool isBegun)
         return {};
     m_spaceChecked = now;
     if (isBegun && !files::exists(m_recording.file))
-        return odo::fail(
-            ErrorCode::Io, recordingName(),
-            ODO_TEXT("capture.recording_file_gone", "its file is no longer there"),
-            joined({ODO_TEXT("capture.put_disk_back", "put its disk or folder back where it was"),
-                    ODO_TEXT("capture.recorded_is_there", "what was recorded so far is there")},
-                   Join::Semicolon));
+        return odo::fail(ErrorCode::Io, recordingName(),
+                         ODO_TEXT("capture.recording_file_gone", "its file is no longer there"),
+                         joined({putDiskBack(),
+                                 ODO_TEXT("capture.recorded_is_there", "what was recorded so far is there")},
+                                Join::Semicolon));
     const std::optional<DiskRoom> room = m_disk.room(m_recording.file.parent_path());
     if (!room)
         return {};

@@ -23,7 +23,7 @@ namespace {
 
 constexpr const char *kind = "v4l2";
 
-std::vector<Message> formatsOf(const std::vector<V4l2Mode> &modes)
+std::vector<CameraFormat> formatsOf(const std::vector<V4l2Mode> &modes)
 {
     std::vector<V4l2Mode> fastest;
     for (const V4l2Mode &mode : modes) {
@@ -37,10 +37,10 @@ std::vector<Message> formatsOf(const std::vector<V4l2Mode> &modes)
             *same = mode;
     }
     sortByMerit(fastest);
-    std::vector<Message> words;
+    std::vector<CameraFormat> formats;
     for (const V4l2Mode &mode : fastest)
-        words.push_back(modeWords(mode));
-    return words;
+        formats.push_back({modeWords(mode), fourccWords(mode.format), mode.widthPx, mode.heightPx});
+    return formats;
 }
 
 /// Cameras that may not be opened. Only the first node of a camera is named: whether another one gives
@@ -59,7 +59,7 @@ std::vector<CameraDescription> forbiddenCameras()
                 {.uri = uri,
                  .kind = kind,
                  .name = foreignWords(v4l2Sysfs::nameOf(node)),
-                 .formats = {joined({device.error().why, device.error().advice}, Join::Semicolon)}});
+                 .formats = {{joined({device.error().why, device.error().advice}, Join::Semicolon)}}});
     }
     return cameras;
 }

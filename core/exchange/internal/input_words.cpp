@@ -3,11 +3,6 @@
 
 namespace odo {
 
-Message fileIsEmpty()
-{
-    return ODO_TEXT("exchange.file_is_empty", "the file is empty");
-}
-
 Message separatedBySemicolons()
 {
     return ODO_TEXT("exchange.separated_by_semicolons", "its columns are separated by semicolons");

@@ -8,7 +8,6 @@
 namespace odo {
 
 /// What is said of files that others have written, the same words whatever they hold.
-Message fileIsEmpty();
 Message separatedBySemicolons();
 Message notAFiniteNumber(std::string what); ///< the name of an entry, or what stands there
 Message entryIsMissing(std::string key);

@@ -9,6 +9,7 @@
 #include "core/project/internal/connection.h"
 #include "core/project/internal/series_blobs.h"
 #include "core/project/internal/words.h"
+#include "core/project/project_words.h"
 #include "core/project/repositories.h"
 
 #include <algorithm>
@@ -24,11 +25,6 @@ namespace {
 
 // what rounding leaves is less by far, what anybody notices is more
 constexpr double relativeDifference = 1e-6;
-
-Message trackAgain()
-{
-    return ODO_TEXT("project.track_again", "track the trial again");
-}
 
 Message restoreOrTrackAgain()
 {
@@ -101,7 +97,10 @@ private:
     {
         m_problems.push_back({std::move(what), m_where, std::move(advice)});
     }
-    void report(const Error &error, Message advice) { report(whatAndWhy(error), std::move(advice)); }
+    void report(const Error &error, Message advice)
+    {
+        report(wholeMessage(error.what, error.why), std::move(advice));
+    }
     struct Proved
     {
         std::set<RecordId> measured, analysed; ///< robots
@@ -241,7 +240,7 @@ void AnalysisCheck::lookAtObservations(const RecordingRecord &recording, RecordI
 {
     const auto series = m_project.trials().currentObservations(recording.id, robot);
     if (!series)
-        return report(series.error(), trackAgain());
+        return report(series.error(), trackTrialAgain());
     if (!*series)
         return;
     const auto frames = static_cast<std::int64_t>(recording.frameTimes.size());
@@ -253,14 +252,14 @@ void AnalysisCheck::lookAtObservations(const RecordingRecord &recording, RecordI
                         "view '%1' has %2 frames, but the observations of '%3' (%4) do not fit them")(
                    Named::camera(recording.cameraName), frames, Named::robot(m_robotNames[robot]),
                    observations.size()),
-               trackAgain());
+               trackTrialAgain());
 }
 
 void AnalysisCheck::lookAtMetrics(const TrialName &trial)
 {
     const auto analyses = m_project.analyses().current(trial.id);
     if (!analyses)
-        return report(analyses.error(), trackAgain());
+        return report(analyses.error(), trackTrialAgain());
     for (const AnalysisRecord &analysis : *analyses) {
         // What another version computed otherwise, and stored with a digest that is right, nobody has
         // changed.
@@ -286,12 +285,12 @@ void AnalysisCheck::compareMetrics(const AnalysisRecord &analysis)
             report(ODO_TEXT("project.metric_without_source",
                             "metric '%1' of robot '%2' is stored, but its positions give none")(stored.name,
                                                                                                 robot),
-                   trackAgain());
+                   trackTrialAgain());
         else if (stored.unit != its->unit || differ(stored.value, its->value))
             report(ODO_TEXT("project.metric_differs",
                             "metric '%1' of robot '%2' is stored as %3, its positions give %4")(
                        stored.name, robot, withUnit(stored.value, stored), withUnit(its->value, *its)),
-                   trackAgain());
+                   trackTrialAgain());
         else if (stored.sigma.has_value() != its->sigma.has_value() ||
                  differ(stored.sigma.value_or(0), its->sigma.value_or(0)))
             report(
@@ -299,7 +298,7 @@ void AnalysisCheck::compareMetrics(const AnalysisRecord &analysis)
                          "the standard deviation of metric '%1' of robot '%2' is stored as %3, its positions "
                          "give %4")(stored.name, robot, withUnit(stored.sigma.value_or(0), stored),
                                     withUnit(its->sigma.value_or(0), *its)),
-                trackAgain());
+                trackTrialAgain());
     }
     if (!m_changed.contains(analysis.id))
         return; // a metric that an older version did not know yet is missing rightly
@@ -308,7 +307,7 @@ void AnalysisCheck::compareMetrics(const AnalysisRecord &analysis)
             report(ODO_TEXT("project.metric_missing",
                             "metric '%1' of robot '%2' is missing, its positions give %3")(
                        metric.name, robot, withUnit(metric.value, metric)),
-                   trackAgain());
+                   trackTrialAgain());
     }
 }
 
@@ -332,7 +331,8 @@ Result<void> checkAnalyses(Project &project, const ProjectConnection &connection
         if (trial.unfinished)
             continue;
         if (auto looked = check.look(trial); !looked)
-            problems.push_back({whatAndWhy(looked.error()), trialSubject(trial.name), trackAgain()});
+            problems.push_back({wholeMessage(looked.error().what, looked.error().why),
+                                trialSubject(trial.name), trackTrialAgain()});
     }
     return {};
 }

@@ -308,21 +308,23 @@ Result<void> keepDigestsRight(ProjectConnection &connection, const std::vector<D
 
 Result<void> setRecordingHash(ProjectConnection &connection, RecordId recording, const std::string &sha256)
 {
-    std::vector<DigestedPart> parts;
-    Statement analyses(
-        connection,
-        QStringLiteral(
-            "SELECT analysis.id FROM analysis JOIN recording ON recording.trial_id=analysis.trial_id "
-            "WHERE recording.id=?"));
-    auto read = analyses.bind(recording).eachRow([&parts](const Statement &row) -> Result<void> {
-        parts.push_back({row.integer(0), DigestPart::Recordings});
-        return {};
-    });
-    if (!read)
-        return read;
-    return keepDigestsRight(connection, parts, [&] {
-        Statement update(connection, QStringLiteral("UPDATE recording SET sha256=? WHERE id=?"));
-        return update.bind(sha256).bind(recording).run();
+    return transact(connection, [&]() -> Result<void> {
+        std::vector<DigestedPart> parts;
+        Statement analyses(
+            connection,
+            QStringLiteral(
+                "SELECT analysis.id FROM analysis JOIN recording ON recording.trial_id=analysis.trial_id "
+                "WHERE recording.id=?"));
+        auto read = analyses.bind(recording).eachRow([&parts](const Statement &row) -> Result<void> {
+            parts.push_back({row.integer(0), DigestPart::Recordings});
+            return {};
+        });
+        if (!read)
+            return read;
+        return keepDigestsRight(connection, parts, [&] {
+            Statement update(connection, QStringLiteral("UPDATE recording SET sha256=? WHERE id=?"));
+            return update.bind(sha256).bind(recording).run();
+        });
     });
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/analysis/task.h"
 #include "core/project/internal/analysis_digest.h"
 #include "core/project/internal/connection.h"
 #include "core/project/internal/series_blobs.h"

@@ -4,6 +4,7 @@
 #include "core/project/internal/connection.h"
 #include "core/project/internal/stored_words.h"
 #include "core/project/names.h"
+#include "core/project/project_words.h"
 #include "core/project/records.h"
 
 #include <algorithm>
@@ -249,7 +250,7 @@ Result<Message> ChangeJournal::undo()
 {
     if (m_done.empty())
         return fail(
-            ErrorCode::NotFound, ODO_TEXT("project.undo", "undo"),
+            ErrorCode::NotFound, undoSubject(),
             ODO_TEXT("project.nothing_to_undo", "nothing has been changed since the project was opened"),
             ODO_TEXT("project.change_something_first", "change something first"));
     const Change &last = m_done.back();
@@ -270,7 +271,7 @@ Result<Message> ChangeJournal::undo()
 Result<Message> ChangeJournal::redo()
 {
     if (m_undone.empty())
-        return fail(ErrorCode::NotFound, ODO_TEXT("project.redo", "redo"),
+        return fail(ErrorCode::NotFound, redoSubject(),
                     ODO_TEXT("project.nothing_to_redo", "nothing has been undone"),
                     ODO_TEXT("project.undo_something_first", "undo something first"));
     const Change &last = m_undone.back();

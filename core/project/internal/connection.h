@@ -4,7 +4,6 @@
 #include "core/base/error.h"
 #include "core/files/protected_files.h"
 #include "core/project/internal/write_turn.h"
-#include "core/project/message_json.h"
 #include "core/project/records.h"
 #include "core/project/write_ahead_log.h"
 
@@ -132,7 +131,7 @@ public:
     Statement &bind(const std::string &value);
     Statement &bind(const QByteArray &value);
     Statement &bind(const std::optional<double> &value);
-    Statement &bind(const Message &value) { return bind(storedMessage(value)); }
+    Statement &bind(const Message &value);
     /// An id, stored as NULL when it is 0.
     Statement &bindReference(RecordId id);
 

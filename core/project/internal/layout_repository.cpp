@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/analysis/task.h"
 #include "core/base/subjects.h"
+#include "core/calibration/marker_layout.h"
 #include "core/project/internal/connection.h"
 #include "core/project/internal/words.h"
 #include "core/project/names.h"
@@ -38,7 +40,7 @@ Result<void> checkMarkers(const MarkerLayout &layout)
             return fail(
                 ErrorCode::InvalidInput, layoutSubject(layout.name),
                 ODO_TEXT("project.label_twice", "the label '%1' is there twice")(Named::marker(marker.label)),
-                ODO_TEXT("project.own_labels", "give each marker a label of its own"));
+                labelEachMarker());
     }
     return {};
 }

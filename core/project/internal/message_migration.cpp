@@ -29,12 +29,21 @@ constexpr SentenceColumn columns[] = {{"intrinsics", "verdict", OldSentences::Ca
                                       {"imported_track", "reading", OldSentences::Readings},
                                       {"change_entry", "words", OldSentences::Changes}};
 
-/// The function of SQL that makes a stored message of OldSentences and a text, while it lives.
+/// The function of SQL that makes a stored message of OldSentences and a text, while it lives. Triggers,
+/// which keep imported tracks and the list of changes from ever being changed, rest meanwhile.
 class MessageFunction
 {
 public:
-    explicit MessageFunction(sqlite3 *handle) : m_handle(handle) { set(&MessageFunction::convert); }
-    ~MessageFunction() { set(nullptr); }
+    explicit MessageFunction(sqlite3 *handle) : m_handle(handle)
+    {
+        set(&MessageFunction::convert);
+        sqlite3_db_config(m_handle, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
+    }
+    ~MessageFunction()
+    {
+        sqlite3_db_config(m_handle, SQLITE_DBCONFIG_ENABLE_TRIGGER, 1, nullptr);
+        set(nullptr);
+    }
     MessageFunction(const MessageFunction &) = delete;
     MessageFunction &operator=(const MessageFunction &) = delete;
 
@@ -65,24 +74,11 @@ private:
 Result<void> convertColumns(ProjectConnection &connection)
 {
     const MessageFunction function(connection.handle());
-    // Imported tracks and the list of changes are never changed otherwise.
-    for (const char *trigger : {"imported_track_kept_on_update", "change_entry_kept_on_update"}) {
-        if (auto done = connection.execute(QStringLiteral("DROP TRIGGER %1").arg(QLatin1String(trigger)));
-            !done)
-            return done;
-    }
     for (const SentenceColumn &each : columns) {
         const QString sql = QStringLiteral("UPDATE %1 SET %2=stored_message(%3, %2) WHERE %2<>''")
                                 .arg(QLatin1String(each.table), QLatin1String(each.column))
                                 .arg(int(each.of));
         if (auto done = connection.execute(sql); !done)
-            return done;
-    }
-    for (const char *sql : {"CREATE TRIGGER imported_track_kept_on_update BEFORE UPDATE ON imported_track "
-                            "BEGIN SELECT RAISE(ABORT, 'imported tracks are never changed'); END",
-                            "CREATE TRIGGER change_entry_kept_on_update BEFORE UPDATE ON change_entry "
-                            "BEGIN SELECT RAISE(ABORT, 'the list of changes is never changed'); END"}) {
-        if (auto done = connection.execute(QString::fromLatin1(sql)); !done)
             return done;
     }
     return {};

@@ -5,6 +5,7 @@
 #include "core/project/internal/connection.h"
 #include "core/project/internal/words.h"
 #include "core/project/new_file.h"
+#include "core/project/project_words.h"
 
 #include <sqlite3.h>
 
@@ -134,7 +135,7 @@ Result<void> Migrator::runSteps(ProjectConnection &connection, int fromVersion, 
 
 Result<void> copyDatabase(const ProjectConnection &connection, const std::filesystem::path &target)
 {
-    const Message what = ODO_TEXT("project.copy", "copy '%1'")(Named::file(target.filename()));
+    const Message what = copySubject(target);
     NewFile file(target, what);
     if (auto ready = file.prepare(); !ready)
         return ready;

@@ -167,7 +167,7 @@ constexpr OldSentence pictures[] = {
     {"it is a folder", "base.is_folder"},
     {"the file is larger than 200 MB", "video.picture_file_too_large"},
     {"the file could not be read", "video.file_not_read"},
-    {"the file is empty", "video.file_is_empty"},
+    {"the file is empty", "files.file_is_empty"},
     {"it is no PNG, JPEG, BMP, TIFF or PNM picture", "video.no_picture_format"},
     {"its content is damaged or cut short", "video.picture_damaged"},
 };

@@ -100,7 +100,7 @@ const std::vector<Pattern> &patternsOf(OldSentences of)
     return all[std::size_t(of)];
 }
 
-constexpr std::array<std::pair<char, Kind>, 11> kindLetters{{{'s', Kind::Label},
+constexpr std::array<std::pair<char, Kind>, 10> kindLetters{{{'s', Kind::Label},
                                                              {'c', Kind::Camera},
                                                              {'r', Kind::Robot},
                                                              {'e', Kind::Team},
@@ -109,8 +109,7 @@ constexpr std::array<std::pair<char, Kind>, 11> kindLetters{{{'s', Kind::Label},
                                                              {'t', Kind::Trial},
                                                              {'l', Kind::Layout},
                                                              {'m', Kind::Marker},
-                                                             {'f', Kind::File},
-                                                             {'.', Kind::Label}}};
+                                                             {'f', Kind::File}}};
 
 Kind kindOf(char letter)
 {
@@ -249,7 +248,7 @@ private:
     {
         const Text letters = pattern.sentence->arguments, unit = unitBefore(pattern.literals[which + 1]);
         const std::size_t number = pattern.numbers[which];
-        const char letter = number < letters.size() ? letters[number] : '.';
+        const char letter = letters[number];
         if (letter == 'w') {
             if (auto figure = numberIn(value, unit))
                 return figure;
@@ -269,9 +268,7 @@ private:
                                                            std::string(name)}));
             return listed(std::move(parts));
         }
-        if (auto figure = letter == '.' ? numberIn(value, unit) : std::nullopt)
-            return figure;
-        return MessageArgument(kindOf(letter), std::string(value) + std::string(unit));
+        return MessageArgument(kindOf(letter), std::string(value));
     }
 
     /// The sentences that are known, and the others as they are.

@@ -28,8 +28,7 @@ struct OldSentence
     const char *code; ///< by which its words are known now, with the same arguments in the same order
     /// What each of them is, a letter for each: n a number, w words of ours; c camera, r robot, e team,
     /// k class, a task, t trial, l layout, m marker, f file, whose capitals are lists of such names;
-    /// P a list of pictures with their counts; a dot, and what is left out: a number where it looks like one,
-    /// else a label.
+    /// P a list of pictures with their counts.
     const char *arguments = "";
 };
 

@@ -248,10 +248,7 @@ Result<void> checkIsFile(const std::filesystem::path &file)
     std::error_code problem;
     const files::Kind kind = files::kindOf(file, problem);
     if (problem)
-        return fail(ErrorCode::Io, projectSubject(file),
-                    ODO_TEXT("project.cannot_be_looked_at",
-                             "it cannot be looked at (%1)")(foreignWords(problem.message())),
-                    checkFileMayBeRead());
+        return cannotBeLookedAt(projectSubject(file), problem, checkFileMayBeRead());
     if (kind == files::Kind::Missing)
         return fail(ErrorCode::NotFound, projectSubject(file), noSuchFile(),
                     ODO_TEXT("project.check_name_or_make", "check the name, or make a new project"));
@@ -268,11 +265,9 @@ Result<void> checkFileHeader(const std::filesystem::path &file, int newestVersio
     const DatabaseBytes bytes(file);
     Header header{};
     if (!bytes.read(header, 0))
-        return fail(ErrorCode::Io, what, ODO_TEXT("project.cannot_be_read", "it cannot be read"),
-                    checkFileMayBeRead());
+        return fail(ErrorCode::Io, what, cannotBeRead(), checkFileMayBeRead());
     if (bytes.size() == 0)
-        return fail(ErrorCode::InvalidInput, what, ODO_TEXT("project.file_empty", "the file is empty"),
-                    restoreFile());
+        return fail(ErrorCode::InvalidInput, what, fileIsEmpty(), restoreFile());
     if (!isOfSqlite(header))
         return fail(ErrorCode::InvalidInput, what, isNoProject(), chooseOurFile());
     if (bytes.size() < header.size())

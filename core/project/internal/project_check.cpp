@@ -17,6 +17,7 @@
 #include "core/project/project.h"
 #include "core/project/project_locks.h"
 #include "core/project/project_media.h"
+#include "core/project/project_words.h"
 #include "core/project/recording_rows.h"
 #include "core/project/repositories.h"
 
@@ -57,11 +58,6 @@ struct FileOnDisk
 Message putOriginalBack()
 {
     return ODO_TEXT("project.put_original_back", "put the original file back in its place");
-}
-
-Message isMissing(Message name)
-{
-    return ODO_TEXT("project.is_missing", "%1 is missing")(std::move(name));
 }
 
 /// NotFound where there is nothing, Io where the system does not say, InvalidInput where something else is in
@@ -128,9 +124,8 @@ public:
             const FileOnDisk &file = *m_onDisk.at(kept->file);
             auto known = hashes.find(file.id);
             if (known == hashes.end()) {
-                m_control.report(
-                    double(done) / double(std::max<std::int64_t>(all, 1)),
-                    ODO_TEXT("project.reading", "reading %1")(Named::file(kept->file.filename())));
+                m_control.report(double(done) / double(std::max<std::int64_t>(all, 1)),
+                                 readingFile(kept->file));
                 known = hashes.emplace(file.id, fileSha256(kept->file, m_control)).first;
                 done += file.bytes;
             }
@@ -348,7 +343,8 @@ void addCalibrationFiles(Project &project, const CameraRecord &camera, std::vect
 {
     const auto all = project.cameras().allIntrinsics(camera.id);
     if (!all) {
-        problems.push_back({whatAndWhy(all.error()), cameraSubject(camera.name), restoreProject()});
+        problems.push_back(
+            {wholeMessage(all.error().what, all.error().why), cameraSubject(camera.name), restoreProject()});
         return;
     }
     for (const IntrinsicsRecord &record : *all) {
@@ -372,7 +368,8 @@ void addRegistrationFiles(Project &project, const CameraRecord &camera, std::vec
 {
     const auto all = project.cameras().allRegistrations(camera.id);
     if (!all) {
-        problems.push_back({whatAndWhy(all.error()), cameraSubject(camera.name), restoreProject()});
+        problems.push_back(
+            {wholeMessage(all.error().what, all.error().why), cameraSubject(camera.name), restoreProject()});
         return;
     }
     std::set<std::string> seen; // a registration made anew from the same markers has the same picture
@@ -397,7 +394,8 @@ void addRecordingFiles(Project &project, std::vector<KeptFile> &kept, Problems &
     const auto recordings = project.trials().allRecordings();
     if (!trials || !recordings) {
         const Error &error = trials ? recordings.error() : trials.error();
-        problems.push_back({whatAndWhy(error), fileSubject(project.file().filename()), restoreProject()});
+        problems.push_back(
+            {wholeMessage(error.what, error.why), fileSubject(project.file().filename()), restoreProject()});
         return;
     }
     std::set<RecordId> unfinished;
@@ -407,9 +405,9 @@ void addRecordingFiles(Project &project, std::vector<KeptFile> &kept, Problems &
         unfinished.insert(trial.id);
         if (!RecordingLock::isHeld(project.mediaFolder()))
             problems.push_back(
-                {joined({ODO_TEXT("project.recording_cut_off", "its recording was cut off"),
-                         ODO_TEXT("project.not_complete_yet", "it is not complete yet")},
-                        Join::Semicolon),
+                {joined(
+                     {recordingWasCutOff(), ODO_TEXT("project.not_complete_yet", "it is not complete yet")},
+                     Join::Semicolon),
                  trialSubject(trial.name),
                  ODO_TEXT("project.complete_recording",
                           "open the project to write, which completes it: odograph record P.odo --recover")});
@@ -419,9 +417,7 @@ void addRecordingFiles(Project &project, std::vector<KeptFile> &kept, Problems &
         const Message name = ODO_TEXT("project.recording_of_view",
                                       "the recording of view '%1'")(Named::camera(recording.cameraName));
         if (unfinished.contains(recording.trial) && !files::exists(file))
-            problems.push_back({isMissing(name), fileSubject(file),
-                                ODO_TEXT("project.put_back_and_open",
-                                         "put the file back in its place, and open the project again")});
+            problems.push_back({isMissing(name), fileSubject(file), putBackAndOpenAgain()});
         else if (!unfinished.contains(recording.trial))
             kept.push_back(
                 {file, name, recording.sha256, recording.bytes,
@@ -472,14 +468,14 @@ Result<std::vector<ProjectProblem>> checkProject(Project &project, ProjectConnec
     for (const auto &[readable, error] : {std::pair{robots.has_value(), robots ? Error{} : robots.error()},
                                           std::pair{tasks.has_value(), tasks ? Error{} : tasks.error()}}) {
         if (!readable)
-            problems.push_back({whatAndWhy(error), file, restoreProject()});
+            problems.push_back({wholeMessage(error.what, error.why), file, restoreProject()});
     }
     if (auto checked = checkDerivedFigures(project, connection, problems); !checked)
-        problems.push_back({whatAndWhy(checked.error()), file, restoreProject()});
+        problems.push_back({wholeMessage(checked.error().what, checked.error().why), file, restoreProject()});
     const std::vector<KeptFile> files = filesOf(project, problems);
     if (auto checked = checkAnalyses(project, connection, withHashes, partOf(control, 0.1, 0.4), problems);
         !checked && !control.isCancelled())
-        problems.push_back({whatAndWhy(checked.error()), file, restoreProject()});
+        problems.push_back({wholeMessage(checked.error().what, checked.error().why), file, restoreProject()});
     if (auto checked = checkFiles(files, withHashes, partOf(control, 0.4, 1), problems); !checked)
         return tl::unexpected(checked.error());
     addStrayMedia(project, problems, control);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/analysis/task.h"
 #include "core/base/subjects.h"
 #include "core/project/internal/connection.h"
 #include "core/project/internal/stored_words.h"

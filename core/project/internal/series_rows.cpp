@@ -55,10 +55,9 @@ Result<std::optional<ObservationSeries>> TrialRepository::currentObservations(Re
     Statement chunks(
         m_connection,
         QStringLiteral("SELECT observations FROM observation_chunk WHERE series_id=? ORDER BY position"));
+    const Message what = ODO_TEXT("project.observations_of_project", "observations %1 of the project")(id);
     auto read = chunks.bind(id).eachRow([&](const Statement &row) -> Result<void> {
-        return unpackObservations(
-            row.blob(0), ODO_TEXT("project.observations_of_project", "observations %1 of the project")(id),
-            series.observations);
+        return unpackObservations(row.blob(0), what, series.observations);
     });
     if (!read)
         return tl::unexpected(read.error());

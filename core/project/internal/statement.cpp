@@ -2,8 +2,10 @@
 #include "core/project/internal/statement.h"
 
 #include "core/base/shortage.h"
+#include "core/files/file_words.h"
 #include "core/project/internal/connection.h"
 #include "core/project/internal/words.h"
+#include "core/project/message_json.h"
 #include "core/project/names.h"
 
 #include <QSqlError>
@@ -196,6 +198,11 @@ std::string Statement::name(int column) const
 {
     return shownName(m_query.value(column).toString());
 }
+Statement &Statement::bind(const Message &value)
+{
+    return bind(storedMessage(value));
+}
+
 Message Statement::message(int column) const
 {
     constexpr qsizetype longest = 20 * maxTextLength; // of ours, by far
@@ -335,7 +342,7 @@ SqliteRefusal unknownRefusal()
 SqliteRefusal fullDisk()
 {
     return {ErrorCode::Io, ODO_TEXT("project.disk_full", "the disk is full, the change was not saved"),
-            ODO_TEXT("project.make_room", "make room on the disk and try again")};
+            makeRoomOnDisk()};
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/internal/task_repository.h"
 
+#include "core/analysis/task.h"
 #include "core/base/error.h"
 #include "core/base/subjects.h"
 #include "core/project/internal/connection.h"
@@ -51,8 +52,7 @@ Result<void> readZones(const ProjectConnection &connection, const Message &what,
     Statement select(
         connection, QStringLiteral("SELECT name, rule, corners FROM zone WHERE task_id=? ORDER BY position"));
     return select.bind(into.id).eachRow([&](const Statement &row) -> Result<void> {
-        const auto rule =
-            fromStoredWord(zoneRuleWords, row.text(1), ODO_TEXT("project.zone", "zone '%1'")(row.name(0)));
+        const auto rule = fromStoredWord(zoneRuleWords, row.text(1), zoneSubject(row.name(0)));
         if (!rule)
             return tl::unexpected(rule.error());
         auto corners =
@@ -99,7 +99,8 @@ Result<void> readCourse(const ProjectConnection &connection, const Statement &ro
     if (auto read = readZones(connection, what, record); !read)
         return read;
     if (auto valid = checkTask(record.task); !valid)
-        return fail(valid.error().code, what, whatAndWhy(valid.error()), restoreProject());
+        return fail(valid.error().code, what, wholeMessage(valid.error().what, valid.error().why),
+                    restoreProject());
     return {};
 }
 

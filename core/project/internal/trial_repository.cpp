@@ -4,6 +4,7 @@
 #include "core/project/internal/connection.h"
 #include "core/project/internal/words.h"
 #include "core/project/names.h"
+#include "core/project/project_words.h"
 #include "core/project/recording_rows.h"
 #include "core/project/records.h"
 #include "core/project/repositories.h"
@@ -179,9 +180,7 @@ Result<TrialRecord> TrialRepository::add(const TrialRecord &given,
     trial.name = normalName(given.name);
     return transact(m_connection, [&]() -> Result<TrialRecord> {
         if (recordings.size() > mostViews)
-            return fail(ErrorCode::InvalidInput, trialSubject(trial.name),
-                        ODO_TEXT("project.has_views", "it has %1 views")(recordings.size()),
-                        useAtMost(mostViews));
+            return tooManyViews(trialSubject(trial.name), recordings.size());
         const auto id = addRow(m_connection, trial);
         if (!id)
             return tl::unexpected(id.error());
@@ -433,8 +432,7 @@ Result<void> TrialRepository::setBinned(RecordId trial, bool binned)
             return withoutValue(known);
         if (known->unfinished)
             return fail(ErrorCode::InvalidInput, trialSubject(known->name),
-                        ODO_TEXT("project.being_recorded", "it is being recorded"),
-                        ODO_TEXT("project.end_recording_first", "end its recording first"));
+                        ODO_TEXT("project.being_recorded", "it is being recorded"), endRecordingFirst());
         return stamp(m_connection, "UPDATE trial SET binned_ms=? WHERE id=?", trial, binned);
     });
 }

@@ -108,11 +108,6 @@ Message useAtMost(std::size_t count)
     return ODO_TEXT("project.use_at_most", "use at most %1")(count);
 }
 
-Message checkTheNumbers()
-{
-    return ODO_TEXT("project.check_numbers", "check the numbers");
-}
-
 Message putFileBack()
 {
     return ODO_TEXT("project.put_file_back", "put the file back in its place");
@@ -123,11 +118,6 @@ Message keepIt()
     return ODO_TEXT("project.keep_it", "keep it");
 }
 
-Message gateSubject(std::string name)
-{
-    return ODO_TEXT("project.gate", "gate '%1'")(std::move(name));
-}
-
 Message projectCheck()
 {
     return ODO_TEXT("project.check", "check of the project");
@@ -136,11 +126,6 @@ Message projectCheck()
 Message runProjectCheck()
 {
     return ODO_TEXT("project.run_check", "run a check of the project");
-}
-
-Message whatAndWhy(const Error &error)
-{
-    return joined({error.what, error.why}, Join::Colon);
 }
 
 tl::unexpected<Error> unknownStoredWord(const std::string &word, const Message &what)

@@ -5,7 +5,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <string>
 
 namespace odo {
 
@@ -31,14 +30,9 @@ Message isDamagedRestoreFile();       ///< advice, of what only a damaged file h
 Message restoreProject();             ///< advice
 Message hasTooManySamples();          ///< more than maxBlobRows
 Message useAtMost(std::size_t count); ///< advice
-Message checkTheNumbers();            ///< advice
 Message putFileBack();                ///< advice
 Message keepIt();                     ///< advice
-Message gateSubject(std::string name);
-Message projectCheck();    ///< "check of the project"
-Message runProjectCheck(); ///< advice
-
-/// An error as a problem of the project, whose advice is another one.
-Message whatAndWhy(const Error &error);
+Message projectCheck();               ///< "check of the project"
+Message runProjectCheck();            ///< advice
 
 } // namespace odo

@@ -160,9 +160,7 @@ void CalibrateJob::searchPicture(const Frame &frame, const std::string &name)
         m_heightPx = frame.format.height;
     }
     if (frame.format.width != m_widthPx || frame.format.height != m_heightPx) {
-        m_rejected.push_back(
-            {name, ODO_TEXT("workflow.unlike_first_picture", "it is %1×%2, the first picture %3×%4")(
-                       frame.format.width, frame.format.height, m_widthPx, m_heightPx)});
+        m_rejected.push_back({name, otherSizeThanFirst(frame.format, m_widthPx, m_heightPx)});
         return;
     }
     auto view = findBoard(frame, m_settings.board, name);

@@ -125,4 +125,9 @@ Result<void> visitPictures(const std::filesystem::path &file, int videoStep,
     }
 }
 
+Message lookingForMarkersIn(const std::string &name)
+{
+    return ODO_TEXT("workflow.looking_for_markers_in", "looking for the markers in %1")(Named::file(name));
+}
+
 } // namespace odo

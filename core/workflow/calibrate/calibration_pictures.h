@@ -57,4 +57,7 @@ Result<void> visitPictures(const std::filesystem::path &file, int videoStep,
                            const std::function<bool(const Frame &, const std::string &)> &visit,
                            const CancelToken &cancel);
 
+/// What a job that looks for markers in such a picture reports.
+Message lookingForMarkersIn(const std::string &name);
+
 } // namespace odo

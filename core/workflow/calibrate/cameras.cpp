@@ -2,6 +2,7 @@
 #include "core/workflow/calibrate/cameras.h"
 
 #include "core/base/subjects.h"
+#include "core/capture/camera_errors.h"
 #include "core/exchange/intrinsics_yaml.h"
 #include "core/project/project.h"
 #include "core/project/records.h"
@@ -113,9 +114,7 @@ Result<RegisteredCamera> registeredCamera(Project &project, const std::string &c
     if (!registration)
         return tl::unexpected(registration.error());
     if (!*registration)
-        return fail(ErrorCode::NotFound, cameraSubject(camera),
-                    ODO_TEXT("workflow.not_registered_to_floor", "it is not registered to the floor"),
-                    registerItFirst());
+        return fail(ErrorCode::NotFound, cameraSubject(camera), notRegisteredToFloor(), registerItFirst());
     return RegisteredCamera{*found, std::move(**registration)};
 }
 

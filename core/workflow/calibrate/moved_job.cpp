@@ -94,8 +94,7 @@ Result<void> MovedJob::run(const JobControl &control)
     const Message camera = cameraSubject(m_settings.camera);
     const Intrinsics &lens = m_view->camera().intrinsics();
     if (frame->y.width != lens.widthPx || frame->y.height != lens.heightPx)
-        return fail(ErrorCode::InvalidInput,
-                    ODO_TEXT("workflow.moved_cannot_be_told", "whether %1 has moved cannot be told")(camera),
+        return fail(ErrorCode::InvalidInput, whetherMoved(camera),
                     ODO_TEXT("workflow.registered_at_another_size",
                              "the picture is %1, the camera was registered at %2")(
                         sizeText(frame->y.width, frame->y.height), sizeText(lens.widthPx, lens.heightPx)),

@@ -139,9 +139,7 @@ Result<void> RegisterJob::findInPictures(const JobControl &control)
     auto visited = visitPictures(
         m_settings.pictureFile, markerVideoStep,
         [&](const Frame &frame, const std::string &name) {
-            control.report(double(looked) / mostPictures,
-                           ODO_TEXT("workflow.looking_for_markers_in",
-                                    "looking for the markers in %1")(Named::file(name)));
+            control.report(double(looked) / mostPictures, lookingForMarkersIn(name));
             if (!m_intrinsicsKnown) {
                 m_intrinsics.widthPx = frame.format.width;
                 m_intrinsics.heightPx = frame.format.height;
@@ -179,6 +177,11 @@ Result<CameraModel> RegisterJob::cameraModel() const
     return fail(ErrorCode::NotFound, registrationOf(m_settings.camera), pictureSizeNotKnown(),
                 ODO_TEXT("workflow.calibrate_or_give_picture",
                          "calibrate it, import its intrinsics, or give --image or --video as well"));
+}
+
+Message registerChange(const std::string &camera)
+{
+    return ODO_TEXT("workflow.register_camera", "register camera %1")(Named::camera(camera));
 }
 
 Result<RegistrationRecord> registerWithLensInForce(Project &project, const std::string &camera)
@@ -239,15 +242,13 @@ Result<RegistrationRecord> registerWithLensInForce(Project &project, const std::
 
 Result<void> RegisterJob::commit(Project &project)
 {
-    auto committed = project.note(
-        ODO_TEXT("workflow.register_camera", "register camera %1")(Named::camera(m_settings.camera)),
-        [&]() -> Result<void> {
-            const auto stored = storeRegistration(project, m_settings.camera, m_record);
-            if (!stored)
-                return tl::unexpected(stored.error());
-            m_record = *stored;
-            return {};
-        });
+    auto committed = project.note(registerChange(m_settings.camera), [&]() -> Result<void> {
+        const auto stored = storeRegistration(project, m_settings.camera, m_record);
+        if (!stored)
+            return tl::unexpected(stored.error());
+        m_record = *stored;
+        return {};
+    });
     if (committed && m_media)
         m_media->keep();
     m_media.reset(); // where it was not stored, its picture goes

@@ -58,6 +58,9 @@ private:
     RegistrationRecord m_record;
 };
 
+/// Words of the change that stores a camera's registration.
+Message registerChange(const std::string &camera);
+
 /// Registers a camera anew by the pixels and the layout of its registration in force, with the intrinsics in
 /// force: what a newer calibration of the lens makes of the same markers, also of a camera that is long gone.
 /// NotFound where it is not registered; InvalidInput where the registration was made with those intrinsics,

@@ -88,9 +88,7 @@ Result<ComparedTrials> readComparedTrials(Project &project, const CompareSetting
         read.runs.push_back({std::move(*trial), std::move(*analysis)});
     }
     if (read.runs.size() < 2)
-        return fail(ErrorCode::InvalidInput, ODO_TEXT("workflow.comparison", "comparison"),
-                    ODO_TEXT("workflow.takes_two_runs", "it takes two runs"),
-                    ODO_TEXT("workflow.choose_another_run", "choose another run as well"));
+        return takesTwoRuns();
     auto task = commonTask(project, read.runs);
     if (!task)
         return tl::unexpected(task.error());

@@ -7,6 +7,7 @@
 #include "core/files/protected_files.h"
 #include "core/project/limits.h"
 #include "core/project/project.h"
+#include "core/project/project_words.h"
 #include "core/project/records.h"
 #include "core/project/repositories.h"
 #include "core/synchronisation/clip_evidence.h"
@@ -119,9 +120,7 @@ Result<void> ImportTrialJob::prepare(Project &project)
         return fail(ErrorCode::InvalidInput, what, ODO_TEXT("workflow.no_video_given", "no video was given"),
                     ODO_TEXT("workflow.give_views", "give one view or more, like --video A=a.mp4"));
     if (m_settings.videos.size() > mostViews)
-        return fail(ErrorCode::InvalidInput, what,
-                    ODO_TEXT("workflow.too_many_views", "it has %1 views")(m_settings.videos.size()),
-                    ODO_TEXT("workflow.use_at_most", "use at most %1")(mostViews));
+        return tooManyViews(what, m_settings.videos.size());
     if (m_settings.rate && !(*m_settings.rate >= lowestFrameRate && *m_settings.rate <= highestFrameRate))
         return fail(
             ErrorCode::InvalidInput, what,

@@ -4,8 +4,10 @@
 #include "core/base/file_system.h"
 #include "core/base/subjects.h"
 #include "core/capture/recording_outcome.h"
+#include "core/files/file_words.h"
 #include "core/project/project.h"
 #include "core/project/project_media.h"
+#include "core/project/project_words.h"
 #include "core/project/recording_rows.h"
 #include "core/project/repositories.h"
 #include "core/video/video_reader.h"
@@ -146,16 +148,12 @@ Result<void> RecoverJob::complete(Project &project, Unfinished &unfinished)
 {
     TrialRecord &trial = unfinished.trial;
     const auto tell = [&](Message outcome, Message advice = {}) {
-        const Message what = joined(
-            {trialSubject(trial.name), ODO_TEXT("workflow.recording_cut_off", "its recording was cut off")},
-            Join::Colon);
+        const Message what = joined({trialSubject(trial.name), recordingWasCutOff()}, Join::Colon);
         m_told.push_back(
             joined({what, joined({std::move(outcome), std::move(advice)}, Join::Colon)}, Join::Semicolon));
     };
     if (!unfinished.missing.empty()) {
-        tell(
-            ODO_TEXT("workflow.file_is_missing", "%1 is missing")(Named::file(unfinished.missing)),
-            ODO_TEXT("workflow.put_file_back", "put the file back in its place, and open the project again"));
+        tell(isMissing(fileSubject(unfinished.missing)), putBackAndOpenAgain());
         return {};
     }
     if (unfinished.recordings.empty()) {
@@ -289,7 +287,7 @@ Result<std::vector<RecordingRecord>> describeRecordings(const std::vector<EndedV
         std::error_code problem;
         record.bytes = static_cast<std::int64_t>(files::sizeOf(view.file, problem));
         if (problem)
-            return cannotBeLookedAt(quotedFileSubject(view.file), problem);
+            return cannotBeLookedAt(quotedFileSubject(view.file), problem, checkFileIsThere());
         records.push_back(std::move(record));
     }
     return records;

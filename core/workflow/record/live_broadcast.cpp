@@ -132,8 +132,7 @@ Result<std::unique_ptr<LiveBroadcast>> LiveBroadcast::create(const BroadcastTarg
     const int socket = ::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
     if (socket < 0)
         return fail(ErrorCode::Io, livePositionsTo(target),
-                    ODO_TEXT("workflow.no_socket", "this machine gives no socket"),
-                    ODO_TEXT("workflow.close_other_programs", "close other programs and try again"));
+                    ODO_TEXT("workflow.no_socket", "this machine gives no socket"), closeOtherPrograms());
     if (isMulticastGroup(target.address)) {
         if (auto set = setMulticast(socket, target); !set) {
             close(socket);

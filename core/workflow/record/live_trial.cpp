@@ -2,6 +2,7 @@
 #include "core/workflow/record/live_trial.h"
 
 #include "core/base/file_system.h"
+#include "core/capture/recording_outcome.h"
 #include "core/project/project.h"
 #include "core/project/records.h"
 #include "core/project/repositories.h"
@@ -35,8 +36,7 @@ Result<std::shared_ptr<LiveTrial>> LiveTrial::begin(Project &project, TrialRecor
     if (!files::exists(project.file()))
         return fail(ErrorCode::NotFound, recordingSubject(trial.name),
                     ODO_TEXT("workflow.project_file_gone", "the project's file is no longer there"),
-                    joined({ODO_TEXT("workflow.put_disk_back", "put its disk or folder back where it was"),
-                            ODO_TEXT("workflow.nothing_recorded", "nothing was recorded")},
+                    joined({putDiskBack(), ODO_TEXT("workflow.nothing_recorded", "nothing was recorded")},
                            Join::Semicolon));
     auto lock = RecordingLock::take(project.mediaFolder());
     if (!lock)

@@ -3,6 +3,7 @@
 
 #include "core/base/subjects.h"
 #include "core/project/project.h"
+#include "core/project/project_words.h"
 #include "core/project/repositories.h"
 #include "core/trajectory/analyser.h"
 #include "core/workflow/shared_words.h"
@@ -51,7 +52,7 @@ Result<Sample> chosenSample(const std::vector<Sample> &samples, const OverruleRe
     const Message what = sampleSubject(request);
     if (samples.empty())
         return fail(ErrorCode::NotFound, what, ODO_TEXT("workflow.no_sample", "the analysis has no sample"),
-                    ODO_TEXT("workflow.track_trial_again", "track the trial again"));
+                    trackTrialAgain());
     const auto distance = [&](const Sample &sample) {
         return request.frame ? std::abs(static_cast<double>(sample.frame - *request.frame))
                              : std::abs(toSeconds(sample.time) - *request.timeS);

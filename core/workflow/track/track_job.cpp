@@ -6,7 +6,6 @@
 #include "core/project/repositories.h"
 #include "core/tracking/colour_tracker.h"
 #include "core/trajectory/imported_track.h"
-#include "core/workflow/shared_words.h"
 #include "core/workflow/track/robot_names.h"
 #include "core/workflow/track/shadow_choice.h"
 #include "core/workflow/track/task_analysis.h"

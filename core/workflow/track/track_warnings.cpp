@@ -5,7 +5,6 @@
 #include "core/base/subjects.h"
 #include "core/trajectory/occlusions.h"
 #include "core/trajectory/view_disagreement.h"
-#include "core/workflow/shared_words.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 // camera is set.
 #include "core/capture/aravis/internal/gvcp.h"
 #include "tests/capture/aravis/frame_taker.h"
+#include "tests/support/offered_formats.h"
 #include "tests/support/registered_test.h"
-#include "tests/support/said_error.h"
 
 #include <algorithm>
 
@@ -204,7 +204,7 @@ void TestAravisStreaming::whatIsWantedIsSetAndReadBack()
     QCOMPARE(description.kind, std::string("aravis"));
     QCOMPARE(description.name.english(), std::string("Odograph Simulated"));
     QCOMPARE(description.serial, std::string("SIM1"));
-    QCOMPARE(test::english(description.formats), std::vector<std::string>{"BayerRG8 640×480 at 50 frames/s"});
+    QCOMPARE(test::offeredFormats(description), std::vector<std::string>{"BayerRG8 640×480 at 50 frames/s"});
     const auto frames = take(*source, 5);
     QCOMPARE(frames.size(), std::size_t(5));
     QCOMPARE(frames.front().frame.format.width, 640);

@@ -23,11 +23,11 @@ using namespace odo::test;
 
 namespace {
 
-const CameraDescription webcam{
-    .uri = "v4l2:/dev/video0",
-    .kind = "v4l2",
-    .name = foreignWords("Webcam"),
-    .formats = {foreignWords("MJPG 1280×720 at 30 frames/s"), foreignWords("YUYV 640×480 at 30 frames/s")}};
+const CameraDescription webcam{.uri = "v4l2:/dev/video0",
+                               .kind = "v4l2",
+                               .name = foreignWords("Webcam"),
+                               .formats = {{foreignWords("MJPG 1280×720 at 30 frames/s"), "MJPG", 1280, 720},
+                                           {foreignWords("YUYV 640×480 at 30 frames/s"), "YUYV", 640, 480}}};
 const CameraDescription industrial{
     .uri = "aravis:S1", .kind = "aravis", .name = foreignWords("Vendor Model")};
 

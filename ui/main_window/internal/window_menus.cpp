@@ -2,6 +2,7 @@
 #include "ui/main_window/internal/window_menus.h"
 
 #include "core/project/project.h"
+#include "core/project/project_words.h"
 #include "ui/history/history_page.h"
 #include "ui/main_window/internal/trial_actions.h"
 #include "ui/main_window/internal/window_bars.h"

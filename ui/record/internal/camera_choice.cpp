@@ -15,7 +15,6 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QRegularExpression>
 #include <QSet>
 #include <QSettings>
 #include <QSignalBlocker>
@@ -149,7 +148,7 @@ void CameraChoiceDialog::fill()
         for (const CameraDescription &device : m_connected.cameras()) {
             QString words = shownWords(device.name);
             if (!device.formats.empty())
-                words += QStringLiteral(" · ") + shownWords(device.formats.front());
+                words += QStringLiteral(" · ") + shownWords(device.formats.front().words);
             if (device.busy)
                 words += QStringLiteral(" · ") + tr("in use by another program");
             box.addItem(words, QString::fromStdString(device.uri));
@@ -220,14 +219,13 @@ namespace {
 constexpr const char *network = "aravis:";
 constexpr double mostFramesPerSecond = 1000, mostExposureMs = 1000;
 
-/// "format=MJPG&size=1280x720" of "MJPG 1280×720 at 30 frames/s"; empty where it is not of that form.
-QString pictureOf(const QString &words)
+/// "format=MJPG&size=1280x720"
+QString pictureOf(const CameraFormat &format)
 {
-    static const QRegularExpression form(QStringLiteral("^(\\S+) (\\d+)×(\\d+) "));
-    const QRegularExpressionMatch found = form.match(words);
-    return found.hasMatch() ? QStringLiteral("format=%1&size=%2x%3")
-                                  .arg(found.captured(1), found.captured(2), found.captured(3))
-                            : QString();
+    return QStringLiteral("format=%1&size=%2x%3")
+        .arg(QString::fromStdString(format.coding))
+        .arg(format.widthPx)
+        .arg(format.heightPx);
 }
 
 QDoubleSpinBox *freeNumber(double most, const QString &unit)
@@ -295,10 +293,9 @@ void CameraWishesDialog::addPicture(const CameraDescription &device)
                                QStringLiteral("format=%1").arg(QLatin1String(format)));
         return;
     }
-    for (const Message &format : device.formats) {
-        if (const QString picture = pictureOf(QString::fromStdString(format.english())); !picture.isEmpty())
-            m_picture->addItem(shownWords(format), picture);
-    }
+    for (const CameraFormat &format : device.formats)
+        if (!format.coding.empty())
+            m_picture->addItem(shownWords(format.words), pictureOf(format));
 }
 
 void CameraWishesDialog::showWishes(std::vector<CameraWish> wishes)

@@ -82,8 +82,7 @@ Result<StillPicture> takeStillPicture(const PictureOrigin &origin, const MarkerL
         const auto visited = visitPictures(
             pathOf(origin.file), videoStep,
             [&](const Frame &frame, const std::string &name) {
-                control.report(double(looked) / mostPictures,
-                               ODO_TEXT("ui.looking_for_markers", "looking for the markers in %1")(name));
+                control.report(double(looked) / mostPictures, lookingForMarkersIn(name));
                 problem = lookIn(frame, layout, lens, *picture);
                 return problem && picture->markers.size() < layout.markers.size() &&
                        ++looked < mostPictures && !control.isCancelled();

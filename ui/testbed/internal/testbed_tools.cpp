@@ -202,18 +202,16 @@ void TestbedTools::registerCamera()
     if (wizard.exec() != QDialog::Accepted)
         return;
     Message verdict;
-    const auto stored = m_project.note(
-        ODO_TEXT("ui.register_camera", "register camera %1")(Named::camera(wizard.camera().toStdString())),
-        [&]() -> Result<void> {
-            RegistrationRecord registration = wizard.result();
-            registration.picture = picture.stored();
-            const auto record =
-                storeRegistration(m_project, wizard.camera().toStdString(), std::move(registration));
-            if (!record)
-                return tl::unexpected(record.error());
-            verdict = record->registration.verdict;
-            return {};
-        });
+    const auto stored = m_project.note(registerChange(wizard.camera().toStdString()), [&]() -> Result<void> {
+        RegistrationRecord registration = wizard.result();
+        registration.picture = picture.stored();
+        const auto record =
+            storeRegistration(m_project, wizard.camera().toStdString(), std::move(registration));
+        if (!record)
+            return tl::unexpected(record.error());
+        verdict = record->registration.verdict;
+        return {};
+    });
     if (!stored)
         return Q_EMIT failed(stored.error());
     picture.commit();

@@ -251,8 +251,9 @@ void FloorPictureMaker::begin()
     };
     auto thread = startThread(
         {}, [scene = m_scene, extent = m_extent, side = m_sidePx, cancel = m_cancel, finishLater] {
-            const auto made = orShortage(
-                {}, [&]() -> Result<FloorPicture> { return makeFloorPicture(*scene, extent, side, cancel); });
+            const auto made = orShortage(Message(), [&]() -> Result<FloorPicture> {
+                return makeFloorPicture(*scene, extent, side, cancel);
+            });
             finishLater(made.value_or(FloorPicture())); // the map is of use without it
         });
     if (thread)

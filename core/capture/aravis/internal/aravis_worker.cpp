@@ -34,7 +34,8 @@ CameraDescription describe(const AravisAddress &address, const AravisDevice &dev
             .heightPx = mode.heightPx,
             .framesPerSecond = mode.framesPerSecond,
             .serial = place.serial,
-            .formats = {formatWords(mode.format.name, mode.widthPx, mode.heightPx, mode.framesPerSecond)}};
+            .formats = {{formatWords(mode.format.name, mode.widthPx, mode.heightPx, mode.framesPerSecond),
+                         mode.format.name, mode.widthPx, mode.heightPx}}};
 }
 
 /// With what can be done, in case it does not help itself.
