@@ -267,6 +267,29 @@ private Q_SLOTS:
         QTest::keyClick(entries[1], Qt::Key_Space);
         QVERIFY(count(charts.picture(), right, second) > 50);
     }
+    void whatTheKeyHidesStaysHiddenUntilTheNextScene()
+    {
+        Charts charts(m_two);
+        charts.timeline.setCurrentFrame(0);
+        auto *key = charts.card.findChild<SeriesKey *>();
+        const auto second = [&] { return key->findChildren<QAbstractButton *>().at(1); };
+        const auto drawn = [&] {
+            const ChartPlot plot = charts.area().plot();
+            const QRect right(plot.rect.center().toPoint(), plot.rect.bottomRight().toPoint());
+            return count(charts.picture(), right, seriesColour(1, lightPalette()));
+        };
+        QTest::mouseClick(second(), Qt::LeftButton);
+        charts.card.setQuantity(Quantity::Acceleration); // spikes would be of the second robot's colour
+        QVERIFY(!second()->isChecked());
+        QCOMPARE(drawn(), 0);
+        charts.span.setAgainst(ChartSpan::Against::Distance);
+        charts.span.setAgainst(ChartSpan::Against::Time);
+        QVERIFY(!second()->isChecked());
+        QCOMPARE(drawn(), 0);
+        charts.card.setScene(m_two);
+        QVERIFY(second()->isChecked());
+        QVERIFY(drawn() > 50);
+    }
     void itFollowsThePalette()
     {
         Charts charts(m_scene);

@@ -262,6 +262,11 @@ void ProfileChart::setScene(TrialScenePtr scene)
     m_scene = std::move(scene);
     m_span.setScene(m_scene);
     m_area->setScene(m_scene);
+    QStringList robots;
+    for (std::size_t robot = 0; m_scene && robot < m_scene->robots.size(); ++robot)
+        robots += QString::fromStdString(m_scene->robots[robot].robot.name);
+    // Not at every change of what is shown: the key then keeps what is hidden.
+    m_key->setNames(robots, m_scene ? colourPlaces(*m_scene) : std::vector<int>());
     describe();
 }
 
@@ -269,10 +274,9 @@ void ProfileChart::describe()
 {
     qsizetype spikes = 0;
     bool analysed = false;
-    QStringList spoken, robots;
+    QStringList spoken;
     for (std::size_t robot = 0; m_scene && robot < m_scene->robots.size(); ++robot) {
         const auto &analysis = m_scene->robots[robot].analysis;
-        robots += QString::fromStdString(m_scene->robots[robot].robot.name);
         if (!analysis)
             continue;
         analysed = true;
@@ -305,7 +309,6 @@ void ProfileChart::describe()
                                    : tr("Chart: %1 against the distance"))
                                   .arg(quantityName(m_quantity)));
     m_area->setAccessibleDescription(spoken.join(QStringLiteral("; ")));
-    m_key->setNames(robots, m_scene ? colourPlaces(*m_scene) : std::vector<int>());
 }
 
 bool ProfileChart::isSettled() const
