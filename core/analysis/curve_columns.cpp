@@ -7,8 +7,6 @@ namespace odo {
 
 namespace {
 
-constexpr double band95 = 1.959964; // of the normal distribution
-
 bool isLeftOf(const BandPoint &point, double x)
 {
     return point.x < x;
@@ -31,13 +29,13 @@ void unite(CurveColumn &column, const CurveColumn &other)
 } // namespace
 
 BandPoint::BandPoint(double place, const CurveValue &curveValue)
-    : x(place), value(float(curveValue.value)), reach(float(band95 * curveValue.sigma))
+    : x(place), value(float(curveValue.value)), reach(float(coverage95 * curveValue.sigma))
 {
 }
 
 CurveValue BandPoint::curveValue() const
 {
-    return {double(value), double(reach) / band95};
+    return {double(value), double(reach) / coverage95};
 }
 
 std::vector<CurveRun> curveRuns(const std::vector<std::optional<CurveValue>> &values,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/analysis/term_progress.h"
 
-#include "core/analysis/internal/run_comparison.h"
+#include "core/analysis/quantity_curve.h"
 #include "core/base/percentile.h"
 
 #include <algorithm>
@@ -39,7 +39,7 @@ double studentT95(int degrees)
         return 1 / std::tan(share * std::numbers::pi / 2);
     if (degrees == 2)
         return std::sqrt(2 / (share * (2 - share)) - 2);
-    constexpr double z = significanceFactor;
+    constexpr double z = coverage95;
     const double n = degrees, z2 = z * z;
     const double g1 = z * (z2 + 1) / 4;
     const double g2 = z * ((5 * z2 + 16) * z2 + 3) / 96;
@@ -107,7 +107,7 @@ void rankTeams(std::vector<TeamFigures> &teams, bool isLessBetter)
     for (TeamFigures &team : teams) {
         const auto isAhead = [&](const TeamFigures &other) {
             const double by = (isLessBetter ? 1 : -1) * (team.median - other.median);
-            return !other.values.empty() && by > significanceFactor * std::hypot(team.sigma, other.sigma);
+            return !other.values.empty() && by > coverage95 * std::hypot(team.sigma, other.sigma);
         };
         team.rank = team.values.empty() ? 0 : 1 + static_cast<int>(std::ranges::count_if(teams, isAhead));
     }

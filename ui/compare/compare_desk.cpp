@@ -10,8 +10,8 @@
 #include "ui/views/charts/chart_bubbles.h"
 #include "ui/views/charts/chart_overlay.h"
 #include "ui/views/charts/chart_picture.h"
+#include "ui/views/charts/series_colours.h"
 #include "ui/views/charts/series_key.h"
-#include "ui/views/map/comparison_painting.h"
 #include "ui/views/picture/camera_view.h"
 #include "ui/views/widgets/theme.h"
 
@@ -27,11 +27,6 @@ namespace odo {
 namespace {
 
 constexpr std::size_t pictured = 2;
-/// A run's colour on pictures, where it does not follow the palette.
-QColor onPicture(std::size_t run)
-{
-    return seriesColour(int(run), darkPalette());
-}
 
 /// Another run of the comparison as it would be seen by a view of this one: where it is, and the way it took
 /// in the last moments.
@@ -48,11 +43,11 @@ void paintOtherRun(QPainter &painter, const ComparisonScene &scene, std::size_t 
         const ProfilePoint &point = profile.points[static_cast<std::size_t>(i)];
         places.push_back(point.valid ? std::optional(point.position) : std::nullopt);
     }
-    paintWay(painter, places, profile.heightM, view, map, onPicture(other));
+    paintWay(painter, places, profile.heightM, view, map, colourOnPicture(int(other)));
     paintGhost(painter,
                {&scene.robot(other), profile.heightM,
                 profile.points[static_cast<std::size_t>(index)].position,
-                drivenHeadingAt(profile, index).value_or(0), onPicture(other),
+                drivenHeadingAt(profile, index).value_or(0), colourOnPicture(int(other)),
                 QString::fromStdString(scene.name(other))},
                view, map);
 }
@@ -99,7 +94,7 @@ CompareDesk::CompareDesk(Timeline &timeline, QWidget *parent)
     addDock(m_speed, QStringLiteral("compareSpeedDock"), m_speed->title(), 31);
     addDock(m_difference, QStringLiteral("compareDifferenceDock"), m_difference->title(), 31);
     resetLayout();
-    connect(m_speed, &DistanceChart::runToggled, &m_difference->area(), &DistanceArea::setRunShown);
+    connect(m_speed, &DistanceChart::runToggled, &m_difference->area(), &ChartView::setGroupShown);
     connect(&m_timeline, &Timeline::currentChanged, this, &CompareDesk::followTime);
     connect(m_map, &CompareMap::gatesMoved, this, &CompareDesk::gatesMoved);
     connect(m_map, &CompareMap::settled, this, &CompareDesk::settled);
@@ -149,7 +144,7 @@ void CompareDesk::showViews()
         picture.setTitle(run == 0 ? tr("First") : tr("Second"));
         picture.setRemark(QString::fromStdString(m_scene->name(run)));
         picture.setBadge({}); // how well it is registered stands in Review; the names need the room
-        picture.setRobotColour(onPicture(run));
+        picture.setRobotColour(colourOnPicture(int(run)));
         picture.setOverlay([scene = m_scene, run](QPainter &painter, std::size_t shown, std::int64_t frame,
                                                   const PictureMap &map) {
             const TrialScene &own = *scene->scenes[run];
@@ -185,18 +180,9 @@ DistanceArea::DistanceArea(Timeline &timeline, AxisSpan &span, Compared what, QW
 void DistanceArea::setScene(ComparisonScenePtr scene)
 {
     m_scene = std::move(scene);
-    m_hidden.clear();
+    showAllGroups();
     setAxes(comparedAxes(m_what));
     setContent(m_scene ? comparedContent(*m_scene, m_what) : nullptr);
-}
-
-void DistanceArea::setRunShown(int run, bool isShown)
-{
-    if (isShown)
-        m_hidden.remove(run);
-    else
-        m_hidden.insert(run);
-    setGroupShown(run, isShown);
 }
 
 void DistanceArea::paintOver(QPainter &painter)
@@ -215,7 +201,7 @@ void DistanceArea::paintOver(QPainter &painter)
     const std::size_t compared = m_scene->runCount() - (m_what == Compared::Speed ? 0 : 1);
     for (std::size_t run = 0; run < m_scene->runCount(); ++run) {
         const auto value = comparedAt(*m_scene, m_what, run, distance);
-        if (!value || m_hidden.contains(int(run)))
+        if (!value || !isGroupShown(int(run)))
             continue;
         QString text = figureText(value->value, value->sigma, comparedUnit(m_what)).text();
         if (compared > 1)
@@ -260,7 +246,7 @@ DistanceChart::DistanceChart(Timeline &timeline, AxisSpan &span, Compared what, 
     if (!m_key)
         return;
     addToHeader(m_key);
-    connect(m_key, &SeriesKey::toggled, m_area, &DistanceArea::setRunShown);
+    connect(m_key, &SeriesKey::toggled, m_area, &ChartView::setGroupShown);
     connect(m_key, &SeriesKey::toggled, this, &DistanceChart::runToggled);
 }
 

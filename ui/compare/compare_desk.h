@@ -5,11 +5,9 @@
 #include "ui/views/charts/axis_span.h"
 #include "ui/views/charts/chart_view.h"
 #include "ui/views/curves/comparison_curves.h"
-#include "ui/views/map/comparison_painting.h"
 #include "ui/views/widgets/card.h"
 #include "ui/views/widgets/dock_desk.h"
 
-#include <QSet>
 #include <QStringList>
 #include <memory>
 #include <vector>
@@ -62,8 +60,8 @@ private:
 class ChartBubbles;
 class SeriesKey;
 
-/// The plot of one quantity of all runs against the distance; inside DistanceChart. The cursor stands where
-/// the first run is at the shared time; a click, a drag or the arrow keys move it.
+/// The plot of one quantity of all runs, a group each, against the distance; inside DistanceChart. The cursor
+/// stands where the first run is at the shared time; a click, a drag or the arrow keys move it.
 class DistanceArea : public ChartView
 {
     Q_OBJECT
@@ -72,8 +70,6 @@ public:
     DistanceArea(Timeline &timeline, AxisSpan &span, Compared what, QWidget *parent = nullptr);
 
     void setScene(ComparisonScenePtr scene);
-    /// The curves of a run come and go.
-    void setRunShown(int run, bool isShown);
 
 protected:
     void paintOver(QPainter &painter) override;
@@ -84,7 +80,6 @@ private:
     Compared m_what;
     ChartBubbles *m_bubbles;
     ComparisonScenePtr m_scene;
-    QSet<int> m_hidden; ///< runs
 };
 
 /// One quantity of all runs against the distance along the common path, with 95 % bands.

@@ -2,6 +2,7 @@
 #include "core/analysis/internal/run_comparison.h"
 
 #include "core/analysis/internal/run_alignment.h"
+#include "core/analysis/quantity_curve.h"
 #include "core/base/subjects.h"
 
 #include <algorithm>
@@ -366,7 +367,7 @@ double RunOnPath::wayAt(double timeS) const
 
 bool Difference::isSignificant() const
 {
-    return std::abs(value) > significanceFactor * sigma;
+    return std::abs(value) > coverage95 * sigma;
 }
 
 std::optional<Difference> RunComparison::timeDifference(std::size_t run, std::size_t station) const

@@ -61,7 +61,6 @@ struct Difference
     /// normal distribution: JCGM 100:2008, table G.1).
     bool isSignificant() const;
 };
-constexpr double significanceFactor = 1.959964;
 
 /// Runs on one common path. Lengths in metres along it, times in seconds.
 struct RunComparison

@@ -288,7 +288,7 @@ private Q_SLOTS:
         const Shown shown = this->shown({QStringLiteral("Trial 1"), QStringLiteral("Trial 2")});
         DistanceArea &area = shown.page->desk().difference().area();
         constexpr double wantedM = 0.5;
-        QTest::mouseClick(area.viewport(), Qt::LeftButton, {}, area.positionOf(wantedM, 0).toPoint());
+        QTest::mouseClick(area.viewport(), Qt::LeftButton, {}, area.plot().at(wantedM, 0).toPoint());
         const double reachedM = shown.page->scene()->distanceAt(0, shown.page->timeline().currentTime());
         // Half a frame and half a pixel.
         QVERIFY2(std::abs(reachedM - wantedM) < 0.04, qPrintable(QString::number(reachedM)));

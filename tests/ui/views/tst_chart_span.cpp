@@ -42,7 +42,10 @@ struct Charts
         acceleration.setScene(scene);
     }
     ChartArea &area() { return *speed.chartArea(); }
-    QPoint at(double second) { return area().positionOf(fromSeconds(second), 0.5).toPoint(); }
+    QPoint at(double second, double value = 0.5)
+    {
+        return area().plot().at(span.cursorPlace(fromSeconds(second)), value).toPoint();
+    }
     void drag(double from, double to)
     {
         QWidget *plot = area().viewport();
@@ -189,7 +192,7 @@ private Q_SLOTS:
         const QImage after = charts.area().grab().toImage();
         int dark = 0; // dashes of the fit
         for (double second = 3.2; second < 6.8; second += 0.02) {
-            const QPoint at = charts.area().positionOf(fromSeconds(second), fit->coefficients[0]).toPoint();
+            const QPoint at = charts.at(second, fit->coefficients[0]);
             dark += after.pixelColor(at).lightness() < 90;
         }
         QVERIFY2(dark > 40, qPrintable(QString::number(dark)));

@@ -209,7 +209,7 @@ private Q_SLOTS:
             if (!QTest::qWaitFor([&] { return map.isSettled() && chart.isSettled(); }))
                 qFatal("chart and map do not settle");
             ChartArea *area = chart.chartArea();
-            const QPoint inside = area->positionOf(900ms, 0.5).toPoint();
+            const QPoint inside = area->plot().at(0.9, 0.5).toPoint();
             QHelpEvent ask(QEvent::ToolTip, inside, area->mapToGlobal(inside));
             QApplication::sendEvent(area->viewport(), &ask);
             m_said = QToolTip::text();

@@ -4,7 +4,7 @@
 #include "ui/compare/internal/run_chooser.h"
 #include "ui/models/comparison_scene.h"
 #include "ui/models/timeline.h"
-#include "ui/views/map/comparison_painting.h"
+#include "ui/views/curves/comparison_curves.h"
 #include "ui/views/widgets/card.h"
 #include "ui/views/widgets/fact_list.h"
 #include "ui/views/widgets/figure_grid.h"

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/analysis/quantity_curve.h"
 #include "ui/models/comparison_scene.h"
-#include "ui/views/curves/profile_curve.h"
 
 #include <QWidget>
+#include <optional>
+#include <vector>
 
 class QComboBox;
 

@@ -225,6 +225,7 @@ void TrendChart::setTeam(const TeamStanding *team, const QString &name, const QS
     if (!team || team->runs.empty()) {
         auto nothing = std::make_shared<ChartContent>();
         nothing->emptyWords = tr("Select a team to see its trials through the term.");
+        showValues(std::nullopt);
         setContent(std::move(nothing));
         return;
     }

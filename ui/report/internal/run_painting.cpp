@@ -215,12 +215,9 @@ void drawRunChart(QPainter &painter, const QRectF &rect, const Profile &profile,
                  reportFont(bodySize), colours.muted, Qt::AlignCenter);
         return;
     }
-    std::vector<const CurveRun *> shown;
-    for (const CurveRun &run : curves.line.runs)
-        shown.push_back(&run);
     auto content = std::make_shared<ChartContent>();
-    content->range = valueRange(shown, quantity);
     content->curves = {std::move(curves.measured), std::move(curves.line), std::move(curves.spikes)};
+    content->range = valueRange(content->curves, quantity);
     ChartDrawing drawing;
     drawing.content = std::move(content);
     drawing.low = times.front();

@@ -8,6 +8,7 @@
 #include <QPainter>
 #include <QPicture>
 #include <memory>
+#include <optional>
 
 namespace odo {
 
@@ -34,9 +35,10 @@ void record(Recorded &recorded)
     chart->setLook(recorded.palette, recorded.font);
     chart->setContent(recorded.drawing.content, recorded.drawing.stretches);
     chart->setSize(recorded.size);
-    chart->show(recorded.drawing.low, recorded.drawing.high,
-                recorded.drawing.content ? recorded.drawing.content->range : ValueRange(),
-                recorded.drawing.axes.style == ChartStyle::Strip); // its rows are where the page has them
+    std::optional<ValueRange> chosen;
+    if (recorded.drawing.axes.style == ChartStyle::Strip && recorded.drawing.content)
+        chosen = recorded.drawing.content->range; // its rows are where the page has them
+    chart->show(recorded.drawing.low, recorded.drawing.high, chosen);
     chart->prepare();
     const QRectF room(QPointF(0, 0), recorded.size);
     QPainter painter(&recorded.picture);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/charts/chart_view.h"
 
-#include "ui/models/figure_text.h"
 #include "ui/views/charts/axis_span.h"
 #include "ui/views/charts/chart_overlay.h"
 #include "ui/views/charts/internal/chart_gestures.h"
@@ -14,7 +13,6 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QScrollBar>
 #include <algorithm>
 #include <cmath>
 
@@ -47,8 +45,7 @@ void ChartView::forget()
 
 void ChartView::refresh()
 {
-    const ValueRange whole = m_content ? m_content->range : ValueRange();
-    m_chart->show(m_span.low(), m_span.high(), m_values.value_or(whole), m_values.has_value());
+    m_chart->show(m_span.low(), m_span.high(), m_values);
     forget();
 }
 
@@ -56,21 +53,18 @@ void ChartView::setAxes(const ChartAxes &axes)
 {
     m_chart->setAxes(axes);
     m_values.reset();
-    refresh();
 }
 
 void ChartView::setContent(ChartContentPtr content, std::vector<ChartStretch> stretches)
 {
-    m_content = std::move(content);
-    m_values.reset();
-    m_chart->setContent(m_content, std::move(stretches));
+    m_chart->setContent(std::move(content), std::move(stretches));
     refresh();
 }
 
 void ChartView::setOverlay(std::vector<ChartCurve> curves)
 {
-    m_chart->setOverlay(std::move(curves));
-    forget();
+    if (m_chart->setOverlay(std::move(curves)))
+        forget();
 }
 
 void ChartView::showValues(std::optional<ValueRange> values)
@@ -91,6 +85,12 @@ void ChartView::showAll()
 void ChartView::setGroupShown(int group, bool isShown)
 {
     m_chart->setGroupShown(group, isShown);
+    forget();
+}
+
+void ChartView::showAllGroups()
+{
+    m_chart->showAllGroups();
     forget();
 }
 
@@ -142,7 +142,7 @@ void ChartView::paintEvent(QPaintEvent *)
                   [this](QPainter &still) { paintStill(still); });
     painter.setFont(font());
     painter.setRenderHint(QPainter::Antialiasing);
-    if (m_mouse && m_content && m_chart->axesShown().style != ChartStyle::Bars)
+    if (m_mouse && m_chart->hasContent() && m_chart->axesShown().style != ChartStyle::Bars)
         paintCrosshair(painter);
     paintOver(painter);
     drawChartFocus(painter, *this);

@@ -24,15 +24,15 @@ public:
     ~ChartView() override;
 
     AxisSpan &span() const { return m_span; }
+    /// Where values lie, in widget coordinates.
     ChartPlot plot() const { return m_chart->chartPlot(); }
-    /// Where a place of the axis below (SI) and a value lie, in widget coordinates.
-    QPointF positionOf(double x, double value) const { return plot().at(x, value); }
     /// Values chosen by hand; nullopt: all.
     void showValues(std::optional<ValueRange> values);
     /// Everything, of both axes.
     void showAll();
-    /// Curves of a group (ChartCurve::group) come and go.
+    /// Curves of a group (ChartCurve::group) come and go, whatever the content.
     void setGroupShown(int group, bool isShown);
+    bool isGroupShown(int group) const { return m_chart->isGroupShown(group); }
     /// The whole view for a picture: without focus and crosshair.
     void paintPicture(QPainter &painter);
 
@@ -40,9 +40,12 @@ public:
     QSize minimumSizeHint() const override { return {220, 90}; }
 
 protected:
+    /// All values are shown then; setContent must follow.
     void setAxes(const ChartAxes &axes);
+    /// Values chosen by hand stay so.
     void setContent(ChartContentPtr content, std::vector<ChartStretch> stretches = {});
     void setOverlay(std::vector<ChartCurve> curves);
+    void showAllGroups();
 
     /// What stands over the curves and moves.
     virtual void paintOver(QPainter &painter) { Q_UNUSED(painter); }
@@ -74,8 +77,7 @@ private:
     void paintCrosshair(QPainter &painter) const;
 
     AxisSpan &m_span;
-    Chart *m_chart; ///< of the scene
-    ChartContentPtr m_content;
+    Chart *m_chart;                     ///< of the scene
     std::optional<ValueRange> m_values; ///< chosen by hand
     std::optional<double> m_pressedX;   ///< of the left button
     bool m_isDragged = false;

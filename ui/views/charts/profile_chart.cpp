@@ -48,7 +48,7 @@ void ChartArea::setScene(TrialScenePtr scene)
     m_scene = std::move(scene);
     m_stretches = m_scene ? doubtfulStretches(*m_scene) : std::vector<DoubtfulStretch>();
     m_fit.reset();
-    m_hidden.clear();
+    showAllGroups();
     rebuild();
 }
 
@@ -62,15 +62,6 @@ void ChartArea::setFit(std::optional<FitOverlay> fit)
 {
     m_fit = std::move(fit);
     showFit();
-}
-
-void ChartArea::setRobotShown(int robot, bool isShown)
-{
-    if (isShown)
-        m_hidden.remove(robot);
-    else
-        m_hidden.insert(robot);
-    setGroupShown(robot, isShown);
 }
 
 void ChartArea::rebuild()
@@ -90,8 +81,6 @@ void ChartArea::showCurves()
                              m_span.placeOf(one.robot, one.span.end),
                              one.kind == DoubtfulStretch::Kind::Name});
     setContent(m_maker->curves().content(), std::move(stretches));
-    for (const int robot : std::as_const(m_hidden))
-        setGroupShown(robot, false);
     showFit();
 }
 
@@ -120,11 +109,6 @@ void ChartArea::showFit()
     setOverlay({rim, line});
 }
 
-QPointF ChartArea::positionOf(Nanoseconds time, double value) const
-{
-    return plot().at(m_span.cursorPlace(time), value);
-}
-
 void ChartArea::paintOver(QPainter &painter)
 {
     if (const auto &range = m_timeline.selection())
@@ -137,8 +121,8 @@ void ChartArea::paintOver(QPainter &painter)
     if (const double place = m_span.cursorPlace(now); place >= m_span.low() && place <= m_span.high())
         drawChartCursor(painter, plot(), place, palette());
     const auto placeOf = [this, now](std::size_t robot) {
-        return m_hidden.contains(int(robot)) ? std::numeric_limits<double>::quiet_NaN()
-                                             : m_span.placeOf(robot, now);
+        return isGroupShown(int(robot)) ? m_span.placeOf(robot, now)
+                                        : std::numeric_limits<double>::quiet_NaN();
     };
     for (const ShownValue &value : m_maker->curves().drawValues(painter, plot(), now, placeOf, palette()))
         m_bubbles->add(value.bubble, [scene = m_scene, quantity = m_quantity, now, value] {
@@ -215,7 +199,7 @@ ProfileChart::ProfileChart(Timeline &timeline, ChartSpan &span, QList<Quantity> 
       m_quantities(quantities), m_quantity(quantities.first())
 {
     addToHeader(m_key);
-    connect(m_key, &SeriesKey::toggled, m_area, &ChartArea::setRobotShown);
+    connect(m_key, &SeriesKey::toggled, m_area, &ChartView::setGroupShown);
     if (quantities.size() > 1) {
         m_choice = new QComboBox(this);
         m_choice->setAccessibleName(tr("Quantity that the chart shows"));

@@ -11,7 +11,6 @@
 #include "ui/views/widgets/card.h"
 
 #include <QList>
-#include <QSet>
 #include <optional>
 
 class QComboBox;
@@ -20,6 +19,7 @@ namespace odo {
 
 class ChartBubbles;
 class ChartSpan;
+class SeriesKey;
 class Timeline;
 
 /// A fit that is drawn over the curve of a robot.
@@ -31,9 +31,9 @@ struct FitOverlay
     CurveFit fit;
 };
 
-/// The plot of one quantity; inside ProfileChart. A click goes to a time, a drag selects a range; a bubble
-/// tells how its value was computed. Stretches in which less than usual is known of a robot are shaded, with
-/// words where the mouse rests.
+/// The plot of one quantity, a group of curves a robot; inside ProfileChart. A click goes to a time, a drag
+/// selects a range; a bubble tells how its value was computed. Stretches in which less than usual is known of
+/// a robot are shaded, with words where the mouse rests.
 class ChartArea : public ChartView
 {
     Q_OBJECT
@@ -46,14 +46,10 @@ public:
     void setQuantity(Quantity quantity);
     /// nullopt: none. It is drawn where its quantity is shown.
     void setFit(std::optional<FitOverlay> fit);
-    /// Where a time of the first robot and a value lie, in widget coordinates.
-    QPointF positionOf(Nanoseconds time, double value) const;
     /// The curves of the scene are there; those of a long one take a moment.
     bool isSettled() const { return !m_maker->isRunning(); }
     /// Something is shaded.
     bool hasDoubtfulStretches() const { return !m_stretches.empty(); }
-    /// A robot's curves come and go.
-    void setRobotShown(int robot, bool isShown);
 
     QSize minimumSizeHint() const override { return {220, 110}; }
 
@@ -79,12 +75,7 @@ private:
     std::vector<DoubtfulStretch> m_stretches; ///< of the scene
     CurveMaker *m_maker;
     std::optional<FitOverlay> m_fit;
-    QSet<int> m_hidden; ///< robots
 };
-
-class ChartArea;
-class SeriesKey;
-struct FitOverlay;
 
 /// One quantity against time, or the way driven, for all robots of a trial: smoothed line with its 95 % band,
 /// measured points, spikes, the range that is selected, and a cursor at the shared time with the value there.

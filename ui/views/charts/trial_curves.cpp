@@ -31,38 +31,20 @@ TrialCurves::TrialCurves(TrialScenePtr scene, Quantity quantity, const SamplePla
         return;
     m_places = colourPlaces(*m_scene);
     std::vector<ProfileCurves> robots;
-    std::vector<std::size_t> numbers;
     for (std::size_t robot = 0; robot < m_scene->robots.size(); ++robot)
-        if (const auto &analysis = m_scene->robots[robot].analysis) {
-            robots.push_back(profileCurves(analysis->profile, m_quantity, places.at(robot)));
-            numbers.push_back(robot);
-        }
+        if (const auto &analysis = m_scene->robots[robot].analysis)
+            robots.push_back(
+                profileCurves(analysis->profile, m_quantity, places.at(robot), int(robot), m_places[robot]));
     auto content = std::make_shared<ChartContent>();
     content->emptyWords = TrialCurvesWords::tr("No curve yet: track the trial");
-    const auto add = [&](ChartCurve ProfileCurves::*part) {
-        for (std::size_t i = 0; i < robots.size(); ++i) {
-            ChartCurve &curve = robots[i].*part;
-            curve.group = int(numbers[i]);
-            curve.place = m_places[numbers[i]];
-            if (curve.kind == ChartCurve::Kind::Line)
-                curve.dash = seriesDash(int(numbers[i]));
-            content->curves.push_back(std::move(curve));
-        }
-    };
-    add(&ProfileCurves::measured);
-    add(&ProfileCurves::line);
-    add(&ProfileCurves::spikes);
+    for (const auto part : {&ProfileCurves::measured, &ProfileCurves::line, &ProfileCurves::spikes})
+        for (ProfileCurves &curves : robots)
+            content->curves.push_back(std::move(curves.*part));
     m_lines.resize(m_scene->robots.size());
-    std::vector<const CurveRun *> runs;
-    for (const ChartCurve &curve : content->curves) {
-        if (curve.kind != ChartCurve::Kind::Line)
-            continue;
-        m_lines[static_cast<std::size_t>(curve.group)] = &curve;
-        for (const CurveRun &run : curve.runs)
-            if (run.isLine())
-                runs.push_back(&run);
-    }
-    content->range = valueRange(runs, m_quantity);
+    for (const ChartCurve &curve : content->curves)
+        if (curve.kind == ChartCurve::Kind::Line)
+            m_lines[static_cast<std::size_t>(curve.group)] = &curve;
+    content->range = valueRange(content->curves, m_quantity);
     m_content = std::move(content);
 }
 

@@ -37,8 +37,6 @@ public:
 
     /// What a chart shows; nullptr without a scene.
     const ChartContentPtr &content() const { return m_content; }
-    /// What was measured of a robot last at a time; nullopt: nothing, or not yet.
-    std::optional<CurveValue> valueAt(std::size_t robot, Nanoseconds time) const;
     /// Each robot's value at a time beside its place on the axis below, where that is visible (not a number:
     /// nowhere); gives them, from above.
     QList<ShownValue> drawValues(QPainter &painter, const ChartPlot &plot, Nanoseconds time,
@@ -46,6 +44,9 @@ public:
                                  const QPalette &palette) const;
 
 private:
+    /// What was measured of a robot last at a time; nullopt: nothing, or not yet.
+    std::optional<CurveValue> valueAt(std::size_t robot, Nanoseconds time) const;
+
     TrialScenePtr m_scene; ///< null: nothing to show
     Quantity m_quantity = Quantity::Speed;
     ChartContentPtr m_content;

@@ -7,45 +7,11 @@
 #include <QCoreApplication>
 #include <QThread>
 #include <chrono>
-#include <condition_variable>
-#include <exception>
+#include <future>
 #include <memory>
-#include <mutex>
+#include <utility>
 
 namespace odo {
-
-namespace {
-
-/// Work on its way from one thread to another.
-struct Errand
-{
-    std::function<void()> work;
-    std::mutex mutex;
-    std::condition_variable changed;
-    bool isDone = false, isGivenUp = false;
-    std::exception_ptr failure;
-};
-
-void run(Errand &errand)
-{
-    {
-        const std::lock_guard lock(errand.mutex);
-        if (errand.isGivenUp)
-            return;
-    }
-    std::exception_ptr failure;
-    try {
-        errand.work();
-    } catch (...) {
-        failure = std::current_exception();
-    }
-    const std::lock_guard lock(errand.mutex);
-    errand.failure = failure;
-    errand.isDone = true;
-    errand.changed.notify_all();
-}
-
-} // namespace
 
 void onWindowThread(std::function<void()> work)
 {
@@ -54,19 +20,17 @@ void onWindowThread(std::function<void()> work)
         work();
         return;
     }
-    const auto errand = std::make_shared<Errand>();
-    errand->work = std::move(work);
-    callLater(qApp, [errand] { run(*errand); });
-    std::unique_lock lock(errand->mutex);
+    const auto task = std::make_shared<std::packaged_task<void()>>(std::move(work));
+    std::future<void> done = task->get_future();
+    // Once the caller has given up, only what has begun keeps the task.
+    callLater(qApp, [waiting = std::weak_ptr(task)] {
+        if (const auto wanted = waiting.lock())
+            (*wanted)();
+    });
     // Looked at now and then: whoever cancels may wait for this thread, on the window's.
-    while (!errand->changed.wait_for(lock, 20ms, [&] { return errand->isDone; })) {
-        if (const CancelToken *cancel = CancelScope::current(); cancel && cancel->isCancelled()) {
-            errand->isGivenUp = true;
-            throw WorkCancelled();
-        }
-    }
-    if (errand->failure)
-        std::rethrow_exception(errand->failure);
+    while (done.wait_for(20ms) != std::future_status::ready)
+        endIfCancelled();
+    done.get();
 }
 
 } // namespace odo

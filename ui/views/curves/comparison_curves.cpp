@@ -87,6 +87,15 @@ ValueRange rangeOf(const std::vector<ChartCurve> &curves, Compared what)
     return {low, high - low < 1e-3 ? low + (what == Compared::Speed ? 1 : 0.1) : high};
 }
 
+std::optional<CurveValue> speedAt(const ComparisonScene &scene, std::size_t run, double distanceM)
+{
+    const RunComparison &comparison = scene.compared.comparison;
+    const auto arrival = comparison.runs[run].arrivals.at(comparison.originM + distanceM);
+    const double perSi = shownUnits().speed.perSi;
+    return arrival ? std::optional(CurveValue{perSi * arrival->speedMps, perSi * arrival->sigmaSpeedMps})
+                   : std::nullopt;
+}
+
 } // namespace
 
 QString comparedUnit(Compared what)
@@ -129,15 +138,6 @@ ChartContentPtr comparedContent(const ComparisonScene &scene, Compared what)
     std::vector<std::size_t> runs(scene.runCount());
     std::iota(runs.begin(), runs.end(), std::size_t(0));
     return comparedContent(scene, what, runs);
-}
-
-std::optional<CurveValue> speedAt(const ComparisonScene &scene, std::size_t run, double distanceM)
-{
-    const RunComparison &comparison = scene.compared.comparison;
-    const auto arrival = comparison.runs[run].arrivals.at(comparison.originM + distanceM);
-    const double perSi = shownUnits().speed.perSi;
-    return arrival ? std::optional(CurveValue{perSi * arrival->speedMps, perSi * arrival->sigmaSpeedMps})
-                   : std::nullopt;
 }
 
 std::optional<CurveValue> differenceAt(const ComparisonScene &scene, std::size_t run, double distanceM)

@@ -2,6 +2,7 @@
 #include "ui/views/curves/profile_curve.h"
 
 #include "ui/models/figure_text.h"
+#include "ui/views/widgets/theme.h"
 
 #include <algorithm>
 #include <numbers>
@@ -60,8 +61,13 @@ std::vector<double> sampleTimes(const Profile &profile)
     return times;
 }
 
-ValueRange valueRange(const std::vector<const CurveRun *> &runs, Quantity quantity)
+ValueRange valueRange(const std::vector<ChartCurve> &curves, Quantity quantity)
 {
+    std::vector<const CurveRun *> runs;
+    for (const ChartCurve &curve : curves)
+        for (const CurveRun &run : curve.runs)
+            if (curve.kind == ChartCurve::Kind::Line && run.isLine())
+                runs.push_back(&run);
     const bool isPlace = quantity == Quantity::PositionX || quantity == Quantity::PositionY;
     double low = isPlace && !runs.empty() ? runs.front()->points.front().value : 0, high = low;
     for (const CurveRun *run : runs)
@@ -110,13 +116,19 @@ CurveRun spikePoints(const Profile &profile, Quantity quantity, const std::vecto
     return spikes;
 }
 
-ProfileCurves profileCurves(const Profile &profile, Quantity quantity, const std::vector<double> &places)
+ProfileCurves profileCurves(const Profile &profile, Quantity quantity, const std::vector<double> &places,
+                            int group, int place)
 {
     ProfileCurves curves;
+    for (ChartCurve *curve : {&curves.measured, &curves.line, &curves.spikes}) {
+        curve->group = group;
+        curve->place = place;
+    }
     curves.measured.kind = ChartCurve::Kind::Points;
     curves.measured.ink = ChartInk::Point;
     curves.measured.widthPx = 1;
     curves.measured.runs = {measuredPoints(profile, quantity, places)};
+    curves.line.dash = seriesDash(group);
     curves.line.hasBand = true;
     curves.line.runs = curveRuns(curveValues(profile, quantity), places);
     curves.spikes.kind = ChartCurve::Kind::Spikes;

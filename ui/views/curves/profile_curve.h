@@ -21,9 +21,9 @@ double curveFactor(Quantity quantity);
 /// When each sample was taken, in seconds: its place where the axis below is the time.
 std::vector<double> sampleTimes(const Profile &profile);
 
-/// From the lowest to the highest value of curves, with their bands as long as those do not press the curves
-/// flat; 0 is contained unless they are places.
-ValueRange valueRange(const std::vector<const CurveRun *> &runs, Quantity quantity);
+/// From the lowest to the highest value of the lines among curves, with their bands as long as those do not
+/// press the lines flat; 0 is contained unless they are places.
+ValueRange valueRange(const std::vector<ChartCurve> &curves, Quantity quantity);
 
 /// measuredValues at the places of the samples, in the unit of curveUnit, without bands; empty for the turn
 /// rate.
@@ -33,12 +33,13 @@ CurveRun measuredPoints(const Profile &profile, Quantity quantity, const std::ve
 /// quantity.
 CurveRun spikePoints(const Profile &profile, Quantity quantity, const std::vector<double> &places);
 
-/// The robot's curve of a quantity as a chart shows it, with the series' colour and dash, as one group; and
-/// its measured points (beneath) and spikes (above).
+/// The robot's curve of a quantity as a chart shows it, in the colour of a place and the dash of the group;
+/// and its measured points (beneath) and spikes (above), of the same group.
 struct ProfileCurves
 {
     ChartCurve measured, line, spikes;
 };
-ProfileCurves profileCurves(const Profile &profile, Quantity quantity, const std::vector<double> &places);
+ProfileCurves profileCurves(const Profile &profile, Quantity quantity, const std::vector<double> &places,
+                            int group = 0, int place = 0);
 
 } // namespace odo

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/curves/trend_curves.h"
 
+#include "core/analysis/quantity_curve.h"
 #include "ui/models/figure_text.h"
 
 #include <QCoreApplication>
@@ -42,7 +43,6 @@ ChartCurve runsOf(const TeamStanding &team)
 
 ChartCurve progressOf(const TeamStanding &team, double fromMs, double toMs)
 {
-    constexpr double band95 = 1.959964; // a band is as wide as that many σ; the spread is shown once
     const double from = team.progress.change ? team.progress.atStart : team.progress.median;
     const double to = from + (team.progress.change ? team.progress.change->value : 0);
     ChartCurve line;
@@ -50,7 +50,7 @@ ChartCurve progressOf(const TeamStanding &team, double fromMs, double toMs)
     line.widthPx = 2;
     line.dash = team.progress.isBeyondSpread ? Qt::SolidLine : Qt::DashLine;
     line.hasBand = team.progress.spread.has_value();
-    const double sigma = team.progress.spread.value_or(0) / band95;
+    const double sigma = team.progress.spread.value_or(0) / coverage95; // the spread is shown once
     line.runs = {CurveRun{0, {BandPoint(fromMs, {from, sigma}), BandPoint(toMs, {to, sigma})}}};
     return line;
 }

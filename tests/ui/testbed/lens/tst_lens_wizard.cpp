@@ -321,12 +321,12 @@ void TestLensWizard::aBarIsChosenAndTheThresholdDragged()
     bars.show();
     QVERIFY(std::abs(bars.threshold() - 1.5 * 0.4) < 1e-9);
     QSignalSpy chosen(&bars, &PictureBars::currentChanged), changed(&bars, &PictureBars::thresholdChanged);
-    QTest::mouseClick(bars.viewport(), Qt::LeftButton, {}, bars.positionOf(1, 0.15).toPoint());
+    QTest::mouseClick(bars.viewport(), Qt::LeftButton, {}, bars.plot().at(1, 0.15).toPoint());
     QCOMPARE(bars.current(), 1);
     QCOMPARE(chosen.count(), 1);
     const auto ink = [&bars](double index) { // how many pixels of a bar are filled
         const QImage image = bars.grab().toImage();
-        const QPoint middle = bars.positionOf(index, 0.05).toPoint();
+        const QPoint middle = bars.plot().at(index, 0.05).toPoint();
         int filled = 0;
         for (int x = -8; x <= 8; ++x)
             for (int y = -4; y <= 4; ++y)
@@ -336,8 +336,7 @@ void TestLensWizard::aBarIsChosenAndTheThresholdDragged()
     constexpr int all = 17 * 9;
     QCOMPARE(ink(0), all);
     QCOMPARE(ink(3), all);
-    const QPoint from = bars.positionOf(2, bars.threshold()).toPoint(),
-                 to = bars.positionOf(2, 0.35).toPoint();
+    const QPoint from = bars.plot().at(2, bars.threshold()).toPoint(), to = bars.plot().at(2, 0.35).toPoint();
     QTest::mousePress(bars.viewport(), Qt::LeftButton, {}, from);
     QTest::mouseMove(bars.viewport(), to);
     QCOMPARE(changed.count(), 0); // it is not let go yet
@@ -348,6 +347,11 @@ void TestLensWizard::aBarIsChosenAndTheThresholdDragged()
     QCOMPARE(bars.current(), 1);
     QCOMPARE(ink(0), all);
     QCOMPARE(ink(3), 0); // hatched in another colour: it does not count
+    bars.showValues(ValueRange{0, 0.5});
+    bars.setCurrent(2);
+    QCOMPARE(bars.plot().values.high, 0.5); // as it was zoomed
+    bars.setBars({QStringLiteral("a")}, {0.2});
+    QVERIFY(bars.plot().values.high < 0.5);
 }
 
 void TestLensWizard::tellsOfALostCamera()

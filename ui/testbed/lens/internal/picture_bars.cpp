@@ -52,6 +52,7 @@ void PictureBars::setBars(const QStringList &names, std::vector<double> errorsPx
         m_threshold = looseFactor * std::ranges::max(m_errors);
     m_current = std::min(m_current, int(m_errors.size()) - 1);
     span().setWhole(-0.5, std::max(0.5, double(m_errors.size()) - 0.5));
+    showValues(std::nullopt);
     showBars();
 }
 

@@ -117,16 +117,19 @@ void Chart::setContent(ChartContentPtr content, std::vector<ChartStretch> stretc
 {
     m_content = std::move(content);
     m_stretches = std::move(stretches);
-    m_hidden.clear();
     remake();
 }
 
-void Chart::setOverlay(std::vector<ChartCurve> curves)
+bool Chart::setOverlay(std::vector<ChartCurve> curves)
 {
     if (curves.empty() && m_overlay.empty())
-        return;
+        return false;
+    m_series.resize(m_series.size() - m_overlay.size());
     m_overlay = std::move(curves);
-    remake();
+    add(m_overlay);
+    lookAgain();
+    invalidate();
+    return true;
 }
 
 /// All series anew, in the order in which they lie upon one another.
@@ -140,18 +143,21 @@ void Chart::remake()
         area->attachAxis(m_below);
         area->attachAxis(m_left);
     }
-    const auto add = [this](const std::vector<ChartCurve> &curves) {
-        for (const ChartCurve &curve : curves) {
-            m_series.push_back(std::make_unique<ChartSeries>(*this, curve));
-            m_series.back()->attach(m_below, m_left);
-            m_series.back()->setShown(!m_hidden.contains(curve.group));
-        }
-    };
     if (m_content)
         add(m_content->curves);
     add(m_overlay);
     lookAgain();
     invalidate();
+}
+
+/// They have no look yet.
+void Chart::add(const std::vector<ChartCurve> &curves)
+{
+    for (const ChartCurve &curve : curves) {
+        m_series.push_back(std::make_unique<ChartSeries>(*this, curve));
+        m_series.back()->attach(m_below, m_left);
+        m_series.back()->setShown(isGroupShown(curve.group));
+    }
 }
 
 void Chart::setLook(const QPalette &palette, const QFont &font)
@@ -190,8 +196,19 @@ void Chart::setGroupShown(int group, bool isShown)
         m_hidden.remove(group);
     else
         m_hidden.insert(group);
+    showGroups();
+}
+
+void Chart::showAllGroups()
+{
+    m_hidden.clear();
+    showGroups();
+}
+
+void Chart::showGroups()
+{
     for (const auto &series : m_series)
-        series->setShown(!m_hidden.contains(series->curve().group));
+        series->setShown(isGroupShown(series->curve().group));
     invalidate();
 }
 
@@ -214,12 +231,11 @@ void Chart::setSize(const QSizeF &size)
     invalidate();
 }
 
-void Chart::show(double low, double high, const ValueRange &values, bool isChosen)
+void Chart::show(double low, double high, std::optional<ValueRange> chosen)
 {
     m_low = low;
     m_high = high;
-    m_wanted = values;
-    m_isChosen = isChosen;
+    m_chosen = chosen;
     invalidate();
 }
 
@@ -281,9 +297,10 @@ void Chart::showStretches()
 void Chart::invalidate()
 {
     const int most = std::max(2, int(plotArea().height() / tickApartPx));
-    m_ticks = m_isChosen ? niceTicks(m_wanted.low, m_wanted.high, most)
-                         : coveringTicks(m_wanted.low, m_wanted.high, most);
-    m_values = m_isChosen ? m_wanted : ValueRange{m_ticks.first, m_ticks.last()};
+    const ValueRange all = m_content ? m_content->range : ValueRange();
+    m_ticks =
+        m_chosen ? niceTicks(m_chosen->low, m_chosen->high, most) : coveringTicks(all.low, all.high, most);
+    m_values = m_chosen.value_or(ValueRange{m_ticks.first, m_ticks.last()});
     m_isStale = true;
 }
 

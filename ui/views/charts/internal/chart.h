@@ -11,9 +11,9 @@
 #include <QPalette>
 #include <QSet>
 #include <memory>
+#include <optional>
 #include <vector>
 
-class QDateTimeAxis;
 class QValueAxis;
 
 namespace odo {
@@ -31,18 +31,22 @@ public:
     const ChartAxes &axesShown() const { return m_axes; }
     /// nullptr: nothing.
     void setContent(ChartContentPtr content, std::vector<ChartStretch> stretches = {});
-    /// A curve over all others, a fit say; empty: none.
-    void setOverlay(std::vector<ChartCurve> curves);
+    bool hasContent() const { return m_content != nullptr; }
+    /// Curves over all others, a fit say; empty: none. False where that changes nothing: there were none.
+    bool setOverlay(std::vector<ChartCurve> curves);
     void setLook(const QPalette &palette, const QFont &font);
+    /// A group stays hidden whatever the content.
     void setGroupShown(int group, bool isShown);
+    bool isGroupShown(int group) const { return !m_hidden.contains(group); }
+    void showAllGroups();
     /// Columns to a pixel, in which many points are drawn as one: more for print.
     void setFineness(double fineness);
     /// All charts with a title at the left have the same margins, so that their times or distances stand
     /// below one another.
     void setSize(const QSizeF &size);
-    /// What is visible: the part of the axis below (SI), and the values, which an axis of round numbers
-    /// covers unless they were chosen by hand.
-    void show(double low, double high, const ValueRange &values, bool isChosen = false);
+    /// What is visible: the part of the axis below (SI), and the values that were chosen; nullopt: all, which
+    /// an axis of round numbers covers.
+    void show(double low, double high, std::optional<ValueRange> chosen = {});
 
     /// Where the values lie now.
     ChartPlot chartPlot() const;
@@ -54,6 +58,8 @@ public:
 private:
     void makeAxes();
     void remake();
+    void add(const std::vector<ChartCurve> &curves);
+    void showGroups();
     void lookAgain();
     void invalidate();
     void setAxisRanges();
@@ -66,16 +72,17 @@ private:
     ChartContentPtr m_content;
     std::vector<ChartStretch> m_stretches;
     std::vector<ChartCurve> m_overlay;
-    std::vector<std::unique_ptr<ChartSeries>> m_series;
+    std::vector<std::unique_ptr<ChartSeries>> m_series; ///< of the content, then of the overlay
     QAreaSeries *m_shade = nullptr, *m_hatch = nullptr;
     QAbstractAxis *m_below = nullptr;
     QValueAxis *m_left = nullptr;
     QGraphicsSimpleTextItem *m_words;
-    QSet<int> m_hidden;
+    QSet<int> m_hidden; ///< groups
     double m_fineness = 1, m_low = 0, m_high = 1;
-    ValueRange m_wanted, m_values;
+    std::optional<ValueRange> m_chosen;
+    ValueRange m_values;
     AxisTicks m_ticks; ///< at the left
-    bool m_isChosen = false, m_isStale = true, m_isCoarse = false;
+    bool m_isStale = true, m_isCoarse = false;
 };
 
 } // namespace odo

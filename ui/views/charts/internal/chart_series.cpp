@@ -24,24 +24,6 @@ bool holds(const ValueRange &values, double value)
     return value >= values.low && value <= values.high;
 }
 
-} // namespace
-
-int ChartColumns::count() const
-{
-    return std::max(1, int(std::ceil(plot.rect.width() * fineness)));
-}
-
-double ChartColumns::middleOf(int column) const
-{
-    return perSi * (plot.low + (column + 0.5) * (plot.high - plot.low) / count());
-}
-
-bool ChartColumns::areAlike(double low, double high) const
-{
-    constexpr double alikePx = 0.7;
-    return (high - low) * plot.rect.height() < alikePx * (plot.values.high - plot.values.low);
-}
-
 QColor inkColour(ChartInk ink, int place, const QPalette &palette)
 {
     const ThemeColours colours = ThemeColours::of(palette);
@@ -64,6 +46,24 @@ QColor inkColour(ChartInk ink, int place, const QPalette &palette)
     return seriesColour(place, palette);
 }
 
+} // namespace
+
+int ChartColumns::count() const
+{
+    return std::max(1, int(std::ceil(plot.rect.width() * fineness)));
+}
+
+double ChartColumns::middleOf(int column) const
+{
+    return perSi * (plot.low + (column + 0.5) * (plot.high - plot.low) / count());
+}
+
+bool ChartColumns::areAlike(double low, double high) const
+{
+    constexpr double alikePx = 0.7;
+    return (high - low) * plot.rect.height() < alikePx * (plot.values.high - plot.values.low);
+}
+
 ChartSeries::ChartSeries(QChart &chart, const ChartCurve &curve) : m_chart(chart), m_curve(&curve)
 {
     if (curve.kind == ChartCurve::Kind::Spikes) {
@@ -78,9 +78,12 @@ ChartSeries::ChartSeries(QChart &chart, const ChartCurve &curve) : m_chart(chart
     line(0);
 }
 
-QAbstractSeries *ChartSeries::anySeries() const
+ChartSeries::~ChartSeries()
 {
-    return m_spikes ? static_cast<QAbstractSeries *>(m_spikes) : m_lines.first();
+    for (QAbstractSeries *series : all()) {
+        m_chart.removeSeries(series);
+        delete series;
+    }
 }
 
 QList<QAbstractSeries *> ChartSeries::all() const
@@ -105,7 +108,7 @@ QLineSeries *ChartSeries::line(qsizetype index)
         }
         added->setVisible(m_isShown);
         m_lines << added;
-        setPens();
+        setPen(*added);
     }
     return m_lines[index];
 }
@@ -147,6 +150,8 @@ qsizetype ChartSeries::show(const ChartColumns &columns)
 
 void ChartSeries::setCoarse(bool isCoarse)
 {
+    if (isCoarse == m_isCoarse)
+        return;
     m_isCoarse = isCoarse;
     setPens();
 }
@@ -307,18 +312,21 @@ void ChartSeries::setPens()
     } else if (m_band) {
         m_band->setBrush(haze);
     }
-    const bool arePoints = m_curve->kind == ChartCurve::Kind::Points;
-    for (QLineSeries *series : m_lines) {
-        series->setPen(arePoints
-                           ? QPen(m_colour, m_curve->widthPx, Qt::NoPen)
-                           : QPen(m_colour, m_isCoarse ? 1 : m_curve->widthPx,
-                                  m_isCoarse ? Qt::SolidLine : m_curve->dash, Qt::SquareCap, Qt::BevelJoin));
-        series->setPointsVisible(arePoints);
-    }
+    for (QLineSeries *series : m_lines)
+        setPen(*series);
     if (m_spikes) {
         m_spikes->setBrush(m_colour);
         m_spikes->setPen(QPen(m_rim, 1));
     }
+}
+
+void ChartSeries::setPen(QLineSeries &series) const
+{
+    const bool arePoints = m_curve->kind == ChartCurve::Kind::Points;
+    series.setPen(arePoints ? QPen(m_colour, m_curve->widthPx, Qt::NoPen)
+                            : QPen(m_colour, m_isCoarse ? 1 : m_curve->widthPx,
+                                   m_isCoarse ? Qt::SolidLine : m_curve->dash, Qt::SquareCap, Qt::BevelJoin));
+    series.setPointsVisible(arePoints);
 }
 
 void ChartSeries::setShown(bool isShown)

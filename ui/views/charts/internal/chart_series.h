@@ -33,8 +33,11 @@ struct ChartColumns
 class ChartSeries
 {
 public:
-    /// The series belong to the chart; curve must outlive this.
+    /// The chart, which has the series as long as this lives, must outlive it; curve must live while it is
+    /// shown.
     ChartSeries(QChart &chart, const ChartCurve &curve);
+    ~ChartSeries();
+    Q_DISABLE_COPY_MOVE(ChartSeries)
     void attach(QAbstractAxis *below, QAbstractAxis *left);
     /// Without points, so that a change of the axes costs nothing.
     void clear();
@@ -45,8 +48,6 @@ public:
     void setPalette(const QPalette &palette);
     void setShown(bool isShown);
     const ChartCurve &curve() const { return *m_curve; }
-    /// One of its series, to convert places by.
-    QAbstractSeries *anySeries() const;
 
 private:
     qsizetype showLine(const ChartColumns &columns);
@@ -58,6 +59,7 @@ private:
     qsizetype showBars(const ChartColumns &columns);
     QLineSeries *line(qsizetype index);
     void setPens();
+    void setPen(QLineSeries &series) const;
     QList<QAbstractSeries *> all() const;
 
     QChart &m_chart;
@@ -69,8 +71,5 @@ private:
     QColor m_colour, m_rim;
     bool m_isShown = true, m_isCoarse = false;
 };
-
-/// The colour of an ink in a palette.
-QColor inkColour(ChartInk ink, int place, const QPalette &palette);
 
 } // namespace odo
