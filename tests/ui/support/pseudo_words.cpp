@@ -127,11 +127,9 @@ int roomForText(const QComboBox &box)
 
 QString PseudoWords::translate(const char *context, const char *source, const char *, int) const
 {
-    static const QRegularExpression placeholder(QStringLiteral("%([1-9])"));
-    QString words = QString::fromUtf8(source);
-    // The context of a message is its code. What it holds is known by itself, or a name.
-    if (QByteArrayView(context).contains('.'))
-        words.replace(placeholder, closing + QStringLiteral("%\\1") + opening);
+    const QString words = QString::fromUtf8(source);
+    if (QByteArrayView(context) == "base.foreign")
+        return words; // what it holds stays English, and is told from what is translated
     const QString ellipsis = words.endsWith(u'…') ? QStringLiteral("…") : QString();
     return opening + words.chopped(ellipsis.size()) + closing + ellipsis;
 }

@@ -2,6 +2,7 @@
 #include "tests/ui/support/stored_example.h"
 #include "tests/support/said_error.h"
 
+#include "core/project/internal/old_sentences.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "tests/ui/support/example_scene.h"
@@ -44,7 +45,7 @@ void storeTestbed(Stored &stored, const TrialScene &scene)
         IntrinsicsRecord intrinsics;
         intrinsics.camera = camera;
         intrinsics.made = firstDay;
-        intrinsics.origin = foreignWords("calibrated from 3 pictures");
+        intrinsics.origin = fromOldSentence(OldSentences::Origins, "calibrated from 3 pictures");
         intrinsics.calibration.intrinsics = view.floorView->camera().intrinsics();
         intrinsics.calibration.rmsPx = 0.21;
         for (int i = 1; i <= 3; ++i) {
@@ -52,9 +53,9 @@ void storeTestbed(Stored &stored, const TrialScene &scene)
             intrinsics.calibration.pictures.back().view.source = "board_" + std::to_string(i) + ".png";
             intrinsics.calibration.pictures.back().rmsPx = 0.19 + 0.01 * i;
         }
-        intrinsics.calibration.verdict =
-            foreignWords("Good: 3 pictures fit to 0.21 px, focal length 480.0 px ± 0.20 %. "
-                         "Standard lens: no other model fits.");
+        intrinsics.calibration.verdict = fromOldSentence(
+            OldSentences::Calibrations, "Good: 3 pictures fit to 0.21 px, focal length 480.0 px ± 0.20 %. "
+                                        "Standard lens: no other model fits.");
         RegistrationRecord registration;
         registration.camera = camera;
         registration.layout = stored.layout;
@@ -69,9 +70,9 @@ void storeTestbed(Stored &stored, const TrialScene &scene)
         registration.registration.poseCovariance = Eigen::Matrix<double, 6, 6>::Identity() * 1e-8;
         registration.registration.rmsPx = 0.4;
         registration.registration.rmsM = 0.0016;
-        registration.registration.verdict =
-            foreignWords("Good: 4 markers fit to 1.6 mm RMS (worst V, 1.6 mm), and the "
-                         "floor among them is known to ±1.6 mm.");
+        registration.registration.verdict = fromOldSentence(
+            OldSentences::Registrations, "Good: 4 markers fit to 1.6 mm RMS (worst V, 1.6 mm), and the "
+                                         "floor among them is known to ±1.6 mm.");
         stored.registrations.push_back(must(project.cameras().addRegistration(registration)).id);
         stored.cameras.push_back(camera);
     }
