@@ -34,7 +34,7 @@ constexpr double mostBusyMs = 50;
 constexpr double mostOpeningMs = 90;
 /// CPU time grows when other programs take the caches, and what Qt loads once is loaded in the first attempt.
 /// Work that is too long is too long in each.
-constexpr int attempts = 3;
+constexpr int attempts = 6;
 
 /// What kept the event loop longest, of each thing that a person does.
 class Phases
