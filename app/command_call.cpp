@@ -174,10 +174,8 @@ Result<std::unique_ptr<Project>> CommandCall::openProject(int index, Project::Ac
         return project;
     if (const auto warning = placeWarning((*project)->file()))
         warn(*warning);
-    const auto recovered = recoverTrials(**project, m_control);
-    if (!recovered)
-        return tl::unexpected(recovered.error());
-    for (const Message &told : *recovered)
+    const auto recovered = ODO_TRY(recoverTrials(**project, m_control));
+    for (const Message &told : recovered)
         warn(told);
     return project;
 }

@@ -16,11 +16,9 @@ namespace {
 /// Protects the recordings that are not in the media folder, where nothing may be written anyway.
 Result<void> protectRecordings(Project &project, InputFiles &files)
 {
-    const auto recordings = project.trials().allRecordings();
-    if (!recordings)
-        return tl::unexpected(recordings.error());
+    const auto recordings = ODO_TRY(project.trials().allRecordings());
     const std::string media = project.mediaFolder().string() + '/';
-    for (const RecordingRecord &recording : *recordings)
+    for (const RecordingRecord &recording : recordings)
         if (const auto file = project.resolve(recording); !file.string().starts_with(media))
             files.add(file);
     return {};
@@ -44,8 +42,7 @@ Result<OutputTarget> outputOf(const CommandCall &call, const std::string &file, 
     const OutputTarget target(file,
                               call.isSet(option::force) ? Existing::ReplaceAny : Existing::ReplaceSameKind);
     if (project && identityOf(target.file))
-        if (auto done = protectRecordings(*project, call.recordings()); !done)
-            return tl::unexpected(done.error());
+        ODO_TRY(protectRecordings(*project, call.recordings()));
     return checkOutput(target, kind).map([&](const OutputPlace &) { return target; });
 }
 
@@ -101,13 +98,10 @@ Result<ReportOptions> readReportOptions(const CommandCall &call)
     options.letterhead.school = QString::fromStdString(call.value(option::school));
     options.letterhead.remark = QString::fromStdString(call.value(option::remark));
     options.withMethod = call.isSet(option::method);
-    if (auto applied = applyLanguage(call); !applied)
-        return tl::unexpected(applied.error());
+    ODO_TRY(applyLanguage(call));
     if (call.isSet(option::logo)) {
-        auto picture = readLogo(call.value(option::logo));
-        if (!picture)
-            return tl::unexpected(picture.error());
-        options.letterhead.logo = std::move(*picture);
+        auto picture = ODO_TRY(readLogo(call.value(option::logo)));
+        options.letterhead.logo = std::move(picture);
     }
     return options;
 }

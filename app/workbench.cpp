@@ -48,18 +48,14 @@ Result<void> paintWorkbench(const std::filesystem::path &project, const std::str
                     ODO_TEXT("app.picture_format_unknown", "its format is not known"),
                     ODO_TEXT("app.end_in_png_or_jpg", "give it a name that ends in .png or .jpg"));
     MainWindow window;
-    if (auto opened = window.openProject(project); !opened)
-        return opened;
+    ODO_TRY(window.openProject(project));
     // The window would tell what is wrong with it, and be painted nevertheless.
-    if (const auto readable = loadTrialScene(*window.workspace().project(), trial); !readable)
-        return tl::unexpected(readable.error());
+    ODO_TRY(loadTrialScene(*window.workspace().project(), trial));
     if (cancel.isCancelled())
         return cancelled(what);
-    if (auto shown = window.showTrial(trial); !shown)
-        return shown;
+    ODO_TRY(window.showTrial(trial));
     if (mode == WindowMode::Compare) {
-        if (auto compared = window.compareTrials({QString::fromStdString(trial)}); !compared)
-            return compared;
+        ODO_TRY(window.compareTrials({QString::fromStdString(trial)}));
     } else {
         window.showMode(mode);
     }

@@ -30,11 +30,9 @@ Result<void> runCamera(const QStringList &arguments, const CancelToken &cancel)
         return parsed.map([](bool) {});
     if (call.positional(0) != QStringLiteral("add"))
         return call.verbNotKnown();
-    const auto project = call.openProject(1, Project::Access::ReadWrite);
-    if (!project)
-        return tl::unexpected(project.error());
-    const auto added = changing(**project, addCameraWords(call.text(2)), [&] {
-        return (*project)->cameras().add({0, call.text(2), call.value(option::device)});
+    const auto project = ODO_TRY(call.openProject(1, Project::Access::ReadWrite));
+    const auto added = changing(*project, addCameraWords(call.text(2)), [&] {
+        return project->cameras().add({0, call.text(2), call.value(option::device)});
     });
     if (!added)
         return tl::unexpected(added.error());
@@ -95,21 +93,17 @@ Result<CalibrateSettings> calibrateSettings(const CommandCall &call)
     for (const QString &file : call.positionals().mid(2))
         settings.files.emplace_back(file.toStdString());
     if (call.isSet(option::board)) {
-        const auto size = call.sizePair(option::board);
-        if (!size)
-            return tl::unexpected(size.error());
-        settings.board.columns = int(size->first);
-        settings.board.rows = int(size->second);
+        const auto size = ODO_TRY(call.sizePair(option::board));
+        settings.board.columns = int(size.first);
+        settings.board.rows = int(size.second);
         if (settings.board.columns < 3 || settings.board.rows < 3 || settings.board.columns > 100 ||
             settings.board.rows > 100)
             return call.wrongCall(
                 ODO_TEXT("app.board_counts_corners", "--board counts inner corners, 3x3 to 100x100"));
     }
     if (call.isSet(option::square)) {
-        const auto side = call.lengthM(option::square);
-        if (!side)
-            return tl::unexpected(side.error());
-        settings.board.squareM = *side;
+        const auto side = ODO_TRY(call.lengthM(option::square));
+        settings.board.squareM = side;
     }
     const std::string patternName = call.value(option::pattern);
     if (patternName == "charuco")
@@ -179,15 +173,10 @@ Result<void> runCalibrate(const QStringList &arguments, const CancelToken &cance
         cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
         return parsed.map([](bool) {});
-    auto settings = calibrateSettings(call);
-    if (!settings)
-        return tl::unexpected(settings.error());
-    const auto project = call.openProject(0, Project::Access::ReadWrite);
-    if (!project)
-        return tl::unexpected(project.error());
-    CalibrateJob job(std::move(*settings));
-    if (auto done = runToEnd(job, **project, call.control()); !done)
-        return done;
+    auto settings = ODO_TRY(calibrateSettings(call));
+    const auto project = ODO_TRY(call.openProject(0, Project::Access::ReadWrite));
+    CalibrateJob job(std::move(settings));
+    ODO_TRY(runToEnd(job, *project, call.control()));
     call.answer(calibrationJson(job),
                 QStringLiteral("%1\nRMS %2 px over %3; %4 not used.")
                     .arg(english(job.calibration().verdict))
@@ -212,22 +201,15 @@ Result<void> runIntrinsics(const QStringList &arguments, const CancelToken &canc
         return call.wrongCall(
             ODO_TEXT("app.neither_import_nor_export", "'%1' is neither import nor export")(call.text(0)));
     const auto project =
-        call.openProject(1, importing ? Project::Access::ReadWrite : Project::Access::ReadOnly);
-    if (!project)
-        return tl::unexpected(project.error());
+        ODO_TRY(call.openProject(1, importing ? Project::Access::ReadWrite : Project::Access::ReadOnly));
     QJsonObject json{{QStringLiteral("camera"), call.positional(2)},
                      {QStringLiteral("file"), call.positional(3)}};
     if (importing) {
-        const auto record = importIntrinsics(**project, call.text(2), call.text(3));
-        if (!record)
-            return tl::unexpected(record.error());
-        json.insert(QStringLiteral("intrinsics"), intrinsicsJson(record->calibration.intrinsics));
+        const auto record = ODO_TRY(importIntrinsics(*project, call.text(2), call.text(3)));
+        json.insert(QStringLiteral("intrinsics"), intrinsicsJson(record.calibration.intrinsics));
     } else {
-        const auto target = outputOf(call, call.text(3), FileKind::Yaml, project->get());
-        if (!target)
-            return tl::unexpected(target.error());
-        if (auto written = exportIntrinsics(**project, call.text(2), *target); !written)
-            return written;
+        const auto target = ODO_TRY(outputOf(call, call.text(3), FileKind::Yaml, project.get()));
+        ODO_TRY(exportIntrinsics(*project, call.text(2), target));
     }
     call.answer(json, importing ? QStringLiteral("Camera %1 has new intrinsics.").arg(call.positional(2))
                                 : QStringLiteral("Wrote %1.").arg(call.positional(3)));
@@ -298,17 +280,12 @@ Result<void> runTarget(const QStringList &arguments, const CancelToken &cancel)
         return parsed.map([](bool) {});
     if (!call.isSet(option::output))
         return call.missing(option::output);
-    const auto spec = targetFrom(call);
-    if (!spec)
-        return tl::unexpected(spec.error());
+    const auto spec = ODO_TRY(targetFrom(call));
     const QString file = QString::fromStdString(call.value(option::output));
-    const auto target = outputOf(call, call.value(option::output), FileKind::Pdf, nullptr);
-    if (!target)
-        return tl::unexpected(target.error());
-    if (auto written = writeTargetPdf(*spec, *target); !written)
-        return written;
+    const auto target = ODO_TRY(outputOf(call, call.value(option::output), FileKind::Pdf, nullptr));
+    ODO_TRY(writeTargetPdf(spec, target));
     call.answer({{QStringLiteral("file"), file},
-                 {QStringLiteral("sheets"), isBoard(spec->kind) ? 1 : int(spec->labels.size())}},
+                 {QStringLiteral("sheets"), isBoard(spec.kind) ? 1 : int(spec.labels.size())}},
                 QStringLiteral("Wrote %1. Print it at 100 % and check its ruler.").arg(file));
     return {};
 }

@@ -24,19 +24,15 @@ namespace {
 Result<AnnotatedVideoSettings> settingsOf(const CommandCall &call)
 {
     AnnotatedVideoSettings settings;
-    const auto wantedSize = call.sizePair(option::size);
-    if (!wantedSize)
-        return tl::unexpected(wantedSize.error());
-    settings.sizePx = QSize(static_cast<int>(wantedSize->first), static_cast<int>(wantedSize->second));
+    const auto wantedSize = ODO_TRY(call.sizePair(option::size));
+    settings.sizePx = QSize(static_cast<int>(wantedSize.first), static_cast<int>(wantedSize.second));
     if (!AnnotatedVideoSettings::isSize(settings.sizePx))
         return call.wrongCall(
             ODO_TEXT("app.video_size_is", "--size has even numbers, from 320x180 to 3840x2160"));
-    const auto wantedSpeed = call.number(option::speed);
-    if (!wantedSpeed)
-        return tl::unexpected(wantedSpeed.error());
-    if (!AnnotatedVideoSettings::isSpeed(*wantedSpeed))
+    const auto wantedSpeed = ODO_TRY(call.number(option::speed));
+    if (!AnnotatedVideoSettings::isSpeed(wantedSpeed))
         return call.wrongCall(ODO_TEXT("app.speed_is", "--speed is from 0.1 to 1"));
-    settings.speed = *wantedSpeed;
+    settings.speed = wantedSpeed;
     const std::string themeName = call.value(option::theme);
     if (themeName != "light" && themeName != "dark")
         return call.wrongCall(ODO_TEXT("app.theme_is", "--theme is light or dark"));
@@ -61,21 +57,15 @@ QList<QCommandLineOption> videoOptions()
 /// Makes the annotated video of a trial and answers. Needs a QGuiApplication.
 Result<void> exportVideo(const CommandCall &call, const std::string &file)
 {
-    auto settings = settingsOf(call);
-    if (!settings)
-        return tl::unexpected(settings.error());
-    if (auto applied = applyLanguage(call); !applied)
-        return applied;
-    const auto project = call.openProject(0, Project::Access::ReadOnly);
-    if (!project)
-        return tl::unexpected(project.error());
-    auto target = outputOf(call, file, std::nullopt, project->get()); // the job knows its kind
+    auto settings = ODO_TRY(settingsOf(call));
+    ODO_TRY(applyLanguage(call));
+    const auto project = ODO_TRY(call.openProject(0, Project::Access::ReadOnly));
+    auto target = outputOf(call, file, std::nullopt, project.get()); // the job knows its kind
     if (!target)
         return tl::unexpected(target.error());
-    settings->target = std::move(*target);
-    AnnotatedVideoJob job(call.text(1), *settings);
-    if (auto made = runToEnd(job, **project, call.control()); !made)
-        return made;
+    settings.target = std::move(*target);
+    AnnotatedVideoJob job(call.text(1), settings);
+    ODO_TRY(runToEnd(job, *project, call.control()));
     const QString name = QString::fromStdString(file);
     call.answer({{QStringLiteral("file"), name},
                  {QStringLiteral("format"), QStringLiteral("video")},
@@ -189,38 +179,24 @@ Result<void> runExport(const QStringList &arguments, const CancelToken &cancel)
             ODO_TEXT("app.output_and_json", "-o - and --json would both write to standard output"));
     if (formatName == "video")
         return exportVideo(call, call.value(option::output));
-    const auto project = call.openProject(0, Project::Access::ReadOnly);
-    if (!project)
-        return tl::unexpected(project.error());
+    const auto project = ODO_TRY(call.openProject(0, Project::Access::ReadOnly));
     // the text tells its kind
-    const auto target = isPrinted ? Result<OutputTarget>()
-                                  : outputOf(call, call.value(option::output), std::nullopt, project->get());
-    if (!target)
-        return tl::unexpected(target.error());
-    const auto trial = (*project)->trials().find(call.text(1));
-    if (!trial)
-        return tl::unexpected(trial.error());
-    const auto recordings = (*project)->trials().recordings(trial->id);
-    if (!recordings)
-        return tl::unexpected(recordings.error());
-    const auto analyses = (*project)->analyses().current(trial->id);
-    if (!analyses)
-        return tl::unexpected(analyses.error());
-    const auto imported = importedTracksOf(**project, *trial);
-    if (!imported)
-        return tl::unexpected(imported.error());
-    const auto text = fileText(call, formatName, *trial, *recordings, *analyses, *imported);
-    if (!text)
-        return tl::unexpected(text.error());
+    const auto target =
+        ODO_TRY(isPrinted ? Result<OutputTarget>()
+                          : outputOf(call, call.value(option::output), std::nullopt, project.get()));
+    const auto trial = ODO_TRY(project->trials().find(call.text(1)));
+    const auto recordings = ODO_TRY(project->trials().recordings(trial.id));
+    const auto analyses = ODO_TRY(project->analyses().current(trial.id));
+    const auto imported = ODO_TRY(importedTracksOf(*project, trial));
+    const auto text = ODO_TRY(fileText(call, formatName, trial, recordings, analyses, imported));
     const WriteText untilCancelled = [&](const TextSink &sink) {
-        return (*text)([&](std::string_view piece) {
-            return cancel.isCancelled() ? Result<void>(cancelled(exportSubject(trial->name))) : sink(piece);
+        return text([&](std::string_view piece) {
+            return cancel.isCancelled() ? Result<void>(cancelled(exportSubject(trial.name))) : sink(piece);
         });
     };
     if (isPrinted)
         return untilCancelled(print);
-    if (auto written = writeOutput(*target, untilCancelled); !written)
-        return written;
+    ODO_TRY(writeOutput(target, untilCancelled));
     const QString file = QString::fromStdString(call.value(option::output));
     call.answer(
         {{QStringLiteral("file"), file}, {QStringLiteral("format"), QString::fromStdString(formatName)}},
@@ -260,24 +236,17 @@ Result<void> runSnapshot(const QStringList &arguments, const CancelToken &cancel
         return parsed.map([](bool) {});
     if (!call.isSet(option::output))
         return call.missing(option::output);
-    const auto wanted = call.sizePair(option::size);
-    if (!wanted)
-        return tl::unexpected(wanted.error());
+    const auto wanted = ODO_TRY(call.sizePair(option::size));
     const auto inRange = [](double px) { return px >= smallestPx && px <= largestPx; };
-    if (!inRange(wanted->first) || !inRange(wanted->second))
+    if (!inRange(wanted.first) || !inRange(wanted.second))
         return call.wrongCall(ODO_TEXT("app.window_size_is", "--size is from 200x200 to 4000x4000"));
     const auto shown = modeFromWord(QString::fromStdString(call.value(option::mode)));
     if (!shown || *shown == WindowMode::Record) // which shows no trial
         return call.wrongCall(ODO_TEXT("app.mode_is", "--mode is review, compare, history or testbed"));
-    if (auto applied = applyLanguage(call); !applied)
-        return applied;
-    const auto target = targetOf(call);
-    if (!target)
-        return tl::unexpected(target.error());
-    auto painted = paintWorkbench(call.text(0), call.text(1), *shown,
-                                  QSize(int(wanted->first), int(wanted->second)), *target, cancel);
-    if (!painted)
-        return painted;
+    ODO_TRY(applyLanguage(call));
+    const auto target = ODO_TRY(targetOf(call));
+    ODO_TRY(paintWorkbench(call.text(0), call.text(1), *shown, QSize(int(wanted.first), int(wanted.second)),
+                           target, cancel));
     const QString file = QString::fromStdString(call.value(option::output));
     call.answer({{QStringLiteral("picture"), file}}, QStringLiteral("Wrote %1.").arg(file));
     return {};

@@ -22,10 +22,8 @@ Result<ImportSettings> importSettings(const CommandCall &call)
         return call.wrongCall(
             ODO_TEXT("app.import_needs", "--trial and --video, or --trial and --track, are needed"));
     settings.trial = call.value(option::trial);
-    const auto videos = call.pairs(option::video);
-    if (!videos)
-        return tl::unexpected(videos.error());
-    for (const auto &[camera, file] : *videos)
+    const auto videos = ODO_TRY(call.pairs(option::video));
+    for (const auto &[camera, file] : videos)
         settings.videos.emplace_back(camera, file);
     for (const QString &text :
          QString::fromStdString(call.value(option::sync)).split(u',', Qt::SkipEmptyParts)) {
@@ -67,10 +65,8 @@ Result<void> importTracksOf(const CommandCall &call)
                 ODO_TEXT("app.track_goes_with",
                          "--track goes with --trial, --team and --task, not with --%1")(other.toStdString()));
     }
-    const auto tracks = call.pairs(option::track);
-    if (!tracks)
-        return tl::unexpected(tracks.error());
-    return importTracks(call, *tracks);
+    const auto tracks = ODO_TRY(call.pairs(option::track));
+    return importTracks(call, tracks);
 }
 
 /// Those that belong to a team; none where it is new.
@@ -119,21 +115,14 @@ Result<void> runImport(const QStringList &arguments, const CancelToken &cancel)
         return parsed.map([](bool) {});
     if (call.isSet(option::track))
         return importTracksOf(call);
-    auto settings = importSettings(call);
-    if (!settings)
-        return tl::unexpected(settings.error());
-    const auto project = call.openProject(0, Project::Access::ReadWrite);
-    if (!project)
-        return tl::unexpected(project.error());
-    if (!settings->task.empty()) {
-        if (auto known = (*project)->tasks().find(settings->task); !known)
-            return tl::unexpected(known.error());
-    }
-    if (settings->robots.empty() && !settings->team.empty())
-        settings->robots = robotsOfTeam(**project, settings->team);
-    ImportTrialJob job(std::move(*settings));
-    if (auto done = runToEnd(job, **project, call.control()); !done)
-        return done;
+    auto settings = ODO_TRY(importSettings(call));
+    const auto project = ODO_TRY(call.openProject(0, Project::Access::ReadWrite));
+    if (!settings.task.empty())
+        ODO_TRY(project->tasks().find(settings.task));
+    if (settings.robots.empty() && !settings.team.empty())
+        settings.robots = robotsOfTeam(*project, settings.team);
+    ImportTrialJob job(std::move(settings));
+    ODO_TRY(runToEnd(job, *project, call.control()));
     QJsonObject views;
     for (const RecordingRecord &recording : job.recordings())
         views.insert(QString::fromStdString(recording.cameraName), recordingJson(recording));
@@ -207,12 +196,9 @@ Result<void> importTracks(const CommandCall &call,
     settings.task = call.value(QStringLiteral("task"));
     for (const auto &[robot, file] : tracks)
         settings.tracks.emplace_back(robot, file);
-    const auto project = call.openProject(0, Project::Access::ReadWrite);
-    if (!project)
-        return tl::unexpected(project.error());
+    const auto project = ODO_TRY(call.openProject(0, Project::Access::ReadWrite));
     ImportTracksJob job(std::move(settings));
-    if (auto done = runToEnd(job, **project, call.control()); !done)
-        return done;
+    ODO_TRY(runToEnd(job, *project, call.control()));
     QJsonObject robots;
     QStringList lines(
         QStringLiteral("Trial %1 imported, tracks: %2")

@@ -47,18 +47,14 @@ QStringList names(const std::vector<RegisteredCamera> &cameras)
 
 Result<void> add(CommandCall &call)
 {
-    auto layout = readLayoutCsv(call.text(3));
-    if (!layout)
-        return tl::unexpected(layout.error());
-    layout->name = call.text(2);
-    const auto project = call.openProject(1, Project::Access::ReadWrite);
-    if (!project)
-        return tl::unexpected(project.error());
+    auto layout = ODO_TRY(readLayoutCsv(call.text(3)));
+    layout.name = call.text(2);
+    const auto project = ODO_TRY(call.openProject(1, Project::Access::ReadWrite));
     const auto added =
-        changing(**project, addLayoutWords(layout->name), [&] { return (*project)->layouts().add(*layout); });
+        changing(*project, addLayoutWords(layout.name), [&] { return project->layouts().add(layout); });
     if (!added)
         return tl::unexpected(added.error());
-    const int markers = int(layout->markers.size());
+    const int markers = int(layout.markers.size());
     const QString name = QString::fromStdString(added->layout.name);
     call.answer({{QStringLiteral("layout"), name}, {QStringLiteral("markers"), markers}},
                 QStringLiteral("Layout %1 has %2.").arg(name, counted(markers, QStringLiteral("marker"))));
@@ -67,19 +63,13 @@ Result<void> add(CommandCall &call)
 
 Result<void> list(CommandCall &call)
 {
-    const auto project = call.openProject(1, Project::Access::ReadOnly);
-    if (!project)
-        return tl::unexpected(project.error());
-    const auto layouts = (*project)->layouts().all();
-    if (!layouts)
-        return tl::unexpected(layouts.error());
+    const auto project = ODO_TRY(call.openProject(1, Project::Access::ReadOnly));
+    const auto layouts = ODO_TRY(project->layouts().all());
     QJsonArray json;
     QStringList lines;
-    for (const LayoutRecord &layout : *layouts) {
-        const auto cameras = camerasOnLayout(**project, layout.id);
-        if (!cameras)
-            return tl::unexpected(cameras.error());
-        const QStringList registered = names(*cameras);
+    for (const LayoutRecord &layout : layouts) {
+        const auto cameras = ODO_TRY(camerasOnLayout(*project, layout.id));
+        const QStringList registered = names(cameras);
         const QString name = QString::fromStdString(layout.layout.name);
         const int markers = int(layout.layout.markers.size());
         json.append(QJsonObject{{QStringLiteral("name"), name},
@@ -98,35 +88,22 @@ Result<void> list(CommandCall &call)
 
 Result<void> show(CommandCall &call)
 {
-    const auto project = call.openProject(1, Project::Access::ReadOnly);
-    if (!project)
-        return tl::unexpected(project.error());
-    const auto layout = (*project)->layouts().find(call.text(2));
-    if (!layout)
-        return tl::unexpected(layout.error());
-    const auto cameras = camerasOnLayout(**project, layout->id);
-    if (!cameras)
-        return tl::unexpected(cameras.error());
+    const auto project = ODO_TRY(call.openProject(1, Project::Access::ReadOnly));
+    const auto layout = ODO_TRY(project->layouts().find(call.text(2)));
+    const auto cameras = ODO_TRY(camerasOnLayout(*project, layout.id));
     call.answer({{QStringLiteral("layout"), call.positional(2)},
-                 {QStringLiteral("markers"), markersJson(layout->layout)},
-                 {QStringLiteral("cameras"), QJsonArray::fromStringList(names(*cameras))}},
-                markersText(layout->layout));
+                 {QStringLiteral("markers"), markersJson(layout.layout)},
+                 {QStringLiteral("cameras"), QJsonArray::fromStringList(names(cameras))}},
+                markersText(layout.layout));
     return {};
 }
 
 Result<void> exportCsv(CommandCall &call)
 {
-    const auto project = call.openProject(1, Project::Access::ReadOnly);
-    if (!project)
-        return tl::unexpected(project.error());
-    const auto layout = (*project)->layouts().find(call.text(2));
-    if (!layout)
-        return tl::unexpected(layout.error());
-    const auto target = outputOf(call, call.text(3), FileKind::Csv, project->get());
-    if (!target)
-        return tl::unexpected(target.error());
-    if (auto written = writeLayoutCsv(*target, layout->layout); !written)
-        return written;
+    const auto project = ODO_TRY(call.openProject(1, Project::Access::ReadOnly));
+    const auto layout = ODO_TRY(project->layouts().find(call.text(2)));
+    const auto target = ODO_TRY(outputOf(call, call.text(3), FileKind::Csv, project.get()));
+    ODO_TRY(writeLayoutCsv(target, layout.layout));
     call.answer(
         {{QStringLiteral("layout"), call.positional(2)}, {QStringLiteral("file"), call.positional(3)}},
         QStringLiteral("Layout %1 is written to %2.").arg(call.positional(2), call.positional(3)));
@@ -156,18 +133,14 @@ Result<AxesChange> changeOf(const CommandCall &call)
         change.originM = Eigen::Vector2d(*x, *y);
     }
     if (call.isSet(option::turn)) {
-        const auto degrees = call.number(option::turn);
-        if (!degrees)
-            return tl::unexpected(degrees.error());
-        if (std::abs(*degrees) > 360)
+        const auto degrees = ODO_TRY(call.number(option::turn));
+        if (std::abs(degrees) > 360)
             return call.wrongCall(ODO_TEXT("app.turn_takes", "--turn takes degrees from -360 to 360"));
-        change.turnDegrees = *degrees;
+        change.turnDegrees = degrees;
     }
     if (call.isSet(option::xAxis)) {
-        auto pair = commaPair(call, option::xAxis);
-        if (!pair)
-            return tl::unexpected(pair.error());
-        change.xAlong = std::move(*pair);
+        auto pair = ODO_TRY(commaPair(call, option::xAxis));
+        change.xAlong = std::move(pair);
     }
     if (call.isSet(option::reverse)) {
         const std::string axes = call.value(option::reverse);
@@ -177,40 +150,32 @@ Result<AxesChange> changeOf(const CommandCall &call)
         change.reverseY = axes != "x";
     }
     if (call.isSet(option::unit)) {
-        const auto factor = lengthFactorFrom(call.value(option::unit));
-        if (!factor)
-            return tl::unexpected(factor.error());
-        change.lengthFactor = *factor;
+        const auto factor = ODO_TRY(lengthFactorFrom(call.value(option::unit)));
+        change.lengthFactor = factor;
     }
     return change;
 }
 
 Result<void> transform(CommandCall &call)
 {
-    const auto change = changeOf(call);
-    if (!change)
-        return tl::unexpected(change.error());
-    const auto project = call.openProject(1, Project::Access::ReadWrite);
-    if (!project)
-        return tl::unexpected(project.error());
-    const auto outcome = changeLayoutAxes(**project, call.text(2), *change);
-    if (!outcome)
-        return tl::unexpected(outcome.error());
+    const auto change = ODO_TRY(changeOf(call));
+    const auto project = ODO_TRY(call.openProject(1, Project::Access::ReadWrite));
+    const auto outcome = ODO_TRY(changeLayoutAxes(*project, call.text(2), change));
     QStringList cameras;
-    for (const std::string &camera : outcome->cameras)
+    for (const std::string &camera : outcome.cameras)
         cameras << QString::fromStdString(camera);
     const QString carried =
         cameras.isEmpty() ? QStringLiteral("No camera stands on it.")
                           : QStringLiteral("Carried along: %1.").arg(cameras.join(QStringLiteral(", ")));
     call.answer({{QStringLiteral("layout"), call.positional(2)},
-                 {QStringLiteral("markers"), markersJson(outcome->layout.layout)},
+                 {QStringLiteral("markers"), markersJson(outcome.layout.layout)},
                  {QStringLiteral("cameras"), QJsonArray::fromStringList(cameras)}},
-                markersText(outcome->layout.layout) + u'\n' + carried);
-    if (!outcome->tasks.empty())
+                markersText(outcome.layout.layout) + u'\n' + carried);
+    if (!outcome.tasks.empty())
         CommandCall::warn(ODO_TEXT("app.tasks_stay",
                                    "the gates and paths of tasks stay where they are in the axes that were: "
                                    "where they lie on this floor, make %1 anew")(
-            listed(outcome->tasks, MessageArgument::Kind::Task, MessageArgument::Joint::Comma)));
+            listed(outcome.tasks, MessageArgument::Kind::Task, MessageArgument::Joint::Comma)));
     return {};
 }
 

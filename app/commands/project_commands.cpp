@@ -26,14 +26,10 @@ Result<void> runNew(const QStringList &arguments, const CancelToken &cancel)
     const std::filesystem::path file = call.text(0);
     const std::string title =
         call.isSet(QStringLiteral("title")) ? call.value(QStringLiteral("title")) : titleFromName(file);
-    const auto project = Project::create(file, title);
-    if (!project)
-        return tl::unexpected(project.error());
-    const auto stored = (*project)->title();
-    if (!stored)
-        return tl::unexpected(stored.error());
+    const auto project = ODO_TRY(Project::create(file, title));
+    const auto stored = ODO_TRY(project->title());
     call.answer({{QStringLiteral("project"), call.positional(0)},
-                 {QStringLiteral("title"), QString::fromStdString(*stored)}},
+                 {QStringLiteral("title"), QString::fromStdString(stored)}},
                 QStringLiteral("Made %1.").arg(call.positional(0)));
     return {};
 }
@@ -48,13 +44,11 @@ Result<void> runDemo(const QStringList &arguments, const CancelToken &cancel)
                      cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
         return parsed.map([](bool) {});
-    const auto file = makeDemo(call.text(0), call.control());
-    if (!file)
-        return tl::unexpected(file.error());
-    const QString path = QString::fromStdString(file->string());
+    const auto file = ODO_TRY(makeDemo(call.text(0), call.control()));
+    const QString path = QString::fromStdString(file.string());
     call.answer({{QStringLiteral("project"), path}}, QStringLiteral("The demo lesson is in %1.").arg(path));
     if (call.isSet(option::open))
-        runWorkbench(*file);
+        runWorkbench(file);
     return {};
 }
 
@@ -86,8 +80,7 @@ Result<void> adopt(const CommandCall &call, Project &project, const FindStraysJo
                    MediaRepairs &repairs)
 {
     AdoptStraysJob job(found.videos());
-    if (auto done = runToEnd(job, project, call.control()); !done)
-        return done;
+    ODO_TRY(runToEnd(job, project, call.control()));
     QJsonArray trials;
     for (const std::string &name : job.trials()) {
         trials.append(QString::fromStdString(name));
@@ -103,8 +96,7 @@ Result<void> remove(const CommandCall &call, Project &project, const FindStraysJ
                     MediaRepairs &repairs)
 {
     RemoveStraysJob job(found.strays());
-    if (auto done = runToEnd(job, project, call.control()); !done)
-        return done;
+    ODO_TRY(runToEnd(job, project, call.control()));
     QJsonArray files;
     for (const std::filesystem::path &file : job.removed()) {
         files.append(QString::fromStdString(file.string()));
@@ -142,10 +134,8 @@ bool asksForRepairs(const CommandCall &call)
 Result<MediaRepairs> repairMedia(const CommandCall &call, Project &project)
 {
     MediaRepairs repairs;
-    if (call.isSet(option::find)) {
-        if (auto found = findLost(call, project, repairs); !found)
-            return tl::unexpected(found.error());
-    }
+    if (call.isSet(option::find))
+        ODO_TRY(findLost(call, project, repairs));
     for (const auto &[name, mend] :
          {std::pair{option::adopt, &adopt}, std::pair{option::removeStrays, &remove}}) {
         if (!call.isSet(name))
@@ -187,18 +177,14 @@ Result<void> runCheck(const QStringList &arguments, const CancelToken &cancel)
         return parsed.map([](bool) {});
     const bool repairs = asksForRepairs(call);
     const auto project =
-        call.openProject(0, repairs ? Project::Access::ReadWrite : Project::Access::ReadOnly);
-    if (!project)
-        return tl::unexpected(project.error());
-    const auto repaired = repairs ? repairMedia(call, **project) : MediaRepairs();
+        ODO_TRY(call.openProject(0, repairs ? Project::Access::ReadWrite : Project::Access::ReadOnly));
+    const auto repaired = repairs ? repairMedia(call, *project) : MediaRepairs();
     if (!repaired)
         return stopped(repaired.error(), repairs);
-    const auto problems = (*project)->check(!call.isSet(quick), call.control());
+    const auto problems = project->check(!call.isSet(quick), call.control());
     if (!problems)
         return stopped(problems.error(), repairs);
-    const auto unproved = (*project)->analyses().countWithoutDigest();
-    if (!unproved)
-        return tl::unexpected(unproved.error());
+    const auto unproved = ODO_TRY(project->analyses().countWithoutDigest());
     QJsonArray list;
     QStringList lines = repaired->lines;
     QJsonObject json = repaired->json;
@@ -210,13 +196,13 @@ Result<void> runCheck(const QStringList &arguments, const CancelToken &cancel)
     }
     if (problems->empty())
         lines << QStringLiteral("All is well.");
-    if (*unproved > 0)
+    if (unproved > 0)
         lines << QStringLiteral("Analyses without a digest: %1. Each was made by an older Odograph, or its "
                                 "digest was removed. Analysing a trial again adds one.")
-                     .arg(*unproved);
+                     .arg(unproved);
     json.insert(QStringLiteral("ok"), problems->empty());
     json.insert(QStringLiteral("problems"), list);
-    json.insert(QStringLiteral("without_digest"), qint64(*unproved));
+    json.insert(QStringLiteral("without_digest"), qint64(unproved));
     call.answer(json, lines.join(u'\n'));
     if (!problems->empty())
         return fail(

@@ -17,13 +17,9 @@ namespace {
 /// Opening has completed what was cut off, and said so.
 Result<void> answerRecover(const CommandCall &call)
 {
-    const auto project = call.openProject(0, Project::Access::ReadWrite);
-    if (!project)
-        return tl::unexpected(project.error());
-    const auto trials = (*project)->trials().names();
-    if (!trials)
-        return tl::unexpected(trials.error());
-    if (const auto left = std::ranges::find_if(*trials, &TrialName::unfinished); left != trials->end())
+    const auto project = ODO_TRY(call.openProject(0, Project::Access::ReadWrite));
+    const auto trials = ODO_TRY(project->trials().names());
+    if (const auto left = std::ranges::find_if(trials, &TrialName::unfinished); left != trials.end())
         return fail(ErrorCode::InvalidInput, trialSubject(left->name),
                     ODO_TEXT("app.cut_off", "its recording was cut off; it is not complete yet"),
                     ODO_TEXT("app.follow_above", "follow what is said above"));
@@ -38,12 +34,10 @@ Result<RecordSettings> recordSettings(const CommandCall &call)
         return call.missing(option::trial);
     if (!call.isSet(option::camera))
         return call.missing(option::camera);
-    auto cameras = call.pairs(option::camera);
-    if (!cameras)
-        return tl::unexpected(cameras.error());
+    auto cameras = ODO_TRY(call.pairs(option::camera));
     RecordSettings settings;
     settings.trial = call.value(option::trial);
-    settings.cameras = std::move(*cameras);
+    settings.cameras = std::move(cameras);
     settings.robots = call.texts(option::robot);
     if (call.isSet(option::seconds)) {
         const auto number = call.number(option::seconds);
@@ -53,10 +47,8 @@ Result<RecordSettings> recordSettings(const CommandCall &call)
         settings.seconds = *number;
     }
     if (call.isSet(option::sslVision)) {
-        auto target = parseBroadcastTarget(call.value(option::sslVision));
-        if (!target)
-            return tl::unexpected(target.error());
-        settings.broadcast = std::move(*target);
+        auto target = ODO_TRY(parseBroadcastTarget(call.value(option::sslVision)));
+        settings.broadcast = std::move(target);
     }
     if (call.isSet(option::preRoll)) {
         const auto number = call.number(option::preRoll);
@@ -150,17 +142,11 @@ Result<void> runRecord(const QStringList &arguments, const CancelToken &cancel)
         return parsed.map([](bool) {});
     if (call.isSet(option::recover))
         return answerRecover(call);
-    auto settings = recordSettings(call);
-    if (!settings)
-        return tl::unexpected(settings.error());
-    const auto project = call.openProject(0, Project::Access::ReadWrite);
-    if (!project)
-        return tl::unexpected(project.error());
-    settings->warn = CommandCall::warn;
-    const auto job = recordTrial(**project, *settings, call.control());
-    if (!job)
-        return tl::unexpected(job.error());
-    const LiveTrial &recorded = **job;
+    auto settings = ODO_TRY(recordSettings(call));
+    const auto project = ODO_TRY(call.openProject(0, Project::Access::ReadWrite));
+    settings.warn = CommandCall::warn;
+    const auto job = ODO_TRY(recordTrial(*project, settings, call.control()));
+    const LiveTrial &recorded = *job;
     const PairFigures &pairs = recorded.outcome().pairs;
     std::vector<double> errorsS;
     for (const double errorS : pairs.errorsS)
@@ -169,14 +155,14 @@ Result<void> runRecord(const QStringList &arguments, const CancelToken &cancel)
     QString words = QStringLiteral("Trial %1 recorded: %2 s.")
                         .arg(QString::fromStdString(recorded.trial().name))
                         .arg(recorded.trial().durationS, 0, 'f', 2);
-    for (std::size_t i = 0; i < settings->cameras.size(); ++i)
-        words += viewWords(QString::fromStdString(settings->cameras[i].first), recorded.outcome().views[i]);
+    for (std::size_t i = 0; i < settings.cameras.size(); ++i)
+        words += viewWords(QString::fromStdString(settings.cameras[i].first), recorded.outcome().views[i]);
     if (!errorsS.empty())
         words += QStringLiteral("\nThe views are %1, which the analysis takes into account.")
                      .arg(english(inStepWords(percentile(errorsS, 95))));
     call.answer({{QStringLiteral("trial"), QString::fromStdString(recorded.trial().name)},
                  {QStringLiteral("duration_s"), recorded.trial().durationS},
-                 {QStringLiteral("views"), viewsJson(recorded, *settings)},
+                 {QStringLiteral("views"), viewsJson(recorded, settings)},
                  {QStringLiteral("pairs"), qint64(pairs.pairs)},
                  {QStringLiteral("unpaired"), qint64(pairs.unpaired)},
                  {QStringLiteral("pair_error_ms"),

@@ -34,11 +34,9 @@ QJsonObject registrationJson(const std::string &cameraName, const std::string &l
 /// "LABEL=U,V" of each --hint.
 Result<std::vector<MarkerPixel>> hintsOf(const CommandCall &call)
 {
-    const auto pairs = call.pairs(option::hint);
-    if (!pairs)
-        return tl::unexpected(pairs.error());
+    const auto pairs = ODO_TRY(call.pairs(option::hint));
     std::vector<MarkerPixel> hints;
-    for (const auto &[label, place] : *pairs) {
+    for (const auto &[label, place] : pairs) {
         const auto comma = place.find(',');
         const auto u = parseNumber(place.substr(0, comma));
         const auto v = comma == std::string::npos ? u : parseNumber(place.substr(comma + 1));
@@ -51,9 +49,7 @@ Result<std::vector<MarkerPixel>> hintsOf(const CommandCall &call)
 
 Result<void> registerByMarkers(CommandCall &call)
 {
-    auto hints = hintsOf(call);
-    if (!hints)
-        return tl::unexpected(hints.error());
+    auto hints = ODO_TRY(hintsOf(call));
     const RegisterSettings settings{call.value(option::camera),
                                     call.value(option::layout),
                                     call.value(option::pixels),
@@ -61,13 +57,10 @@ Result<void> registerByMarkers(CommandCall &call)
                                                               : call.value(option::video),
                                     {},
                                     {},
-                                    std::move(*hints)};
-    const auto project = call.openProject(0, Project::Access::ReadWrite);
-    if (!project)
-        return tl::unexpected(project.error());
+                                    std::move(hints)};
+    const auto project = ODO_TRY(call.openProject(0, Project::Access::ReadWrite));
     RegisterJob job(settings);
-    if (auto done = runToEnd(job, **project, call.control()); !done)
-        return done;
+    ODO_TRY(runToEnd(job, *project, call.control()));
     const FloorRegistration &registration = job.record().registration;
     call.answer(registrationJson(settings.camera, settings.layout, registration),
                 english(registration.verdict));
@@ -76,16 +69,11 @@ Result<void> registerByMarkers(CommandCall &call)
 
 Result<void> registerThroughCamera(CommandCall &call)
 {
-    const auto points = readSharedPointsCsv(call.value(option::pixels));
-    if (!points)
-        return tl::unexpected(points.error());
-    const RegisterThroughSettings settings{call.value(option::camera), call.value(option::through), *points};
-    const auto project = call.openProject(0, Project::Access::ReadWrite);
-    if (!project)
-        return tl::unexpected(project.error());
+    const auto points = ODO_TRY(readSharedPointsCsv(call.value(option::pixels)));
+    const RegisterThroughSettings settings{call.value(option::camera), call.value(option::through), points};
+    const auto project = ODO_TRY(call.openProject(0, Project::Access::ReadWrite));
     RegisterThroughJob job(settings);
-    if (auto done = runToEnd(job, **project, call.control()); !done)
-        return done;
+    ODO_TRY(runToEnd(job, *project, call.control()));
     const FloorRegistration &registration = job.record().registration;
     QJsonObject answer = registrationJson(settings.camera, job.layoutName(), registration);
     answer.insert(QStringLiteral("through"), QString::fromStdString(settings.through));
@@ -95,17 +83,11 @@ Result<void> registerThroughCamera(CommandCall &call)
 
 Result<void> registerAgain(CommandCall &call)
 {
-    const auto project = call.openProject(0, Project::Access::ReadWrite);
-    if (!project)
-        return tl::unexpected(project.error());
-    const auto record = registerWithLensInForce(**project, call.value(option::camera));
-    if (!record)
-        return tl::unexpected(record.error());
-    const auto used = (*project)->layouts().get(record->layout);
-    if (!used)
-        return tl::unexpected(used.error());
-    call.answer(registrationJson(call.value(option::camera), used->layout.name, record->registration),
-                english(record->registration.verdict));
+    const auto project = ODO_TRY(call.openProject(0, Project::Access::ReadWrite));
+    const auto record = ODO_TRY(registerWithLensInForce(*project, call.value(option::camera)));
+    const auto used = ODO_TRY(project->layouts().get(record.layout));
+    call.answer(registrationJson(call.value(option::camera), used.layout.name, record.registration),
+                english(record.registration.verdict));
     return {};
 }
 
@@ -113,17 +95,12 @@ Result<void> registerTogether(CommandCall &call)
 {
     RegisterJointSettings settings{call.value(option::layout)};
     if (call.isSet(option::tape)) {
-        const auto sigma = call.lengthM(option::tape);
-        if (!sigma)
-            return tl::unexpected(sigma.error());
-        settings.tapeSigmaM = *sigma;
+        const auto sigma = ODO_TRY(call.lengthM(option::tape));
+        settings.tapeSigmaM = sigma;
     }
-    const auto project = call.openProject(0, Project::Access::ReadWrite);
-    if (!project)
-        return tl::unexpected(project.error());
+    const auto project = ODO_TRY(call.openProject(0, Project::Access::ReadWrite));
     RegisterJointJob job(settings);
-    if (auto done = runToEnd(job, **project, call.control()); !done)
-        return done;
+    ODO_TRY(runToEnd(job, *project, call.control()));
     const JointRegistration &outcome = job.joint();
     QJsonArray cameras, markers;
     QStringList lines;
@@ -287,8 +264,7 @@ Result<void> runMoved(const QStringList &arguments, const CancelToken &cancel)
     if (canKeep && done)
         done = job.commit(**project);
     else if (canKeep && done.error().code == ErrorCode::Undetermined)
-        if (auto kept = keepNotTold(**project, call.value(option::camera), done.error()); !kept)
-            return kept;
+        ODO_TRY(keepNotTold(**project, call.value(option::camera), done.error()));
     if (!done)
         return done;
     const MovedCheck &check = job.check();
@@ -363,22 +339,16 @@ Result<void> runRevisions(const QStringList &arguments, const CancelToken &cance
                      cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
         return parsed.map([](bool) {});
-    const auto chosen = call.isSet(option::use) ? chosenOf(call) : std::pair<Revision::Kind, RecordId>();
-    if (!chosen)
-        return tl::unexpected(chosen.error());
-    const auto project =
-        call.openProject(0, call.isSet(option::use) ? Project::Access::ReadWrite : Project::Access::ReadOnly);
-    if (!project)
-        return tl::unexpected(project.error());
+    const auto chosen =
+        ODO_TRY(call.isSet(option::use) ? chosenOf(call) : std::pair<Revision::Kind, RecordId>());
+    const auto project = ODO_TRY(call.openProject(0, call.isSet(option::use) ? Project::Access::ReadWrite
+                                                                             : Project::Access::ReadOnly));
     if (call.isSet(option::use))
-        if (auto done = chooseRevision(**project, call.text(1), chosen->first, chosen->second); !done)
-            return done;
-    const auto revisions = revisionsOf(**project, call.text(1));
-    if (!revisions)
-        return tl::unexpected(revisions.error());
+        ODO_TRY(chooseRevision(*project, call.text(1), chosen.first, chosen.second));
+    const auto revisions = ODO_TRY(revisionsOf(*project, call.text(1)));
     QJsonArray json;
     QStringList lines;
-    for (const Revision &revision : *revisions) {
+    for (const Revision &revision : revisions) {
         json.append(revisionJson(revision));
         lines << revisionText(revision);
     }

@@ -51,30 +51,23 @@ Result<void> runReport(const QStringList &arguments, const CancelToken &cancel)
         for (const QString &needsClass : {option::task, option::figure, option::teams})
             if (call.isSet(needsClass))
                 return call.lacks(needsClass, option::ofClass);
-    const auto options = readReportOptions(call);
-    if (!options)
-        return tl::unexpected(options.error());
-    const auto project = call.openProject(0, Project::Access::ReadOnly);
-    if (!project)
-        return tl::unexpected(project.error());
-    const auto target = outputOf(call, call.value(option::output), FileKind::Pdf, project->get());
-    if (!target)
-        return tl::unexpected(target.error());
+    const auto options = ODO_TRY(readReportOptions(call));
+    const auto project = ODO_TRY(call.openProject(0, Project::Access::ReadOnly));
+    const auto target = ODO_TRY(outputOf(call, call.value(option::output), FileKind::Pdf, project.get()));
     std::vector<ReportMaker> makers;
     if (call.isSet(option::ofClass))
         makers.push_back(classReport({call.value(option::ofClass), call.value(option::task),
                                       call.value(option::figure), call.isSet(option::teams)},
-                                     *options));
+                                     options));
     if (hasTrials) {
         std::vector<std::string> trials;
         for (const QString &trial : call.positionals().mid(1))
             trials.push_back(trial.toStdString());
-        makers.push_back(trialReports(std::move(trials), *options));
+        makers.push_back(trialReports(std::move(trials), options));
     }
     ReportJob job(inTurn(std::move(makers)),
-                  std::make_unique<PdfFile>(*target, QStringLiteral("Odograph report")));
-    if (auto made = runToEnd(job, **project, call.control()); !made)
-        return made;
+                  std::make_unique<PdfFile>(target, QStringLiteral("Odograph report")));
+    ODO_TRY(runToEnd(job, *project, call.control()));
     const QString file = QString::fromStdString(call.value(option::output));
     call.answer({{QStringLiteral("report"), file}, {QStringLiteral("pages"), job.pageCount()}},
                 QStringLiteral("Wrote %1, %2.").arg(file, counted(job.pageCount(), QStringLiteral("page"))));
@@ -215,14 +208,10 @@ QString comparisonText(const ComparedTrials &trials, const TrialComparison &comp
 
 Result<void> writeReport(const CommandCall &call, Project &project, const CompareSettings &settings)
 {
-    const auto options = readReportOptions(call);
-    if (!options)
-        return tl::unexpected(options.error());
-    const auto target = outputOf(call, call.value(option::output), FileKind::Pdf, &project);
-    if (!target)
-        return tl::unexpected(target.error());
-    ReportJob job(comparisonReport(settings, *options),
-                  std::make_unique<PdfFile>(*target, QStringLiteral("Odograph comparison")));
+    const auto options = ODO_TRY(readReportOptions(call));
+    const auto target = ODO_TRY(outputOf(call, call.value(option::output), FileKind::Pdf, &project));
+    ReportJob job(comparisonReport(settings, options),
+                  std::make_unique<PdfFile>(target, QStringLiteral("Odograph comparison")));
     return runToEnd(job, project, call.control());
 }
 
@@ -257,23 +246,15 @@ Result<void> runCompare(const QStringList &arguments, const CancelToken &cancel)
     settings.runs = {{call.text(1), robots.empty() ? std::string() : robots.front()},
                      {call.text(2), robots.empty() ? std::string() : robots.back()}};
     double laterS = 0;
-    if (auto read = readAlignment(call, settings, laterS); !read)
-        return read;
-    const auto project = call.openProject(0, Project::Access::ReadOnly);
-    if (!project)
-        return tl::unexpected(project.error());
-    const auto trials = readComparedTrials(**project, settings);
-    if (!trials)
-        return tl::unexpected(trials.error());
+    ODO_TRY(readAlignment(call, settings, laterS));
+    const auto project = ODO_TRY(call.openProject(0, Project::Access::ReadOnly));
+    const auto trials = ODO_TRY(readComparedTrials(*project, settings));
     settings.handTimesS = {std::max(0.0, -laterS), std::max(0.0, laterS)};
-    const auto compared = compareTrials(*trials, settings);
-    if (!compared)
-        return tl::unexpected(compared.error());
+    const auto compared = ODO_TRY(compareTrials(trials, settings));
     if (call.isSet(option::output))
-        if (auto written = writeReport(call, **project, settings); !written)
-            return written;
-    call.answer(comparisonJson(*compared), comparisonText(*trials, *compared));
-    for (const ComparedTrial &run : trials->runs)
+        ODO_TRY(writeReport(call, *project, settings));
+    call.answer(comparisonJson(compared), comparisonText(trials, compared));
+    for (const ComparedTrial &run : trials.runs)
         for (const Message &warning : analysisWarnings(run.analysis, run.trial.name))
             CommandCall::warn(warning);
     return {};

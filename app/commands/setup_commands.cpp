@@ -39,9 +39,7 @@ Result<RgbColour> pickedColour(const CommandCall &call)
 {
     if (!call.isSet(option::box))
         return call.wrongCall(ODO_TEXT("app.pick_needs_box", "--pick needs --box x,y,w,h round the robot"));
-    const auto box = boxFrom(call);
-    if (!box)
-        return tl::unexpected(box.error());
+    const auto box = ODO_TRY(boxFrom(call));
     bool isWhole = true;
     const qint64 frame = call.isSet(option::frame)
                              ? QString::fromStdString(call.value(option::frame)).toLongLong(&isWhole)
@@ -49,10 +47,8 @@ Result<RgbColour> pickedColour(const CommandCall &call)
     if (!isWhole || frame < 0)
         return call.wrongCall(
             ODO_TEXT("app.not_a_frame", "--frame '%1' is not a whole number")(call.value(option::frame)));
-    const auto picture = pictureOf(call.value(option::pick), frame);
-    if (!picture)
-        return tl::unexpected(picture.error());
-    const auto picked = pickColour(*picture, *box);
+    const auto picture = ODO_TRY(pictureOf(call.value(option::pick), frame));
+    const auto picked = pickColour(picture, box);
     return picked ? Result<RgbColour>(picked->colour) : tl::unexpected(picked.error());
 }
 
@@ -75,26 +71,20 @@ Result<RobotRecord> robotFrom(const CommandCall &call)
 {
     RobotRecord robot;
     robot.name = call.text(2);
-    const auto colour = colourFrom(call);
-    if (!colour)
-        return tl::unexpected(colour.error());
-    robot.colour = *colour;
+    const auto colour = ODO_TRY(colourFrom(call));
+    robot.colour = colour;
     const std::string height = call.isSet(option::height) ? call.value(option::height) : "auto";
     if (height == "free") {
         robot.heightMode = RobotRecord::Height::Free;
     } else if (height != "auto") {
-        const auto heightM = call.lengthM(option::height);
-        if (!heightM)
-            return tl::unexpected(heightM.error());
+        const auto heightM = ODO_TRY(call.lengthM(option::height));
         robot.heightMode = RobotRecord::Height::Told;
-        robot.heightM = *heightM;
+        robot.heightM = heightM;
     }
     if (call.isSet(option::size)) {
-        const auto size = call.sizePair(option::size);
-        if (!size)
-            return tl::unexpected(size.error());
-        robot.lengthM = fromMillimetres(size->first);
-        robot.widthM = fromMillimetres(size->second);
+        const auto size = ODO_TRY(call.sizePair(option::size));
+        robot.lengthM = fromMillimetres(size.first);
+        robot.widthM = fromMillimetres(size.second);
     }
     if (call.isSet(option::reference)) {
         const QStringList parts = QString::fromStdString(call.value(option::reference)).split(u',');
@@ -144,14 +134,10 @@ Result<void> runRobot(const QStringList &arguments, const CancelToken &cancel)
         return parsed.map([](bool) {});
     if (call.positional(0) != QStringLiteral("add"))
         return call.verbNotKnown();
-    const auto robot = robotFrom(call);
-    if (!robot)
-        return tl::unexpected(robot.error());
-    const auto project = call.openProject(1, Project::Access::ReadWrite);
-    if (!project)
-        return tl::unexpected(project.error());
+    const auto robot = ODO_TRY(robotFrom(call));
+    const auto project = ODO_TRY(call.openProject(1, Project::Access::ReadWrite));
     const auto added =
-        changing(**project, addRobotWords(robot->name), [&] { return (*project)->robots().add(*robot); });
+        changing(*project, addRobotWords(robot.name), [&] { return project->robots().add(robot); });
     if (!added)
         return tl::unexpected(added.error());
     const QString name = QString::fromStdString(added->name),
@@ -182,14 +168,10 @@ QString summary(const TaskRecord &task)
 
 Result<void> addTask(const CommandCall &call)
 {
-    const auto task = readTaskFile(call.text(3));
-    if (!task)
-        return tl::unexpected(task.error());
-    const auto project = call.openProject(1, Project::Access::ReadWrite);
-    if (!project)
-        return tl::unexpected(project.error());
-    const auto added = changing(**project, addTaskWords(call.text(2)), [&] {
-        return (*project)->tasks().add({0, call.text(2), *task});
+    const auto task = ODO_TRY(readTaskFile(call.text(3)));
+    const auto project = ODO_TRY(call.openProject(1, Project::Access::ReadWrite));
+    const auto added = changing(*project, addTaskWords(call.text(2)), [&] {
+        return project->tasks().add({0, call.text(2), task});
     });
     if (!added)
         return tl::unexpected(added.error());
@@ -199,15 +181,11 @@ Result<void> addTask(const CommandCall &call)
 
 Result<void> listTasks(const CommandCall &call)
 {
-    const auto project = call.openProject(1, Project::Access::ReadOnly);
-    if (!project)
-        return tl::unexpected(project.error());
-    const auto all = (*project)->tasks().all();
-    if (!all)
-        return tl::unexpected(all.error());
+    const auto project = ODO_TRY(call.openProject(1, Project::Access::ReadOnly));
+    const auto all = ODO_TRY(project->tasks().all());
     QJsonArray tasks;
     QStringList lines;
-    for (const TaskRecord &task : *all) {
+    for (const TaskRecord &task : all) {
         tasks.append(taskJson(task));
         lines << summary(task);
     }
@@ -219,21 +197,15 @@ Result<void> listTasks(const CommandCall &call)
 
 Result<void> setTask(const CommandCall &call)
 {
-    const auto project = call.openProject(1, Project::Access::ReadWrite);
-    if (!project)
-        return tl::unexpected(project.error());
-    const auto trial = (*project)->trials().find(call.text(2));
-    if (!trial)
-        return tl::unexpected(trial.error());
-    const auto task = (*project)->tasks().find(call.text(3));
-    if (!task)
-        return tl::unexpected(task.error());
-    if (auto set = (*project)->change(giveTaskChange(trial->name, task->name),
-                                      [&] { return (*project)->trials().setTask(trial->id, task->name); });
+    const auto project = ODO_TRY(call.openProject(1, Project::Access::ReadWrite));
+    const auto trial = ODO_TRY(project->trials().find(call.text(2)));
+    const auto task = ODO_TRY(project->tasks().find(call.text(3)));
+    if (auto set = project->change(giveTaskChange(trial.name, task.name),
+                                   [&] { return project->trials().setTask(trial.id, task.name); });
         !set)
         return set;
-    const QString trialName = QString::fromStdString(trial->name),
-                  taskName = QString::fromStdString(task->name);
+    const QString trialName = QString::fromStdString(trial.name),
+                  taskName = QString::fromStdString(task.name);
     call.answer({{QStringLiteral("trial"), trialName}, {QStringLiteral("task"), taskName}},
                 QStringLiteral("Trial %1 has the task %2; measure it with: odograph track %3 %1 --again")
                     .arg(trialName, taskName, call.positional(1)));

@@ -21,18 +21,12 @@ Result<void> runList(const QStringList &arguments, const CancelToken &cancel)
     CommandCall call({QStringLiteral("list"), QStringLiteral("P.odo [--json]"), 1, 1, {}}, cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
         return parsed.map([](bool) {});
-    const auto project = call.openProject(0, Project::Access::ReadOnly);
-    if (!project)
-        return tl::unexpected(project.error());
-    const auto title = (*project)->title();
-    if (!title)
-        return tl::unexpected(title.error());
-    const auto all = (*project)->trials().all();
-    if (!all)
-        return tl::unexpected(all.error());
+    const auto project = ODO_TRY(call.openProject(0, Project::Access::ReadOnly));
+    const auto title = ODO_TRY(project->title());
+    const auto all = ODO_TRY(project->trials().all());
     QJsonArray trials;
-    QStringList lines(QString::fromStdString(*title));
-    for (const TrialRecord &trial : *all) {
+    QStringList lines(QString::fromStdString(title));
+    for (const TrialRecord &trial : all) {
         QJsonArray robots;
         for (const std::string &robot : trial.robotNames)
             robots.append(QString::fromStdString(robot));
@@ -51,7 +45,7 @@ Result<void> runList(const QStringList &arguments, const CancelToken &cancel)
                      .arg(counted(trial.viewCount, QStringLiteral("view")));
     }
     call.answer(
-        {{QStringLiteral("title"), QString::fromStdString(*title)}, {QStringLiteral("trials"), trials}},
+        {{QStringLiteral("title"), QString::fromStdString(title)}, {QStringLiteral("trials"), trials}},
         lines.join(u'\n'));
     return {};
 }
@@ -142,80 +136,66 @@ Result<void> runShow(const QStringList &arguments, const CancelToken &cancel)
     CommandCall call({QStringLiteral("show"), QStringLiteral("P.odo TRIAL [--json]"), 2, 2, {}}, cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
         return parsed.map([](bool) {});
-    const auto opened = call.openProject(0, Project::Access::ReadOnly);
-    if (!opened)
-        return tl::unexpected(opened.error());
-    Project &project = **opened;
-    const auto trial = project.trials().find(call.text(1));
-    if (!trial)
-        return tl::unexpected(trial.error());
-    const auto recordings = project.trials().recordings(trial->id);
-    if (!recordings)
-        return tl::unexpected(recordings.error());
-    const auto analyses = project.analyses().current(trial->id);
-    if (!analyses)
-        return tl::unexpected(analyses.error());
+    const auto opened = ODO_TRY(call.openProject(0, Project::Access::ReadOnly));
+    Project &project = *opened;
+    const auto trial = ODO_TRY(project.trials().find(call.text(1)));
+    const auto recordings = ODO_TRY(project.trials().recordings(trial.id));
+    const auto analyses = ODO_TRY(project.analyses().current(trial.id));
 
     QJsonObject views;
-    for (const RecordingRecord &recording : *recordings) {
+    for (const RecordingRecord &recording : recordings) {
         QJsonObject view = recordingJson(recording);
         view.insert(QStringLiteral("file"), QString::fromStdString(recording.path));
         view.insert(QStringLiteral("sha256"), QString::fromStdString(recording.sha256));
         views.insert(QString::fromStdString(recording.cameraName), view);
     }
-    const auto imported = importedTracksOf(project, *trial);
-    if (!imported)
-        return tl::unexpected(imported.error());
+    const auto imported = ODO_TRY(importedTracksOf(project, trial));
     QJsonObject robots;
     std::vector<Message> warnings;
     QStringList lines(QStringLiteral("Trial %1, team %2")
-                          .arg(QString::fromStdString(trial->name), QString::fromStdString(trial->teamName)));
-    lines << stepSentences(*recordings);
-    if (analyses->empty())
+                          .arg(QString::fromStdString(trial.name), QString::fromStdString(trial.teamName)));
+    lines << stepSentences(recordings);
+    if (analyses.empty())
         lines << QStringLiteral("Not tracked yet; run: odograph track %1 %2")
                      .arg(call.positional(0), call.positional(1));
     std::vector<const RecordingRecord *> used;
-    for (std::size_t v = 0; !analyses->empty() && v < recordings->size(); ++v) {
-        const std::vector<RecordId> &registrations = analyses->front().registrations;
+    for (std::size_t v = 0; !analyses.empty() && v < recordings.size(); ++v) {
+        const std::vector<RecordId> &registrations = analyses.front().registrations;
         if (v < registrations.size() && registrations[v] != 0)
-            used.push_back(&(*recordings)[v]);
+            used.push_back(&recordings[v]);
     }
-    warnings = stepWarnings(trial->name, used);
-    const auto occlusions = trialOcclusions(project, trial->id, *analyses);
-    if (!occlusions)
-        return tl::unexpected(occlusions.error());
-    for (std::size_t a = 0; a < analyses->size(); ++a) {
-        const AnalysisRecord &analysis = (*analyses)[a];
-        const auto truth = project.trials().truth(trial->id, analysis.robot);
-        if (!truth)
-            return tl::unexpected(truth.error());
+    warnings = stepWarnings(trial.name, used);
+    const auto occlusions = ODO_TRY(trialOcclusions(project, trial.id, analyses));
+    for (std::size_t a = 0; a < analyses.size(); ++a) {
+        const AnalysisRecord &analysis = analyses[a];
+        const auto truth = ODO_TRY(project.trials().truth(trial.id, analysis.robot));
         std::optional<TruthAccuracy> accuracy;
-        if (*truth)
-            accuracy = compareWithTruth(analysis.profile, **truth);
+        if (truth)
+            accuracy = compareWithTruth(analysis.profile, *truth);
         QJsonObject robot{{QStringLiteral("metrics"), metricsJson(analysis.profile.metrics)},
-                          {QStringLiteral("spikes"), spikesJson(analysis.profile.spikes, (*occlusions)[a])},
+                          {QStringLiteral("spikes"), spikesJson(analysis.profile.spikes, occlusions[a])},
                           {QStringLiteral("doubts"), doubtsJson(analysis.doubtfulNames)},
-                          {QStringLiteral("occlusions"), occlusionsJson((*occlusions)[a])},
+                          {QStringLiteral("occlusions"), occlusionsJson(occlusions[a])},
                           {QStringLiteral("doubtful_s"), doubtfulSeconds(analysis.doubtfulNames)},
                           {QStringLiteral("height_m"), analysis.profile.heightM},
                           {QStringLiteral("height_estimated"), analysis.profile.heightEstimated},
-                          {QStringLiteral("provenance"), provenanceJson(analysis, *imported)}};
+                          {QStringLiteral("provenance"), provenanceJson(analysis, imported)}};
         insertTaskAnswers(robot, analysis.profile);
         if (accuracy)
             robot.insert(QStringLiteral("truth"), truthJson(*accuracy));
         robots.insert(QString::fromStdString(analysis.robotName), robot);
-        lines << robotText(analysis, (*occlusions)[a], accuracy);
-        if (const ImportedTrack *source = sourceOf(analysis, *imported))
+        lines << robotText(analysis, occlusions[a], accuracy);
+        if (const ImportedTrack *source = sourceOf(analysis, imported))
             lines << QStringLiteral("  ") + importedTrackText(*source);
-        for (Message &warning : analysisWarnings(analysis, trial->name))
+        for (Message &warning : analysisWarnings(analysis, trial.name))
             warnings.push_back(std::move(warning));
     }
-    call.answer({{QStringLiteral("trial"), QString::fromStdString(trial->name)},
-                 {QStringLiteral("team"), QString::fromStdString(trial->teamName)},
-                 {QStringLiteral("task"), QString::fromStdString(trial->task)},
-                 {QStringLiteral("notes"), QString::fromStdString(trial->notes)},
+    call.answer({{QStringLiteral("trial"), QString::fromStdString(trial.name)},
+                 {QStringLiteral("team"), QString::fromStdString(trial.teamName)},
+                 {QStringLiteral("task"), QString::fromStdString(trial.task)},
+                 {QStringLiteral("notes"), QString::fromStdString(trial.notes)},
                  {QStringLiteral("views"), views},
-                 {QStringLiteral("sync"), syncJson(*trial)},
+                 {QStringLiteral("sync"), syncJson(trial)},
                  {QStringLiteral("robots"), robots},
                  {QStringLiteral("warnings"), sentencesJson(warnings)}},
                 lines.join(u'\n'));

@@ -50,12 +50,10 @@ QString robotText(const TrackedRobot &robot)
 /// "R=VIEW,SECONDS,X,Y", or "R=none".
 Result<std::vector<RobotPointer>> pointersOf(const CommandCall &call)
 {
-    const auto pairs = call.pairs(option::at);
-    if (!pairs)
-        return tl::unexpected(pairs.error());
+    const auto pairs = ODO_TRY(call.pairs(option::at));
     constexpr qsizetype figures = 3;
     std::vector<RobotPointer> pointers;
-    for (const auto &[robot, where] : *pairs) {
+    for (const auto &[robot, where] : pairs) {
         RobotPointer &pointer = pointers.emplace_back(RobotPointer{robot});
         if (where == "none")
             continue;
@@ -107,19 +105,14 @@ Result<void> runTrack(const QStringList &arguments, const CancelToken &cancel)
             return call.wrongCall(ODO_TEXT("app.smoother_is", "--smoother is rts, savgol, tracker or none"));
         settings.smoother = *known;
     }
-    auto pointers = pointersOf(call);
-    if (!pointers)
-        return tl::unexpected(pointers.error());
-    if (settings.again && !pointers->empty())
+    auto pointers = ODO_TRY(pointersOf(call));
+    if (settings.again && !pointers.empty())
         return call.wrongCall(
             ODO_TEXT("app.at_needs_videos", "--at needs the videos, and --again does not read them"));
-    settings.pointers = std::move(*pointers);
-    const auto project = call.openProject(0, Project::Access::ReadWrite);
-    if (!project)
-        return tl::unexpected(project.error());
+    settings.pointers = std::move(pointers);
+    const auto project = ODO_TRY(call.openProject(0, Project::Access::ReadWrite));
     TrackJob job(call.text(1), std::move(settings));
-    if (auto done = runToEnd(job, **project, call.control()); !done)
-        return done;
+    ODO_TRY(runToEnd(job, *project, call.control()));
     const TrackOutcome &outcome = job.outcome();
     QJsonObject robots;
     QStringList lines;
@@ -154,18 +147,16 @@ Result<OverruleRequest> requestOf(const CommandCall &call)
     request.word = call.isSet(option::spike)   ? OverruleRequest::Word::Spike
                    : call.isSet(option::valid) ? OverruleRequest::Word::Valid
                                                : OverruleRequest::Word::Clear;
-    const auto number = call.number(call.isSet(option::time) ? option::time : option::frame);
-    if (!number)
-        return tl::unexpected(number.error());
-    if (call.isSet(option::time) && std::abs(*number) > 1e9)
+    const auto number = ODO_TRY(call.number(call.isSet(option::time) ? option::time : option::frame));
+    if (call.isSet(option::time) && std::abs(number) > 1e9)
         return call.wrongCall(
             ODO_TEXT("app.time_takes", "--time takes seconds from -1,000,000,000 to 1,000,000,000"));
     if (call.isSet(option::time))
-        request.timeS = *number;
-    else if (*number != std::floor(*number) || std::abs(*number) > 1e9)
+        request.timeS = number;
+    else if (number != std::floor(number) || std::abs(number) > 1e9)
         return call.wrongCall(ODO_TEXT("app.frame_is", "--frame is a whole number"));
     else
-        request.frame = static_cast<std::int64_t>(*number);
+        request.frame = static_cast<std::int64_t>(number);
     return request;
 }
 
@@ -201,15 +192,10 @@ Result<void> runFlag(const QStringList &arguments, const CancelToken &cancel)
         cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
         return parsed.map([](bool) {});
-    const auto request = requestOf(call);
-    if (!request)
-        return tl::unexpected(request.error());
-    const auto project = call.openProject(0, Project::Access::ReadWrite);
-    if (!project)
-        return tl::unexpected(project.error());
-    OverruleJob job(*request);
-    if (auto done = runToEnd(job, **project, call.control()); !done)
-        return done;
+    const auto request = ODO_TRY(requestOf(call));
+    const auto project = ODO_TRY(call.openProject(0, Project::Access::ReadWrite));
+    OverruleJob job(request);
+    ODO_TRY(runToEnd(job, *project, call.control()));
     const OverruleOutcome &outcome = job.outcome();
     const Profile &profile = outcome.analysis.profile;
     call.answer({{QStringLiteral("trial"), call.positional(1)},
@@ -225,7 +211,7 @@ Result<void> runFlag(const QStringList &arguments, const CancelToken &cancel)
                     .arg(QString::fromStdString(outcome.robot))
                     .arg(outcome.frame)
                     .arg(toSeconds(outcome.time), 0, 'f', 3)
-                    .arg(wordsOf(request->word))
+                    .arg(wordsOf(request.word))
                     .arg(counted(profile.spikes.size(), QStringLiteral("spike"))));
     return {};
 }
@@ -264,16 +250,12 @@ Result<void> runReprocess(const QStringList &arguments, const CancelToken &cance
         cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
         return parsed.map([](bool) {});
-    const auto project = call.openProject(0, call.isSet(option::keep) ? Project::Access::ReadWrite
-                                                                      : Project::Access::ReadOnly);
-    if (!project)
-        return tl::unexpected(project.error());
+    const auto project = ODO_TRY(call.openProject(0, call.isSet(option::keep) ? Project::Access::ReadWrite
+                                                                              : Project::Access::ReadOnly));
     ReprocessJob job(call.text(1));
-    if (auto done = runToEnd(job, **project, call.control()); !done)
-        return done;
+    ODO_TRY(runToEnd(job, *project, call.control()));
     if (call.isSet(option::keep))
-        if (auto kept = job.keep(**project); !kept)
-            return kept;
+        ODO_TRY(job.keep(*project));
     QJsonObject robots;
     QStringList lines;
     for (const ReprocessedRobot &robot : job.robots()) {

@@ -315,22 +315,17 @@ Result<void> checkTask(const Task &task)
 {
     std::vector<Gate> before;
     for (const Gate &gate : task.gates) {
-        if (auto valid = checkGate(gate); !valid)
-            return valid;
+        ODO_TRY(checkGate(gate));
         before.push_back(gate);
-        if (auto valid = checkGateAmong(before); !valid)
-            return valid;
+        ODO_TRY(checkGateAmong(before));
     }
     std::vector<Zone> zones;
     for (const Zone &zone : task.zones) {
-        if (auto valid = checkZone(zone); !valid)
-            return valid;
+        ODO_TRY(checkZone(zone));
         zones.push_back(zone);
-        if (auto valid = checkZoneAmong(zones); !valid)
-            return valid;
+        ODO_TRY(checkZoneAmong(zones));
     }
-    if (auto valid = checkReferencePath(task.path); !valid)
-        return valid;
+    ODO_TRY(checkReferencePath(task.path));
     return checkTaskLimits(task.limits);
 }
 

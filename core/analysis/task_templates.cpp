@@ -70,8 +70,7 @@ Result<Task> taskFromTemplate(TaskTemplate kind, const TemplateSizes &sizes)
         addRound(sizes, task);
     else
         addLine(sizes, task);
-    if (auto valid = checkTask(task); !valid)
-        return tl::unexpected(valid.error());
+    ODO_TRY(checkTask(task));
     return task;
 }
 

@@ -5,6 +5,7 @@
 
 #include <string>
 #include <tl/expected.hpp>
+#include <type_traits>
 
 namespace odo {
 
@@ -44,6 +45,25 @@ Message wholeMessage(const Error &error);
 /// A value, or the Error that stood in its way. Expected failures travel so; broken invariants assert.
 template <class T>
 using Result = tl::expected<T, Error>;
+
+/// Of a Result that is known to hold one.
+template <class T>
+T takeValue(Result<T> &&result)
+{
+    if constexpr (!std::is_void_v<T>)
+        return *std::move(result);
+}
+
+/// The value of a Result, or the end of the function that asks for it, whose Result then holds the error:
+///     const Layout layout = ODO_TRY(project.layouts().get(id));
+/// It is the one way to pass an error on as it is. A statement expression, known to GCC and Clang.
+#define ODO_TRY(...)                                                                                         \
+    __extension__({                                                                                          \
+        auto odoTried = (__VA_ARGS__);                                                                       \
+        if (!odoTried)                                                                                       \
+            return tl::unexpected(std::move(odoTried).error());                                              \
+        ::odo::takeValue(std::move(odoTried));                                                               \
+    })
 
 /// Shorthand for returning a failure from a function that gives a Result.
 tl::unexpected<Error> fail(ErrorCode code, Message what, Message why, Message advice);

@@ -169,23 +169,17 @@ Result<FloorView> exactView(const PlannedCamera &camera)
     axes << right, forward.cross(right), forward;
     Intrinsics lens = CameraModel::assumed(camera.widthPx, camera.heightPx).intrinsics();
     lens.fxPx = lens.fyPx = 0.5 * camera.widthPx / std::tan(0.5 * camera.fieldOfViewDegrees * EIGEN_PI / 180);
-    const auto model = CameraModel::create(std::move(lens));
-    if (!model)
-        return tl::unexpected(model.error());
-    return FloorView(*model, {Eigen::Quaterniond(axes), place}, Eigen::Matrix<double, 6, 6>::Zero());
+    const auto model = ODO_TRY(CameraModel::create(std::move(lens)));
+    return FloorView(model, {Eigen::Quaterniond(axes), place}, Eigen::Matrix<double, 6, 6>::Zero());
 }
 
 } // namespace
 
 Result<FloorView> plannedView(const PlannedCamera &camera, const MarkerLayout &layout, double sigmaPx)
 {
-    const auto exact = exactView(camera);
-    if (!exact)
-        return exact;
-    const auto covariance = poseCovariance(*exact, layout, sigmaPx);
-    if (!covariance)
-        return tl::unexpected(covariance.error());
-    return FloorView(exact->camera(), exact->worldFromCamera(), *covariance);
+    const auto exact = ODO_TRY(exactView(camera));
+    const auto covariance = ODO_TRY(poseCovariance(exact, layout, sigmaPx));
+    return FloorView(exact.camera(), exact.worldFromCamera(), covariance);
 }
 
 namespace {
@@ -397,8 +391,7 @@ Result<PlannedCamera> bestPlace(const PlannedCamera &like, const MarkerLayout &l
     PlannedCamera plain = like;
     plain.aimM = searcher.floor().center();
     plain.standAt(plain.aimM - Vector2d(0, 0.5 * searcher.floor().sizes().y() + search.reachM));
-    if (const auto view = exactView(plain); !view)
-        return tl::unexpected(view.error());
+    ODO_TRY(exactView(plain));
     return fail(
         ErrorCode::Undetermined, what,
         ODO_TEXT("calibration.sees_too_few_anywhere",

@@ -439,14 +439,10 @@ Result<BoardView> findCheckerboard(const cv::Mat &luma, const BoardSpec &spec, c
         return refuseBoard(
             source, noBoardFound(),
             ODO_TEXT("calibration.show_whole_board", "show the whole board, flat, sharp and well lit"));
-    const auto upright = matched(luma, grid, spec, source);
-    if (!upright)
-        return tl::unexpected(upright.error());
-    const float blur = blurOf(luma, *upright);
-    const auto sharp = refined(luma, *upright, blur, source);
-    if (!sharp)
-        return tl::unexpected(sharp.error());
-    BoardView view = viewOf(*sharp, spec, source);
+    const auto upright = ODO_TRY(matched(luma, grid, spec, source));
+    const float blur = blurOf(luma, upright);
+    const auto sharp = ODO_TRY(refined(luma, upright, blur, source));
+    BoardView view = viewOf(sharp, spec, source);
     view.edgeWidthPx = static_cast<double>(blur);
     return view;
 }

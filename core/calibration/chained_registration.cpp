@@ -74,19 +74,14 @@ Result<void> checkPoints(const FloorView &through, const Message &throughName,
         if (!labels.insert(point.label).second)
             return refuseThrough(ODO_TEXT("calibration.point_twice", "point %1 is there twice")(label),
                                  labelEachPoint());
-        if (auto sound =
-                checkInPicture(point, point.pixel, camera,
+        ODO_TRY(checkInPicture(point, point.pixel, camera,
                                ODO_TEXT("calibration.point_outside_own",
                                         "point %1 lies outside the picture of the camera to register (%2)")(
-                                   label, pictureSize(camera)));
-            !sound)
-            return sound;
-        if (auto sound = checkInPicture(
-                point, point.throughPixel, through.camera(),
-                ODO_TEXT("calibration.point_outside_through", "point %1 lies outside the picture of %2 (%3)")(
-                    label, throughName, pictureSize(through.camera())));
-            !sound)
-            return sound;
+                                   label, pictureSize(camera))));
+        ODO_TRY(checkInPicture(
+            point, point.throughPixel, through.camera(),
+            ODO_TEXT("calibration.point_outside_through", "point %1 lies outside the picture of %2 (%3)")(
+                label, throughName, pictureSize(through.camera()))));
         for (const SharedPoint &other : points) {
             if (&other == &point)
                 break;
@@ -309,12 +304,9 @@ Result<ChainedRegistration> registerThrough(const FloorView &through, const Mess
                                             const std::vector<SharedPoint> &points, const CameraModel &camera,
                                             bool intrinsicsKnown)
 {
-    if (auto sound = checkPoints(through, throughName, points, camera); !sound)
-        return tl::unexpected(sound.error());
-    if (auto sound = checkHorizon(through, throughName, points); !sound)
-        return tl::unexpected(sound.error());
-    if (auto sound = checkSide(through, throughName, points, camera); !sound)
-        return tl::unexpected(sound.error());
+    ODO_TRY(checkPoints(through, throughName, points, camera));
+    ODO_TRY(checkHorizon(through, throughName, points));
+    ODO_TRY(checkSide(through, throughName, points, camera));
     const std::vector<PointPair> pairs = *laid(through, points);
     ChainedRegistration result;
     std::vector<Vector2d> places;
@@ -323,18 +315,14 @@ Result<ChainedRegistration> registerThrough(const FloorView &through, const Mess
         result.pixels.push_back({pair.label, pair.target});
         places.push_back(pair.source);
     }
-    auto first = unweighted(result.places, result.pixels, camera, intrinsicsKnown);
-    if (!first)
-        return tl::unexpected(first.error());
-    result.registration = std::move(*first);
+    auto first = ODO_TRY(unweighted(result.places, result.pixels, camera, intrinsicsKnown));
+    result.registration = std::move(first);
     FloorRegistration &registration = result.registration;
-    const auto lens = CameraModel::create(registration.intrinsics);
-    if (!lens)
-        return tl::unexpected(lens.error());
+    const auto lens = ODO_TRY(CameraModel::create(registration.intrinsics));
     const auto weights =
-        weightsOf(through, FloorView(*lens, registration.worldFromCamera, Matrix6d::Zero()), points, pairs);
-    const auto pose = fitPlanePose(pairs, *lens, FocalLength::Known, weights);
-    const auto common = carried(through, points, *lens, weights);
+        weightsOf(through, FloorView(lens, registration.worldFromCamera, Matrix6d::Zero()), points, pairs);
+    const auto pose = fitPlanePose(pairs, lens, FocalLength::Known, weights);
+    const auto common = carried(through, points, lens, weights);
     if (!pose || !common)
         return refuseThrough(pointsUndetermined(),
                              ODO_TEXT("calibration.spread_them", "spread them over the floor"));
@@ -343,9 +331,8 @@ Result<ChainedRegistration> registerThrough(const FloorView &through, const Mess
     registration.rmsPx = pose->rmsPx;
     const double worse = std::max(1.0, pose->sigmaPx);
     registration.poseCovariance = worse * worse * pose->inverseNormal + *common;
-    const FloorView view(*lens, registration.worldFromCamera, registration.poseCovariance);
-    if (auto measured = measure(pairs, view, registration); !measured)
-        return tl::unexpected(measured.error());
+    const FloorView view(lens, registration.worldFromCamera, registration.poseCovariance);
+    ODO_TRY(measure(pairs, view, registration));
     const double sigmaM = largestSigma(view, points), spanM = extentOf(places);
     if (sigmaM > worstPointSigma * spanM)
         return refuseThrough(
@@ -354,7 +341,7 @@ Result<ChainedRegistration> registerThrough(const FloorView &through, const Mess
             ODO_TEXT("calibration.spread_or_register_better",
                      "spread the points over the floor, or register %1 better first")(throughName));
     registration.floorSigmaM = sigmaM;
-    const FloorView commonOnly(*lens, registration.worldFromCamera, *common);
+    const FloorView commonOnly(lens, registration.worldFromCamera, *common);
     registration.verdict = verdictOf(registration, throughName, sigmaM, largestSigma(commonOnly, points),
                                      spanM, intrinsicsKnown);
     return result;

@@ -108,16 +108,11 @@ Result<void> checkDistances(const std::vector<PointPair> &pairs, double extentM)
 Result<std::vector<PointPair>> commonMarkers(const MarkerLayout &layout,
                                              const std::vector<MarkerPixel> &pixels)
 {
-    if (auto sound = checkLabels(layout.markers, ODO_TEXT("calibration.marker_twice_in_layout",
-                                                          "marker %1 stands twice in the layout"));
-        !sound)
-        return tl::unexpected(sound.error());
-    if (auto sound = checkLabels(
-            pixels, ODO_TEXT("calibration.marker_twice_in_picture", "marker %1 stands twice in the picture"));
-        !sound)
-        return tl::unexpected(sound.error());
-    if (auto sound = checkNumbers(layout, pixels); !sound)
-        return tl::unexpected(sound.error());
+    ODO_TRY(checkLabels(layout.markers, ODO_TEXT("calibration.marker_twice_in_layout",
+                                                 "marker %1 stands twice in the layout")));
+    ODO_TRY(checkLabels(
+        pixels, ODO_TEXT("calibration.marker_twice_in_picture", "marker %1 stands twice in the picture")));
+    ODO_TRY(checkNumbers(layout, pixels));
     std::vector<PointPair> pairs;
     std::vector<std::string> names;
     for (const Marker &marker : layout.markers) {
@@ -397,29 +392,22 @@ Message verdictOf(const FloorRegistration &registration, const PlanePose &pose, 
 Result<FloorRegistration> registerFloor(const MarkerLayout &layout, const std::vector<MarkerPixel> &pixels,
                                         const CameraModel &camera, bool intrinsicsKnown)
 {
-    const auto pairs = commonMarkers(layout, pixels);
-    if (!pairs)
-        return tl::unexpected(pairs.error());
-    const double layoutM = extentM(*pairs);
-    if (auto sound = checkDistances(*pairs, layoutM); !sound)
-        return tl::unexpected(sound.error());
+    const auto pairs = ODO_TRY(commonMarkers(layout, pixels));
+    const double layoutM = extentM(pairs);
+    ODO_TRY(checkDistances(pairs, layoutM));
     const FocalLength focal = intrinsicsKnown ? FocalLength::Known : FocalLength::Free;
-    const auto pose = soundPose(*pairs, camera, focal);
-    if (!pose)
-        return tl::unexpected(pose.error());
-    if (auto sound = checkPlace(*pose); !sound)
-        return tl::unexpected(sound.error());
+    const auto pose = ODO_TRY(soundPose(pairs, camera, focal));
+    ODO_TRY(checkPlace(pose));
 
     FloorRegistration registration;
-    const CameraModel lens = lensOf(*pose);
+    const CameraModel lens = lensOf(pose);
     registration.intrinsics = lens.intrinsics();
-    registration.worldFromCamera = pose->worldFromCamera;
-    registration.rmsPx = pose->rmsPx;
-    const FloorView view = viewOf(*pose, lens, *pairs);
+    registration.worldFromCamera = pose.worldFromCamera;
+    registration.rmsPx = pose.rmsPx;
+    const FloorView view = viewOf(pose, lens, pairs);
     registration.poseCovariance = view.poseCovariance();
-    if (auto measured = measureMarkers(*pairs, view, registration); !measured)
-        return tl::unexpected(measured.error());
-    if (registration.rmsPx > worstMisfit * extentPx(*pairs)) {
+    ODO_TRY(measureMarkers(pairs, view, registration));
+    if (registration.rmsPx > worstMisfit * extentPx(pairs)) {
         const auto worst = std::ranges::max_element(registration.markers, {}, &MarkerError::errorPx);
         return refuse(joined({ODO_TEXT("calibration.no_flat_floor", "the markers do not fit a flat floor"),
                               ODO_TEXT("calibration.misfit_most_at", "%1 RMS, most at %2 (%3)")(
@@ -431,19 +419,19 @@ Result<FloorRegistration> registerFloor(const MarkerLayout &layout, const std::v
     if (registration.floorSigmaM > worstSigma * layoutM)
         return refuse(ODO_TEXT("calibration.markers_nearly_on_line",
                                "the markers lie so nearly on one line (%1 the most) that the floor is known "
-                               "only to ±%2")(flattestOf(*pairs), millimetres(registration.floorSigmaM)),
+                               "only to ±%2")(flattestOf(pairs), millimetres(registration.floorSigmaM)),
                       spreadMarkers());
-    const double most = pairs->size() == 4 ? worstSumOfFour : worstSumOfFive;
-    if (pairs->size() <= 5 && carelessness(registration.markers, layoutM) > most)
+    const double most = pairs.size() == 4 ? worstSumOfFour : worstSumOfFive;
+    if (pairs.size() <= 5 && carelessness(registration.markers, layoutM) > most)
         return refuse(
             joined({ODO_TEXT("calibration.misfit_unexplained",
                              "the %1 markers misfit by %2 (%3) and check one another too little to "
-                             "tell which of them")(pairs->size(), quantity(registration.rmsPx, 1, "px"),
+                             "tell which of them")(pairs.size(), quantity(registration.rmsPx, 1, "px"),
                                                    millimetres(registration.rmsM)),
                     ODO_TEXT("calibration.wrong_by_more", "it may be wrong by much more")},
                    Join::Semicolon),
             ODO_TEXT("calibration.measure_again", "mark and measure them again, or add another"));
-    registration.verdict = verdictOf(registration, *pose, layoutM, intrinsicsKnown);
+    registration.verdict = verdictOf(registration, pose, layoutM, intrinsicsKnown);
     return registration;
 }
 

@@ -143,8 +143,7 @@ std::optional<RigidTransform> poseOf(const BoardView &view, const CameraModel &c
 Result<void> finish(IntrinsicCalibration &calibration, const std::vector<BoardView> &views, LensFit fit,
                     const CornerMarks &outliers, const JobControl &control)
 {
-    if (auto one = checkOneCamera(views, fit, control); !one)
-        return one;
+    ODO_TRY(checkOneCamera(views, fit, control));
     std::size_t corners = 0;
     for (const BoardView &view : views)
         corners += view.pixels.size();
@@ -168,12 +167,9 @@ Result<void> finish(IntrinsicCalibration &calibration, const std::vector<BoardVi
     const auto halves = holdOut(counted, fit, control);
     if (control.isCancelled())
         return cancelled(cannotBeCalibrated());
-    const auto sigma = checkDetermined(counted, fit, halves, control);
-    if (!sigma)
-        return tl::unexpected(sigma.error());
+    const auto sigma = ODO_TRY(checkDetermined(counted, fit, halves, control));
 
-    if (auto spread = checkPlaces(views, fit.intrinsics.widthPx, fit.intrinsics.heightPx); !spread)
-        return spread;
+    ODO_TRY(checkPlaces(views, fit.intrinsics.widthPx, fit.intrinsics.heightPx));
 
     calibration.intrinsics = fit.intrinsics;
     calibration.rmsPx = fit.rmsPx();
@@ -195,7 +191,7 @@ Result<void> finish(IntrinsicCalibration &calibration, const std::vector<BoardVi
             judge(picture, *camera, *pose);
         }
     }
-    calibration.verdict = calibrationVerdict(calibration, *sigma);
+    calibration.verdict = calibrationVerdict(calibration, sigma);
     control.report(1, ODO_TEXT("calibration.done", "done"));
     return {};
 }
@@ -244,9 +240,7 @@ Result<IntrinsicCalibration> calibrateIntrinsics(const std::vector<BoardView> &v
         model || used.size() >= leastViewsForHalves
             ? std::move(choice->reason)
             : ODO_TEXT("calibration.too_few_to_compare", "too few pictures to compare it with others");
-    if (auto finished = finish(calibration, used, std::move(choice->fit), choice->outliers, control);
-        !finished)
-        return tl::unexpected(finished.error());
+    ODO_TRY(finish(calibration, used, std::move(choice->fit), choice->outliers, control));
     return calibration;
 }
 
@@ -256,15 +250,13 @@ Result<IntrinsicCalibration> recalibrate(const IntrinsicCalibration &reference,
     IntrinsicCalibration calibration = reference;
     calibration.crossValidationPx = 0;
     calibration.halvesApart.reset();
-    const auto camera = CameraModel::create(reference.intrinsics);
-    if (!camera)
-        return tl::unexpected(camera.error());
+    const auto camera = ODO_TRY(CameraModel::create(reference.intrinsics));
     std::vector<BoardView> used;
     LensStart start{reference.intrinsics, {}};
     for (std::size_t i = 0; i < calibration.pictures.size(); ++i) {
         CalibrationPicture &picture = calibration.pictures[i];
         const auto pose =
-            std::ranges::find(pictures, i) == pictures.end() ? std::nullopt : poseOf(picture.view, *camera);
+            std::ranges::find(pictures, i) == pictures.end() ? std::nullopt : poseOf(picture.view, camera);
         picture.used = pose.has_value();
         if (!pose)
             continue;
@@ -279,8 +271,7 @@ Result<IntrinsicCalibration> recalibrate(const IntrinsicCalibration &reference,
     if (!fit)
         return noLensFits(ODO_TEXT("calibration.choose_others", "choose others"));
     const CornerMarks outliers = outlyingCorners(used, *fit, control);
-    if (auto finished = finish(calibration, used, std::move(*fit), outliers, control); !finished)
-        return tl::unexpected(finished.error());
+    ODO_TRY(finish(calibration, used, std::move(*fit), outliers, control));
     return calibration;
 }
 

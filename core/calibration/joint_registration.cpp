@@ -209,10 +209,8 @@ public:
 
     Result<JointRegistration> join()
     {
-        if (auto sound = checkCameras(); !sound)
-            return tl::unexpected(sound.error());
-        if (auto gathered = gather(); !gathered)
-            return tl::unexpected(gathered.error());
+        ODO_TRY(checkCameras());
+        ODO_TRY(gather());
         auto fit = fitJointly(m_problem);
         if (!fit)
             return undetermined();

@@ -127,10 +127,8 @@ Result<std::vector<MarkerPixel>> findMarkers(const Frame &frame, const MarkerLay
                              "or rings, or mark the markers by hand"));
     const CameraModel camera = search.camera.value_or(CameraModel::assumed(frame.y.width, frame.y.height));
     const bool known = search.camera && search.intrinsicsKnown;
-    auto assigned = assignMarkers(shapes, layout, camera, known, hints);
-    if (!assigned)
-        return assigned;
-    return withTrueCentres(std::move(*assigned), shapes, layout, camera, known);
+    auto assigned = ODO_TRY(assignMarkers(shapes, layout, camera, known, hints));
+    return withTrueCentres(std::move(assigned), shapes, layout, camera, known);
 }
 
 namespace {

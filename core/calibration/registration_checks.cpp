@@ -234,12 +234,10 @@ Result<LengthCheck> checkLength(std::span<const SeenLength> seen, std::optional<
     double information = 0, weighted = 0;
     std::vector<Measured> each;
     for (const SeenLength &one : seen) {
-        const auto measured = measure(one, heightM);
-        if (!measured)
-            return tl::unexpected(measured.error());
-        each.push_back(*measured);
-        information += 1 / measured->varianceM2;
-        weighted += measured->lengthM / measured->varianceM2;
+        const auto measured = ODO_TRY(measure(one, heightM));
+        each.push_back(measured);
+        information += 1 / measured.varianceM2;
+        weighted += measured.lengthM / measured.varianceM2;
     }
     LengthCheck check;
     check.lengthM = weighted / information;

@@ -46,12 +46,9 @@ Result<double> turnOf(const MarkerLayout &layout, const AxesChange &change)
             layout,
             ODO_TEXT("calibration.two_directions", "both an angle and a pair of markers were given for X"),
             giveOneOfThem());
-    const auto from = placeOf(layout, change.xAlong->first), to = placeOf(layout, change.xAlong->second);
-    if (!from)
-        return tl::unexpected(from.error());
-    if (!to)
-        return tl::unexpected(to.error());
-    const Vector2d along = *to - *from;
+    const Vector2d from = ODO_TRY(placeOf(layout, change.xAlong->first)),
+                   to = ODO_TRY(placeOf(layout, change.xAlong->second));
+    const Vector2d along = to - from;
     if (!(along.norm() > 0))
         return refuse(
             layout,
@@ -114,19 +111,15 @@ Result<AxesTransform> axesTransformOf(const MarkerLayout &layout, const AxesChan
                     ODO_TEXT("calibration.layout_written_mirrored",
                              "if the layout was written down mirrored, correct its signs and add it anew")},
                    Join::Semicolon));
-    const auto origin = originOf(layout, change);
-    if (!origin)
-        return tl::unexpected(origin.error());
-    const auto turn = turnOf(layout, change);
-    if (!turn)
-        return tl::unexpected(turn.error());
-    if (!origin->allFinite() || !std::isfinite(*turn))
+    const auto origin = ODO_TRY(originOf(layout, change));
+    const auto turn = ODO_TRY(turnOf(layout, change));
+    if (!origin.allFinite() || !std::isfinite(turn))
         return refuse(
             layout, ODO_TEXT("calibration.axes_no_number", "the origin or the angle is not a finite number"),
             ODO_TEXT("calibration.give_plain_numbers", "give plain numbers"));
-    AxesTransform transform{change.lengthFactor, *turn + (change.reverseX ? std::numbers::pi : 0.0),
+    AxesTransform transform{change.lengthFactor, turn + (change.reverseX ? std::numbers::pi : 0.0),
                             Vector2d::Zero()};
-    transform.shiftM = -(Eigen::Rotation2Dd(transform.turnRad) * *origin);
+    transform.shiftM = -(Eigen::Rotation2Dd(transform.turnRad) * origin);
     return transform;
 }
 

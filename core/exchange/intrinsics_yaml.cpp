@@ -31,16 +31,13 @@ public:
         ImportedIntrinsics imported;
         for (auto step :
              {&CalibrationReader::readSize, &CalibrationReader::readMatrix, &CalibrationReader::readLens}) {
-            if (auto done = (this->*step)(imported.intrinsics); !done)
-                return tl::unexpected(done.error());
+            ODO_TRY((this->*step)(imported.intrinsics));
         }
         if (const YamlNode *name = m_root.find("camera_name"))
             imported.cameraName = name->text;
         if (const YamlNode *error = m_root.find("avg_reprojection_error")) {
-            const auto value = number(*error, "avg_reprojection_error");
-            if (!value)
-                return tl::unexpected(value.error());
-            imported.reprojectionPx = *value;
+            const auto value = ODO_TRY(number(*error, "avg_reprojection_error"));
+            imported.reprojectionPx = value;
         }
         if (const auto usable = CameraModel::create(imported.intrinsics); !usable)
             return failure(m_root.line, usable.error().why);
@@ -71,17 +68,12 @@ private:
 
     Result<int> wholeNumber(const YamlNode &parent, const std::string &key, int from, int to) const
     {
-        const auto node = entry(parent, key);
-        if (!node)
-            return tl::unexpected(node.error());
-        const auto value = number(**node, key);
-        if (!value)
-            return tl::unexpected(value.error());
-        if (*value < from || *value > to || *value != static_cast<int>(*value))
-            return failure((*node)->line,
-                           ODO_TEXT("exchange.not_a_whole_number",
-                                    "'%1' is not a whole number from %2 to %3")(key, from, to));
-        return static_cast<int>(*value);
+        const auto node = ODO_TRY(entry(parent, key));
+        const auto value = ODO_TRY(number(*node, key));
+        if (value < from || value > to || value != static_cast<int>(value))
+            return failure(node->line, ODO_TEXT("exchange.not_a_whole_number",
+                                                "'%1' is not a whole number from %2 to %3")(key, from, to));
+        return static_cast<int>(value);
     }
 
     /// rows, cols and data, which must agree.
@@ -89,25 +81,19 @@ private:
                                        int &cols) const
     {
         const auto toldRows = wholeNumber(node, "rows", 0, 100);
-        const auto toldCols = toldRows ? wholeNumber(node, "cols", 0, 100) : toldRows;
-        if (!toldCols)
-            return tl::unexpected(toldCols.error());
+        const auto toldCols = ODO_TRY(toldRows ? wholeNumber(node, "cols", 0, 100) : toldRows);
         rows = *toldRows;
-        cols = *toldCols;
-        const auto data = entry(node, "data");
-        if (!data)
-            return tl::unexpected(data.error());
+        cols = toldCols;
+        const auto data = ODO_TRY(entry(node, "data"));
         const auto count = static_cast<std::size_t>(rows) * static_cast<std::size_t>(cols);
-        if ((*data)->items.size() != count)
-            return failure((*data)->line, ODO_TEXT("exchange.wrong_number_of_numbers",
-                                                   "'%1' has %2 numbers instead of %3 × %4")(
-                                              name, (*data)->items.size(), rows, cols));
+        if (data->items.size() != count)
+            return failure(data->line, ODO_TEXT("exchange.wrong_number_of_numbers",
+                                                "'%1' has %2 numbers instead of %3 × %4")(
+                                           name, data->items.size(), rows, cols));
         std::vector<double> values;
-        for (const YamlNode &item : (*data)->items) {
-            const auto value = number(item, name);
-            if (!value)
-                return tl::unexpected(value.error());
-            values.push_back(*value);
+        for (const YamlNode &item : data->items) {
+            const auto value = ODO_TRY(number(item, name));
+            values.push_back(value);
         }
         return values;
     }
@@ -115,61 +101,47 @@ private:
     Result<void> readSize(Intrinsics &into)
     {
         const auto width = wholeNumber(m_root, "image_width", 1, maxPicturePx);
-        const auto height = width ? wholeNumber(m_root, "image_height", 1, maxPicturePx) : width;
-        if (!height)
-            return tl::unexpected(height.error());
+        const auto height = ODO_TRY(width ? wholeNumber(m_root, "image_height", 1, maxPicturePx) : width);
         into.widthPx = *width;
-        into.heightPx = *height;
+        into.heightPx = height;
         return {};
     }
 
     Result<void> readMatrix(Intrinsics &into)
     {
-        const auto node = entry(m_root, "camera_matrix");
-        if (!node)
-            return tl::unexpected(node.error());
+        const auto node = ODO_TRY(entry(m_root, "camera_matrix"));
         int rows = 0, cols = 0;
-        const auto k = matrix(**node, "camera_matrix", rows, cols);
-        if (!k)
-            return tl::unexpected(k.error());
+        const auto k = ODO_TRY(matrix(*node, "camera_matrix", rows, cols));
         if (rows != 3 || cols != 3)
-            return failure((*node)->line,
+            return failure(node->line,
                            ODO_TEXT("exchange.matrix_not_3_by_3", "'camera_matrix' is not a 3 × 3 matrix"));
         const std::array<std::size_t, 4> zeros = {1, 3, 6, 7};
-        if (std::any_of(zeros.begin(), zeros.end(), [&k](std::size_t i) { return (*k)[i] != 0; }) ||
-            (*k)[8] != 1)
-            return failure((*node)->line,
+        if (std::any_of(zeros.begin(), zeros.end(), [&k](std::size_t i) { return k[i] != 0; }) || k[8] != 1)
+            return failure(node->line,
                            ODO_TEXT("exchange.matrix_of_other_form",
                                     "'camera_matrix' is not of the form fx 0 cx, 0 fy cy, 0 0 1"));
-        into.fxPx = (*k)[0];
-        into.cxPx = (*k)[2];
-        into.fyPx = (*k)[4];
-        into.cyPx = (*k)[5];
+        into.fxPx = k[0];
+        into.cxPx = k[2];
+        into.fyPx = k[4];
+        into.cyPx = k[5];
         return {};
     }
 
     Result<void> readLens(Intrinsics &into)
     {
-        const auto node = entry(m_root, "distortion_coefficients");
-        if (!node)
-            return tl::unexpected(node.error());
+        const auto node = ODO_TRY(entry(m_root, "distortion_coefficients"));
         int rows = 0, cols = 0;
-        auto coefficients = matrix(**node, "distortion_coefficients", rows, cols);
-        if (!coefficients)
-            return tl::unexpected(coefficients.error());
+        auto coefficients = ODO_TRY(matrix(*node, "distortion_coefficients", rows, cols));
         if (rows > 1 && cols > 1)
-            return failure((*node)->line,
-                           ODO_TEXT("exchange.coefficients_no_row",
-                                    "'distortion_coefficients' is neither a row nor a column"));
-        const auto model = lensModel((*node)->line, coefficients->size());
-        if (!model)
-            return tl::unexpected(model.error());
+            return failure(node->line, ODO_TEXT("exchange.coefficients_no_row",
+                                                "'distortion_coefficients' is neither a row nor a column"));
+        const auto model = ODO_TRY(lensModel(node->line, coefficients.size()));
         // Further coefficients of OpenCV (thin prism, tilt) may be there as long as they do nothing.
-        const std::size_t known = *model == LensModel::Standard ? 5 : *model == LensModel::Rational ? 8 : 4;
-        while (coefficients->size() > known && coefficients->back() == 0)
-            coefficients->pop_back();
-        into.model = *model;
-        into.distortion = std::move(*coefficients);
+        const std::size_t known = model == LensModel::Standard ? 5 : model == LensModel::Rational ? 8 : 4;
+        while (coefficients.size() > known && coefficients.back() == 0)
+            coefficients.pop_back();
+        into.model = model;
+        into.distortion = std::move(coefficients);
         return {};
     }
 
@@ -202,26 +174,20 @@ private:
 
 Result<ImportedIntrinsics> parseCalibration(const std::filesystem::path &file, const std::string &text)
 {
-    const auto root = parseYaml(file, text, useCalibrationFile());
-    if (!root)
-        return tl::unexpected(root.error());
-    return CalibrationReader(file, *root).read();
+    const auto root = ODO_TRY(parseYaml(file, text, useCalibrationFile()));
+    return CalibrationReader(file, root).read();
 }
 
 Result<ImportedIntrinsics> readCalibrationFile(const std::filesystem::path &file)
 {
-    const auto text = readTextFile(file);
-    if (!text)
-        return tl::unexpected(text.error());
-    return parseCalibration(file, *text);
+    const auto text = ODO_TRY(readTextFile(file));
+    return parseCalibration(file, text);
 }
 
 Result<Intrinsics> readIntrinsics(const std::filesystem::path &file)
 {
-    auto imported = readCalibrationFile(file);
-    if (!imported)
-        return tl::unexpected(imported.error());
-    return std::move(imported->intrinsics);
+    auto imported = ODO_TRY(readCalibrationFile(file));
+    return std::move(imported.intrinsics);
 }
 
 namespace {

@@ -43,12 +43,10 @@ struct LabelledPoint
 Result<std::vector<LabelledPoint>> readLabelledPoints(const std::filesystem::path &file,
                                                       const std::vector<std::string> &columns)
 {
-    const auto rows = readCsvTable(file, columns);
-    if (!rows)
-        return tl::unexpected(rows.error());
+    const auto rows = ODO_TRY(readCsvTable(file, columns));
     std::vector<LabelledPoint> points;
     std::map<std::string, int> lineOfLabel;
-    for (const CsvRow &row : *rows) {
+    for (const CsvRow &row : rows) {
         const std::string label = csvTextOf(row.cells[0]);
         if (label.empty())
             return fail(ErrorCode::InvalidInput, atLine(file, row.line), labelIsEmpty(),
@@ -57,13 +55,9 @@ Result<std::vector<LabelledPoint>> readLabelledPoints(const std::filesystem::pat
         if (!isNew)
             return fail(ErrorCode::InvalidInput, atLine(file, row.line), labelIsThere(label, earlier->second),
                         labelEachMarker());
-        const auto x = csvNumber(file, row, 1, columns[1]);
-        if (!x)
-            return tl::unexpected(x.error());
-        const auto y = csvNumber(file, row, 2, columns[2]);
-        if (!y)
-            return tl::unexpected(y.error());
-        points.push_back({label, *x, *y});
+        const auto x = ODO_TRY(csvNumber(file, row, 1, columns[1]));
+        const auto y = ODO_TRY(csvNumber(file, row, 2, columns[2]));
+        points.push_back({label, x, y});
     }
     if (points.empty())
         return fail(ErrorCode::InvalidInput, atLine(file, 1),
@@ -95,11 +89,9 @@ std::string millimetreText(double metres)
 
 Result<MarkerLayout> readLayoutCsv(const std::filesystem::path &file)
 {
-    const auto points = readLabelledPoints(file, {"label", "x_mm", "y_mm"});
-    if (!points)
-        return tl::unexpected(points.error());
+    const auto points = ODO_TRY(readLabelledPoints(file, {"label", "x_mm", "y_mm"}));
     MarkerLayout layout;
-    for (const LabelledPoint &point : *points)
+    for (const LabelledPoint &point : points)
         layout.markers.push_back({point.label, {fromMillimetres(point.x), fromMillimetres(point.y)}});
     return layout;
 }
@@ -115,11 +107,9 @@ Result<void> writeLayoutCsv(const OutputTarget &target, const MarkerLayout &layo
 
 Result<std::vector<MarkerPixel>> readPixelsCsv(const std::filesystem::path &file)
 {
-    const auto points = readLabelledPoints(file, {"label", "u", "v"});
-    if (!points)
-        return tl::unexpected(points.error());
+    const auto points = ODO_TRY(readLabelledPoints(file, {"label", "u", "v"}));
     std::vector<MarkerPixel> pixels;
-    for (const LabelledPoint &point : *points)
+    for (const LabelledPoint &point : points)
         pixels.push_back({point.label, {point.x, point.y}});
     return pixels;
 }
@@ -127,12 +117,10 @@ Result<std::vector<MarkerPixel>> readPixelsCsv(const std::filesystem::path &file
 Result<std::vector<SharedPoint>> readSharedPointsCsv(const std::filesystem::path &file)
 {
     const std::vector<std::string> columns{"label", "u", "v", "through_u", "through_v"};
-    const auto rows = readCsvTable(file, columns);
-    if (!rows)
-        return tl::unexpected(rows.error());
+    const auto rows = ODO_TRY(readCsvTable(file, columns));
     std::vector<SharedPoint> points;
     std::map<std::string, int> lineOfLabel;
-    for (const CsvRow &row : *rows) {
+    for (const CsvRow &row : rows) {
         const std::string &label = row.cells[0];
         if (label.empty())
             return fail(ErrorCode::InvalidInput, atLine(file, row.line), labelIsEmpty(),
@@ -143,10 +131,8 @@ Result<std::vector<SharedPoint>> readSharedPointsCsv(const std::filesystem::path
                         labelEachPoint());
         std::array<double, 4> numbers{};
         for (std::size_t i = 0; i < numbers.size(); ++i) {
-            const auto number = csvNumber(file, row, i + 1, columns[i + 1]);
-            if (!number)
-                return tl::unexpected(number.error());
-            numbers[i] = *number;
+            const auto number = ODO_TRY(csvNumber(file, row, i + 1, columns[i + 1]));
+            numbers[i] = number;
         }
         points.push_back({label, {numbers[0], numbers[1]}, {numbers[2], numbers[3]}});
     }

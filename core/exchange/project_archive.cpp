@@ -63,10 +63,8 @@ public:
 
     Result<void> open()
     {
-        auto opened = OutputFile::open(m_target, FileKind::Zip);
-        if (!opened)
-            return tl::unexpected(opened.error());
-        m_output = std::move(*opened);
+        auto opened = ODO_TRY(OutputFile::open(m_target, FileKind::Zip));
+        m_output = std::move(opened);
         if (archive_write_set_format_zip(m_archive) != ARCHIVE_OK ||
             archive_write_open_fd(m_archive, m_output->descriptor()) != ARCHIVE_OK)
             return failure(problemOf(m_archive));
@@ -77,8 +75,7 @@ public:
     template <class Written>
     Result<void> add(const ArchiveEntry &file, const Written &written)
     {
-        if (auto may = checkMayBeRead(file.file, packSubject(file.file)); !may)
-            return may;
+        ODO_TRY(checkMayBeRead(file.file, packSubject(file.file)));
         std::error_code problem;
         const auto bytes = files::sizeOf(file.file, problem);
         std::ifstream in(file.file, std::ios::binary);
@@ -150,8 +147,7 @@ public:
         if (files::exists(m_folder))
             return fail(ErrorCode::AlreadyExists, unpackIntoSubject(m_folder), isThereAlready(),
                         ODO_TEXT("exchange.choose_new_folder", "choose a folder that is not there yet"));
-        if (auto may = checkMayBeRead(m_file, unpackSubject(m_file)); !may)
-            return may;
+        ODO_TRY(checkMayBeRead(m_file, unpackSubject(m_file)));
         archive_read_support_format_zip(m_archive);
         if (archive_read_open_filename(m_archive, m_file.c_str(), blockBytes) != ARCHIVE_OK)
             return refuse(problemOf(m_archive));
@@ -160,12 +156,9 @@ public:
             m_archiveBytes = 0;
         const std::filesystem::path around = files::absolute(m_folder).parent_path();
         files::makeFolders(around, problem);
-        if (auto place = checkOutput({m_folder, Existing::Refuse}, std::nullopt); !place)
-            return tl::unexpected(place.error());
-        auto made = TemporaryFolder::make(around, unpackIntoSubject(m_folder));
-        if (!made)
-            return tl::unexpected(made.error());
-        m_part = std::move(*made);
+        ODO_TRY(checkOutput({m_folder, Existing::Refuse}, std::nullopt));
+        auto made = ODO_TRY(TemporaryFolder::make(around, unpackIntoSubject(m_folder)));
+        m_part = std::move(made);
         return {};
     }
 
@@ -182,8 +175,7 @@ public:
                                   : ODO_TEXT("exchange.too_many_files", "it has too many files"));
             if (archive_entry_filetype(entry) == AE_IFDIR)
                 continue;
-            if (auto read = readEntry(entry, control); !read)
-                return read;
+            ODO_TRY(readEntry(entry, control));
         }
         return m_project.empty() ? refuse(ODO_TEXT("exchange.no_project_inside", "there is no project in it"))
                                  : Result<void>();
@@ -304,8 +296,7 @@ Result<void> writeArchive(const OutputTarget &archive, const std::vector<Archive
         all += problem ? 0 : bytes;
     }
     Writer writer(archive);
-    if (auto opened = writer.open(); !opened)
-        return opened;
+    ODO_TRY(writer.open());
     for (const ArchiveEntry &entry : entries) {
         const auto written = [&](std::size_t count) {
             done += count;
@@ -313,8 +304,7 @@ Result<void> writeArchive(const OutputTarget &archive, const std::vector<Archive
                            ODO_TEXT("exchange.packing", "packing %1")(Named::file(entry.name)));
             return !control.isCancelled();
         };
-        if (auto added = writer.add(entry, written); !added)
-            return added;
+        ODO_TRY(writer.add(entry, written));
     }
     return writer.publish();
 }
@@ -323,10 +313,8 @@ Result<std::filesystem::path> unpackArchive(const std::filesystem::path &archive
                                             const std::filesystem::path &folder, const JobControl &control)
 {
     Reader reader(archive, folder);
-    if (auto opened = reader.open(); !opened)
-        return tl::unexpected(opened.error());
-    if (auto read = reader.readAll(control); !read)
-        return tl::unexpected(read.error());
+    ODO_TRY(reader.open());
+    ODO_TRY(reader.readAll(control));
     return reader.publish();
 }
 

@@ -71,14 +71,12 @@ tl::unexpected<Error> wrongLines(const std::filesystem::path &roster, std::vecto
 
 Result<std::vector<RosterEntry>> readRosterCsv(const std::filesystem::path &file)
 {
-    const auto rows = readCsvRows(file);
-    if (!rows)
-        return tl::unexpected(rows.error());
+    const auto rows = ODO_TRY(readCsvRows(file));
     const Message advice =
         ODO_TEXT("exchange.begin_roster", "begin the file with the line class,team or class,team,pseudonym");
-    if (rows->empty())
+    if (rows.empty())
         return fail(ErrorCode::InvalidInput, atLine(file, 1), fileIsEmpty(), advice);
-    const CsvRow &header = rows->front();
+    const CsvRow &header = rows.front();
     const auto className = columnOf(header, "class"), team = columnOf(header, "team"),
                pseudonym = columnOf(header, "pseudonym"), members = columnOf(header, "members");
     if (!className || !team) {
@@ -94,8 +92,8 @@ Result<std::vector<RosterEntry>> readRosterCsv(const std::filesystem::path &file
     std::vector<RosterEntry> entries;
     std::vector<Message> bad;
     std::map<std::string, int> lineOf;
-    for (std::size_t i = 1; i < rows->size(); ++i) {
-        const CsvRow &row = (*rows)[i];
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+        const CsvRow &row = rows[i];
         RosterEntry entry{row.line, cellOf(row, className), cellOf(row, team), cellOf(row, pseudonym),
                           partsOf(cellOf(row, members))};
         if (entry.team.empty())

@@ -31,9 +31,7 @@ public:
     {
         if (root.kind != Kind::Mapping)
             return failure(root.line, ODO_TEXT("exchange.no_task", "the file holds no task"));
-        if (auto known = onlyKeys(root, {"template", "gates", "reference_path", "limits", "zones", "name"});
-            !known)
-            return tl::unexpected(known.error());
+        ODO_TRY(onlyKeys(root, {"template", "gates", "reference_path", "limits", "zones", "name"}));
         Task task;
         for (const auto &[key, node] : root.entries) {
             Result<void> done;
@@ -108,15 +106,11 @@ private:
 
     Result<double> lengthM(const YamlNode &parent, const std::string &key) const
     {
-        const auto node = entry(parent, key);
-        if (!node)
-            return tl::unexpected(node.error());
-        auto value = number(**node, key);
-        if (!value)
-            return value;
-        const double metres = fromMillimetres(*value); // which may be zero where the millimetres are not
+        const auto node = ODO_TRY(entry(parent, key));
+        auto value = ODO_TRY(number(*node, key));
+        const double metres = fromMillimetres(value); // which may be zero where the millimetres are not
         if (!(metres > 0))
-            return failure((*node)->line, ODO_TEXT("exchange.not_above_zero", "'%1' is not above zero")(key));
+            return failure(node->line, ODO_TEXT("exchange.not_above_zero", "'%1' is not above zero")(key));
         return metres;
     }
 
@@ -148,8 +142,7 @@ private:
 
     Result<Gate> readGate(const YamlNode &node) const
     {
-        if (auto known = onlyKeys(node, {"name", "role", "from_mm", "to_mm"}); !known)
-            return tl::unexpected(known.error());
+        ODO_TRY(onlyKeys(node, {"name", "role", "from_mm", "to_mm"}));
         const auto name = entry(node, "name"), role = entry(node, "role");
         if (!name || !role)
             return tl::unexpected(name ? role.error() : name.error());
@@ -167,12 +160,10 @@ private:
         if (node.kind != Kind::Sequence)
             return notAList(node, "gates");
         for (const YamlNode &item : node.items) {
-            auto gate = readGate(item);
-            if (!gate)
-                return tl::unexpected(gate.error());
-            if (auto valid = checkGate(*gate); !valid)
+            auto gate = ODO_TRY(readGate(item));
+            if (auto valid = checkGate(gate); !valid)
                 return at(item.line, valid.error());
-            into.gates.push_back(std::move(*gate));
+            into.gates.push_back(std::move(gate));
             if (auto valid = checkGateAmong(into.gates); !valid)
                 return at(item.line, valid.error());
         }
@@ -181,20 +172,17 @@ private:
 
     Result<void> readPath(const YamlNode &node, Task &into) const
     {
-        if (auto known = onlyKeys(node, {"points_mm", "closed", "circle", "figure_eight", "slalom"}); !known)
-            return known;
+        ODO_TRY(onlyKeys(node, {"points_mm", "closed", "circle", "figure_eight", "slalom"}));
         int curves = 0;
         for (const auto &[key, value] : node.entries) {
             if (key == "closed")
                 continue;
             ++curves;
-            const auto path = key == "points_mm" ? pointsPath(node, value)
-                              : key == "circle"  ? circle(value)
-                              : key == "slalom"  ? slalom(value)
-                                                 : figureEight(value);
-            if (!path)
-                return tl::unexpected(path.error());
-            into.path = *path;
+            const auto path = ODO_TRY(key == "points_mm" ? pointsPath(node, value)
+                                      : key == "circle"  ? circle(value)
+                                      : key == "slalom"  ? slalom(value)
+                                                         : figureEight(value));
+            into.path = path;
         }
         if (curves != 1)
             return failure(
@@ -213,20 +201,16 @@ private:
         if (list.kind != Kind::Sequence)
             return notAList(list, name);
         for (const YamlNode &item : list.items) {
-            const auto one = point(item, name);
-            if (!one)
-                return tl::unexpected(one.error());
-            read.push_back(*one);
+            const auto one = ODO_TRY(point(item, name));
+            read.push_back(one);
         }
         return read;
     }
 
     Result<ReferencePath> pointsPath(const YamlNode &parent, const YamlNode &list) const
     {
-        auto read = points(list, "points_mm");
-        if (!read)
-            return tl::unexpected(read.error());
-        ReferencePath path{std::move(*read), false};
+        auto read = ODO_TRY(points(list, "points_mm"));
+        ReferencePath path{std::move(read), false};
         if (const YamlNode *closed = parent.find("closed")) {
             if (closed->text != "true" && closed->text != "false")
                 return failure(closed->line,
@@ -238,41 +222,32 @@ private:
 
     Result<ReferencePath> circle(const YamlNode &node) const
     {
-        if (auto known = onlyKeys(node, {"centre_mm", "radius_mm"}); !known)
-            return tl::unexpected(known.error());
+        ODO_TRY(onlyKeys(node, {"centre_mm", "radius_mm"}));
         const auto centre = pointIn(node, "centre_mm");
-        const auto radius = centre ? lengthM(node, "radius_mm") : tl::unexpected(centre.error());
-        if (!radius)
-            return tl::unexpected(radius.error());
-        return circlePath(*centre, *radius);
+        const auto radius = ODO_TRY(centre ? lengthM(node, "radius_mm") : tl::unexpected(centre.error()));
+        return circlePath(*centre, radius);
     }
 
     Result<ReferencePath> figureEight(const YamlNode &node) const
     {
-        if (auto known = onlyKeys(node, {"centre_mm", "half_width_mm", "half_height_mm"}); !known)
-            return tl::unexpected(known.error());
+        ODO_TRY(onlyKeys(node, {"centre_mm", "half_width_mm", "half_height_mm"}));
         const auto centre = pointIn(node, "centre_mm");
         const auto width = centre ? lengthM(node, "half_width_mm") : tl::unexpected(centre.error());
-        const auto height = width ? lengthM(node, "half_height_mm") : width;
-        if (!height)
-            return tl::unexpected(height.error());
-        return figureEightPath(*centre, *width, *height);
+        const auto height = ODO_TRY(width ? lengthM(node, "half_height_mm") : width);
+        return figureEightPath(*centre, *width, height);
     }
 
     Result<ReferencePath> slalom(const YamlNode &node) const
     {
-        if (auto known = onlyKeys(node, {"from_mm", "to_mm", "poles", "swing_mm"}); !known)
-            return tl::unexpected(known.error());
+        ODO_TRY(onlyKeys(node, {"from_mm", "to_mm", "poles", "swing_mm"}));
         const auto from = pointIn(node, "from_mm");
         const auto to = from ? pointIn(node, "to_mm") : from;
         const auto swing = to ? lengthM(node, "swing_mm") : tl::unexpected(to.error());
-        const auto poles = swing ? entry(node, "poles") : tl::unexpected(swing.error());
-        if (!poles)
-            return tl::unexpected(poles.error());
-        const auto count = number(**poles, "poles");
+        const auto poles = ODO_TRY(swing ? entry(node, "poles") : tl::unexpected(swing.error()));
+        const auto count = number(*poles, "poles");
         constexpr double mostPoles = 100;
         if (!count || *count < 1 || *count > mostPoles || *count != std::floor(*count))
-            return failure((*poles)->line,
+            return failure(poles->line,
                            ODO_TEXT("exchange.wrong_poles", "'poles' is not a whole number from 1 to 100"));
         if ((*to - *from).norm() <= 0)
             return failure(node.line,
@@ -282,23 +257,19 @@ private:
 
     Result<void> readLimits(const YamlNode &node, Task &into) const
     {
-        if (auto known = onlyKeys(node, {"speed_mm_s", "acceleration_mm_s2"}); !known)
-            return known;
+        ODO_TRY(onlyKeys(node, {"speed_mm_s", "acceleration_mm_s2"}));
         for (const auto &[key, value] : node.entries) {
             if (isNull(value))
                 continue;
-            const auto limit = lengthM(node, key);
-            if (!limit)
-                return tl::unexpected(limit.error());
-            (key == "speed_mm_s" ? into.limits.maxSpeedMps : into.limits.maxAccelMps2) = *limit;
+            const auto limit = ODO_TRY(lengthM(node, key));
+            (key == "speed_mm_s" ? into.limits.maxSpeedMps : into.limits.maxAccelMps2) = limit;
         }
         return {};
     }
 
     Result<Zone> readZone(const YamlNode &node) const
     {
-        if (auto known = onlyKeys(node, {"name", "rule", "corners_mm", "rectangle_mm"}); !known)
-            return tl::unexpected(known.error());
+        ODO_TRY(onlyKeys(node, {"name", "rule", "corners_mm", "rectangle_mm"}));
         const auto name = entry(node, "name"), rule = entry(node, "rule");
         if (!name || !rule)
             return tl::unexpected(name ? rule.error() : name.error());
@@ -313,16 +284,14 @@ private:
                         : ODO_TEXT("exchange.zone_not_given", "the zone is given by nothing"),
                 ODO_TEXT("exchange.give_one_zone",
                          "give corners_mm, all the way round, or two opposite corners as rectangle_mm"));
-        auto read = corners ? points(*corners, "corners_mm") : points(*rectangle, "rectangle_mm");
-        if (!read)
-            return tl::unexpected(read.error());
+        auto read = ODO_TRY(corners ? points(*corners, "corners_mm") : points(*rectangle, "rectangle_mm"));
         if (corners)
-            return Zone{(*name)->text, *parsed, std::move(*read)};
-        if (read->size() != 2)
+            return Zone{(*name)->text, *parsed, std::move(read)};
+        if (read.size() != 2)
             return failure(
                 rectangle->line, ODO_TEXT("exchange.not_two_corners", "'rectangle_mm' is not two corners"),
                 ODO_TEXT("exchange.give_two_corners", "give two opposite corners: [[x, y], [x, y]]"));
-        return rectangularZone((*name)->text, *parsed, read->front(), read->back());
+        return rectangularZone((*name)->text, *parsed, read.front(), read.back());
     }
 
     Result<void> readZones(const YamlNode &node, Task &into) const
@@ -330,12 +299,10 @@ private:
         if (node.kind != Kind::Sequence)
             return notAList(node, "zones");
         for (const YamlNode &item : node.items) {
-            auto zone = readZone(item);
-            if (!zone)
-                return tl::unexpected(zone.error());
-            if (auto valid = checkZone(*zone); !valid)
+            auto zone = ODO_TRY(readZone(item));
+            if (auto valid = checkZone(zone); !valid)
                 return at(item.line, valid.error());
-            into.zones.push_back(std::move(*zone));
+            into.zones.push_back(std::move(zone));
             if (auto valid = checkZoneAmong(into.zones); !valid)
                 return at(item.line, valid.error());
         }
@@ -349,13 +316,9 @@ private:
 
 Result<Task> readTaskFile(const std::filesystem::path &file)
 {
-    const auto text = readTextFile(file);
-    if (!text)
-        return tl::unexpected(text.error());
-    const auto root = parseYaml(file, *text, taskAdvice());
-    if (!root)
-        return tl::unexpected(root.error());
-    return TaskReader(file).read(*root);
+    const auto text = ODO_TRY(readTextFile(file));
+    const auto root = ODO_TRY(parseYaml(file, text, taskAdvice()));
+    return TaskReader(file).read(root);
 }
 
 } // namespace odo

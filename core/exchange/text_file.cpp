@@ -59,8 +59,7 @@ Result<TextFile> TextFile::open(const std::filesystem::path &file, std::size_t m
     auto impl = std::make_unique<Impl>();
     impl->what = quotedFileSubject(file);
     impl->maxBytes = maxBytes;
-    if (auto may = checkMayBeRead(file, impl->what); !may)
-        return tl::unexpected(may.error());
+    ODO_TRY(checkMayBeRead(file, impl->what));
     impl->input.setFileName(QString::fromStdString(file.string()));
     if (!impl->input.open(QIODevice::ReadOnly))
         return fail(ErrorCode::Io, impl->what, cannotBeRead(impl->input.errorString().toStdString()),
@@ -74,8 +73,7 @@ Result<std::string> TextFile::read()
 {
     constexpr qint64 blockBytes = 1 << 16;
     QByteArray block = m_impl->input.read(blockBytes);
-    if (auto text = m_impl->checkEncoding(block, block.isEmpty()); !text)
-        return tl::unexpected(text.error());
+    ODO_TRY(m_impl->checkEncoding(block, block.isEmpty()));
     const bool isFirst = m_impl->count == 0;
     m_impl->count += static_cast<std::size_t>(block.size());
     if (m_impl->count > m_impl->maxBytes) // it has grown, or its size is not known (/proc)
@@ -97,17 +95,13 @@ std::size_t TextFile::size() const
 
 Result<std::string> readTextFile(const std::filesystem::path &file, std::size_t maxBytes)
 {
-    auto input = TextFile::open(file, maxBytes);
-    if (!input)
-        return tl::unexpected(input.error());
+    auto input = ODO_TRY(TextFile::open(file, maxBytes));
     std::string text;
     for (;;) {
-        const auto block = input->read();
-        if (!block)
-            return block;
-        if (block->empty())
+        const auto block = ODO_TRY(input.read());
+        if (block.empty())
             return text;
-        text += *block;
+        text += block;
     }
 }
 

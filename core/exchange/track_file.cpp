@@ -287,11 +287,9 @@ Result<bool> TrackReader::nextLine()
         m_control.report(0.5 * m_lines.doneShare(),
                          ODO_TEXT("exchange.reading_line", "reading line %1")(m_lines.number()));
     }
-    const auto line = m_lines.next();
-    if (!line)
-        return tl::unexpected(line.error());
-    m_line = line->value_or(std::string_view());
-    return line->has_value();
+    const auto line = ODO_TRY(m_lines.next());
+    m_line = line.value_or(std::string_view());
+    return line.has_value();
 }
 
 Result<double> TrackReader::numberOf(std::size_t cell) const
@@ -368,10 +366,8 @@ Result<TrackFile> TrackReader::readTum()
                                                "it has %1 entries instead of the 8 of TUM")(m_cells.size()),
                 ODO_TEXT("exchange.write_tum_or_header", "write %1, or begin the file with the line %2")(
                     std::string(tumMark), std::string(csvMark)));
-        for (std::size_t cell = 1; cell < tumEntries; ++cell) {
-            if (auto number = numberOf(cell); !number)
-                return tl::unexpected(number.error());
-        }
+        for (std::size_t cell = 1; cell < tumEntries; ++cell)
+            ODO_TRY(numberOf(cell));
         const auto time = cellTime(m_cells[0], m_delimiter, 1);
         if (!time)
             return wrong(
@@ -430,20 +426,16 @@ Result<void> TrackReader::addRow(const TrackHeader &header, std::vector<FileTrac
                      writeDigits());
     for (std::size_t i = 0; i < tracks.size(); ++i) {
         const TrackColumns &columns = header.tracks[i];
-        const auto position = pairOf(columns.x, columns.y,
-                                     ODO_TEXT("exchange.one_place_blank", "one of its two places is blank"));
-        if (!position)
-            return tl::unexpected(position.error());
-        ImportedPosition row{*time, *position, {}};
+        const auto position = ODO_TRY(pairOf(
+            columns.x, columns.y, ODO_TEXT("exchange.one_place_blank", "one of its two places is blank")));
+        ImportedPosition row{*time, position, {}};
         if (row.position && columns.sigmaX && columns.sigmaY) {
-            auto sigma = pairOf(*columns.sigmaX, *columns.sigmaY,
-                                ODO_TEXT("exchange.one_error_blank", "one of its two errors is blank"));
-            if (!sigma)
-                return tl::unexpected(sigma.error());
-            row.sigmaM = *sigma;
+            auto sigma =
+                ODO_TRY(pairOf(*columns.sigmaX, *columns.sigmaY,
+                               ODO_TEXT("exchange.one_error_blank", "one of its two errors is blank")));
+            row.sigmaM = sigma;
         }
-        if (auto added = add(tracks[i], row); !added)
-            return added;
+        ODO_TRY(add(tracks[i], row));
     }
     return {};
 }
@@ -454,16 +446,13 @@ Result<TrackFile> TrackReader::readTable(const TrackHeader &header, bool isTrack
     for (const TrackColumns &columns : header.tracks)
         file.tracks.push_back({columns.name, {}});
     for (;;) {
-        const auto isLine = nextLine();
+        const auto isLine = ODO_TRY(nextLine());
         if (!isLine)
-            return tl::unexpected(isLine.error());
-        if (!*isLine)
             break;
         splitCells(m_line, m_delimiter, m_cells);
         if (std::ranges::all_of(m_cells, [](std::string_view cell) { return cell.empty(); }))
             continue;
-        if (auto added = addRow(header, file.tracks); !added)
-            return tl::unexpected(added.error());
+        ODO_TRY(addRow(header, file.tracks));
     }
     return checked(std::move(file));
 }
@@ -482,10 +471,8 @@ Result<TrackFile> TrackReader::read()
     int above = 0;
     bool isTracker = false;
     for (;;) {
-        const auto isLine = nextLine();
+        const auto isLine = ODO_TRY(nextLine());
         if (!isLine)
-            return tl::unexpected(isLine.error());
-        if (!*isLine)
             break;
         isTracker = isTracker || m_line.starts_with("#multi:");
         if (withoutBlanks(m_line).empty() || m_line.starts_with('#') || m_line.starts_with("sep="))
@@ -494,12 +481,10 @@ Result<TrackFile> TrackReader::read()
             return readTum();
         if (beginsAsNumber(m_line))
             break;
-        auto header = headerOf(m_line);
-        if (!header)
-            return tl::unexpected(header.error());
-        if (*header) {
-            const bool isBare = withoutBlanks(m_cells[0]) == "t" && !(*header)->hasUnits;
-            return readTable(**header, isTracker || isBare || above > 0);
+        auto header = ODO_TRY(headerOf(m_line));
+        if (header) {
+            const bool isBare = withoutBlanks(m_cells[0]) == "t" && !header->hasUnits;
+            return readTable(*header, isTracker || isBare || above > 0);
         }
         m_lineAbove = m_line;
         m_above = {withoutBlanks(m_lineAbove)}; // a name may have blanks
@@ -526,10 +511,8 @@ std::string_view trackFormatWord(TrackFormat format)
 
 Result<TrackFile> readTrackFile(const std::filesystem::path &file, const JobControl &control)
 {
-    auto text = TextFile::open(file, mostTrackBytes);
-    if (!text)
-        return tl::unexpected(text.error());
-    return TrackReader(file, std::move(*text), control).read();
+    auto text = ODO_TRY(TextFile::open(file, mostTrackBytes));
+    return TrackReader(file, std::move(text), control).read();
 }
 
 } // namespace odo

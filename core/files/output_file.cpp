@@ -197,12 +197,10 @@ public:
             return fail(ErrorCode::AlreadyExists, what(), isThereAlready(), chooseAnotherNameOrFolder());
         if (::access(m_path.real.c_str(), W_OK) != 0) // its owner has protected it, or the disk is read-only
             return notWritable(errno);
-        const auto found = existingKind();
-        if (!found)
-            return tl::unexpected(found.error());
+        const auto found = ODO_TRY(existingKind());
         if (isNamedAsProject(kind))
             return refused(namesAProject());
-        place.kind = *found;
+        place.kind = found;
         if (kind && m_target.existing == Existing::ReplaceSameKind && place.kind != FileKind::Empty &&
             !isSameKind(place.kind, *kind))
             return fail(
@@ -378,10 +376,8 @@ Result<OutputPlace> checkOutput(const OutputTarget &target, std::optional<FileKi
     std::error_code unknown;
     if (Message reason = files::insteadOfFile(files::kindOf(target.file, unknown)); !reason.isEmpty())
         return refusedAs(target, std::move(reason));
-    auto path = resolved(target.file);
-    if (!path)
-        return tl::unexpected(path.error());
-    return OutputCheck(target, std::move(*path)).run(kind);
+    auto path = ODO_TRY(resolved(target.file));
+    return OutputCheck(target, std::move(path)).run(kind);
 }
 
 Result<void> checkNewProject(const std::filesystem::path &file, const Message &what)
@@ -406,15 +402,11 @@ OutputFile::OutputFile(OutputTarget target, FileKind kind, std::unique_ptr<Tempo
 
 Result<std::unique_ptr<OutputFile>> OutputFile::open(const OutputTarget &target, FileKind kind)
 {
-    const auto place = checkOutput(target, kind);
-    if (!place)
-        return tl::unexpected(place.error());
-    auto temporary = TemporaryFile::make(place->real.parent_path(), quotedFileSubject(target.file));
-    if (!temporary)
-        return tl::unexpected(temporary.error());
-    if (place->exists) // its readers stay the same; not every file system can
-        static_cast<void>(::fchmod((*temporary)->descriptor(), place->permissions));
-    return std::unique_ptr<OutputFile>(new OutputFile(target, kind, std::move(*temporary)));
+    const auto place = ODO_TRY(checkOutput(target, kind));
+    auto temporary = ODO_TRY(TemporaryFile::make(place.real.parent_path(), quotedFileSubject(target.file)));
+    if (place.exists) // its readers stay the same; not every file system can
+        static_cast<void>(::fchmod(temporary->descriptor(), place.permissions));
+    return std::unique_ptr<OutputFile>(new OutputFile(target, kind, std::move(temporary)));
 }
 
 tl::unexpected<Error> OutputFile::failure(std::string because) const
@@ -432,12 +424,10 @@ Result<void> OutputFile::write(std::string_view bytes)
 Result<void> OutputFile::commit()
 {
     for (;;) {
-        const auto place = checkOutput(m_target, m_kind);
-        if (!place)
-            return tl::unexpected(place.error());
-        if (place->exists)
-            return m_temporary->replace(place->real);
-        auto published = m_temporary->publish(place->real);
+        const auto place = ODO_TRY(checkOutput(m_target, m_kind));
+        if (place.exists)
+            return m_temporary->replace(place.real);
+        auto published = m_temporary->publish(place.real);
         if (published || published.error().code != ErrorCode::AlreadyExists)
             return published; // else somebody was quicker: is that file one that may be replaced?
     }
@@ -449,15 +439,12 @@ Result<void> writeOutput(const OutputTarget &target,
     std::unique_ptr<OutputFile> output;
     const OutputSink sink = [&](std::string_view piece) -> Result<void> {
         if (!output) {
-            auto opened = OutputFile::open(target, kindOf(piece));
-            if (!opened)
-                return tl::unexpected(opened.error());
-            output = std::move(*opened);
+            auto opened = ODO_TRY(OutputFile::open(target, kindOf(piece)));
+            output = std::move(opened);
         }
         return output->write(piece);
     };
-    if (auto written = write(sink); !written)
-        return written;
+    ODO_TRY(write(sink));
     if (auto ended = sink({}); !ended) // so that there is a file where there was no piece
         return ended;
     return output->commit();

@@ -217,14 +217,12 @@ TemporaryFile::TemporaryFile(std::unique_ptr<TemporaryFolder> folder, int descri
 Result<std::unique_ptr<TemporaryFile>> TemporaryFile::make(const std::filesystem::path &folder,
                                                            const Message &what)
 {
-    auto made = TemporaryFolder::make(folder, what);
-    if (!made)
-        return tl::unexpected(made.error());
-    const int descriptor = ::open(((*made)->path() / nameOfFile).c_str(),
-                                  O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    auto made = ODO_TRY(TemporaryFolder::make(folder, what));
+    const int descriptor =
+        ::open((made->path() / nameOfFile).c_str(), O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
     if (descriptor < 0)
         return cannotMake(folder, what, errno);
-    return std::unique_ptr<TemporaryFile>(new TemporaryFile(std::move(*made), descriptor, what));
+    return std::unique_ptr<TemporaryFile>(new TemporaryFile(std::move(made), descriptor, what));
 }
 
 TemporaryFile::~TemporaryFile()
@@ -258,8 +256,7 @@ void TemporaryFile::published(const std::filesystem::path &target)
 
 Result<void> TemporaryFile::replace(const std::filesystem::path &target)
 {
-    if (auto synced = sync(); !synced)
-        return synced;
+    ODO_TRY(sync());
     if (::rename(path().c_str(), target.c_str()) != 0)
         return failure(errno);
     published(target);
@@ -268,8 +265,7 @@ Result<void> TemporaryFile::replace(const std::filesystem::path &target)
 
 Result<void> TemporaryFile::publish(const std::filesystem::path &target)
 {
-    if (auto synced = sync(); !synced)
-        return synced;
+    ODO_TRY(sync());
     if (const int reason = giveFreeName(path(), target); reason != 0)
         return failure(reason);
     published(target);
@@ -279,10 +275,8 @@ Result<void> TemporaryFile::publish(const std::filesystem::path &target)
 Result<std::unique_ptr<TemporaryFolder>> TemporaryFolder::make(const std::filesystem::path &folder,
                                                                const Message &what)
 {
-    auto made = madeIn(folder, what);
-    if (!made)
-        return tl::unexpected(made.error());
-    std::unique_ptr<TemporaryFolder> temporary(new TemporaryFolder(std::move(made->first), made->second));
+    auto made = ODO_TRY(madeIn(folder, what));
+    std::unique_ptr<TemporaryFolder> temporary(new TemporaryFolder(std::move(made.first), made.second));
     if (::mkdir(temporary->path().c_str(), 0700) != 0)
         return cannotMake(folder, what, errno);
     return temporary;

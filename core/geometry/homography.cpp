@@ -162,8 +162,7 @@ Result<Homography> Homography::estimate(std::span<const PointPair> pairs)
         sources.push_back(pair.source);
         targets.push_back(pair.target);
     }
-    if (auto sound = checkPoints(pairs, sources, targets); !sound)
-        return tl::unexpected(sound.error());
+    ODO_TRY(checkPoints(pairs, sources, targets));
     const Matrix3d sourceScale = normalisation(sources), targetScale = normalisation(targets);
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         sources[i] = (sourceScale * sources[i].homogeneous()).hnormalized();

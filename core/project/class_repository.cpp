@@ -30,13 +30,10 @@ Result<ClassRecord> ClassRepository::add(const std::string &given)
 {
     const std::string name = normalName(given);
     return transact(m_connection, [&]() -> Result<ClassRecord> {
-        if (auto valid = checkName(RecordKind::Class, name); !valid)
-            return tl::unexpected(valid.error());
-        if (auto isFree = checkNameIsFree(m_connection, RecordKind::Class, name); !isFree)
-            return tl::unexpected(isFree.error());
+        ODO_TRY(checkName(RecordKind::Class, name));
+        ODO_TRY(checkNameIsFree(m_connection, RecordKind::Class, name));
         Statement insert(m_connection, QStringLiteral("INSERT INTO class (name) VALUES (?)"));
-        if (auto done = insert.bind(name).run(); !done)
-            return tl::unexpected(done.error());
+        ODO_TRY(insert.bind(name).run());
         return ClassRecord{insert.insertedId(), name, {}, 0};
     });
 }
@@ -57,10 +54,8 @@ Result<std::vector<ClassRecord>> ClassRepository::all() const
 Result<ClassRecord> ClassRepository::get(RecordId id) const
 {
     Statement select(m_connection, classColumns + QStringLiteral("WHERE id=?"));
-    const auto found = select.bind(id).firstRow();
+    const auto found = ODO_TRY(select.bind(id).firstRow());
     if (!found)
-        return tl::unexpected(found.error());
-    if (!*found)
         return noSuchId(m_connection, RecordKind::Class, id);
     return classOf(select);
 }
@@ -72,10 +67,8 @@ Result<void> ClassRepository::rename(RecordId id, const std::string &given)
         const auto known = get(id);
         if (!known || known->name == name)
             return withoutValue(known);
-        if (auto valid = checkName(RecordKind::Class, name); !valid)
-            return valid;
-        if (auto isFree = checkNameIsFree(m_connection, RecordKind::Class, name); !isFree)
-            return isFree;
+        ODO_TRY(checkName(RecordKind::Class, name));
+        ODO_TRY(checkNameIsFree(m_connection, RecordKind::Class, name));
         Statement update(m_connection, QStringLiteral("UPDATE class SET name=? WHERE id=?"));
         return update.bind(name).bind(id).run();
     });
@@ -95,15 +88,12 @@ Result<void> ClassRepository::setArchived(RecordId id, bool archived)
 Result<void> ClassRepository::remove(RecordId id)
 {
     return transact(m_connection, [&]() -> Result<void> {
-        const auto known = get(id);
-        if (!known)
-            return tl::unexpected(known.error());
-        if (known->teams > 0)
+        const auto known = ODO_TRY(get(id));
+        if (known.teams > 0)
             return fail(
-                ErrorCode::InvalidInput, classSubject(known->name),
-                known->teams == 1
-                    ? Message(ODO_TEXT("project.class_has_team", "a team belongs to it"))
-                    : ODO_TEXT("project.class_has_teams", "%1 teams belong to it")(known->teams),
+                ErrorCode::InvalidInput, classSubject(known.name),
+                known.teams == 1 ? Message(ODO_TEXT("project.class_has_team", "a team belongs to it"))
+                                 : ODO_TEXT("project.class_has_teams", "%1 teams belong to it")(known.teams),
                 ODO_TEXT("project.move_teams_first", "move its teams to another class first, or archive it"));
         return runFor(m_connection, "DELETE FROM class WHERE id=?", id);
     });

@@ -252,10 +252,8 @@ Result<RecordId> idNamed(const ProjectConnection &connection, RecordKind kind, c
 {
     Statement exact(connection, namesIn(kind) + QStringLiteral("WHERE name=?"));
     const std::string wanted = normalName(name);
-    const auto found = exact.bind(wanted).firstRow();
-    if (!found)
-        return tl::unexpected(found.error());
-    if (*found)
+    const auto found = ODO_TRY(exact.bind(wanted).firstRow());
+    if (found)
         return exact.integer(0);
     if (!hasOtherForms(name))
         return 0;
@@ -271,10 +269,8 @@ Result<RecordId> idNamed(const ProjectConnection &connection, RecordKind kind, c
 
 Result<void> checkNameIsFree(const ProjectConnection &connection, RecordKind kind, const std::string &name)
 {
-    const auto taken = idNamed(connection, kind, name);
-    if (!taken)
-        return tl::unexpected(taken.error());
-    if (*taken != 0)
+    const auto taken = ODO_TRY(idNamed(connection, kind, name));
+    if (taken != 0)
         return fail(ErrorCode::AlreadyExists, tableOf(kind).subject(shortened(name)),
                     ODO_TEXT("project.name_taken", "the project has a %1 of that name already")(wordOf(kind)),
                     chooseAnotherName());
@@ -322,13 +318,11 @@ Result<RecordId> idOfName(ProjectConnection &connection, RecordKind kind, const 
     const auto known = idNamed(connection, kind, name);
     if (!known || *known != 0)
         return known;
-    if (auto valid = checkName(kind, name); !valid)
-        return tl::unexpected(valid.error());
+    ODO_TRY(checkName(kind, name));
     Statement insert(
         connection,
         QStringLiteral("INSERT INTO %1 (name) VALUES (?)").arg(QLatin1String(tableOf(kind).table)));
-    if (auto done = insert.bind(normalName(name)).run(); !done)
-        return tl::unexpected(done.error());
+    ODO_TRY(insert.bind(normalName(name)).run());
     return insert.insertedId();
 }
 

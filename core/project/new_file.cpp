@@ -53,10 +53,8 @@ Result<void> NewFile::prepare()
         return alreadyThere();
     if (problem == std::errc::filename_too_long)
         return nameIsTooLong(m_what);
-    auto made = TemporaryFolder::make(folder, m_what);
-    if (!made)
-        return tl::unexpected(made.error());
-    m_folder = std::move(*made);
+    auto made = ODO_TRY(TemporaryFolder::make(folder, m_what));
+    m_folder = std::move(made);
     m_temporary = m_folder->path() / "new.odo"; // short: SQLite takes no paths beyond 512 bytes
     const int descriptor = ::open(m_temporary.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor < 0)

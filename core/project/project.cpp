@@ -28,8 +28,7 @@ Result<std::unique_ptr<ProjectConnection>> connect(const std::filesystem::path &
 Result<void> setProperty(ProjectConnection &connection, const char *name, const std::string &value)
 {
     Statement remove(connection, QStringLiteral("DELETE FROM property WHERE name=?"));
-    if (auto done = remove.bind(std::string(name)).run(); !done)
-        return done;
+    ODO_TRY(remove.bind(std::string(name)).run());
     Statement insert(connection, QStringLiteral("INSERT INTO property VALUES (?,?)"));
     return insert.bind(std::string(name)).bind(value).run();
 }
@@ -37,18 +36,13 @@ Result<void> setProperty(ProjectConnection &connection, const char *name, const 
 /// A new database in the rollback journal's mode, so that its header is in the file from the first moment.
 Result<void> makeDatabase(const std::filesystem::path &file, const std::string &title)
 {
-    const auto connection = ProjectConnection::open(file, DatabaseAccess::ReadWrite);
-    if (!connection)
-        return tl::unexpected(connection.error());
+    const auto connection = ODO_TRY(ProjectConnection::open(file, DatabaseAccess::ReadWrite));
     const QString id = QStringLiteral("PRAGMA application_id=%1").arg(projectApplicationId);
-    if (auto done = (*connection)->execute(id); !done)
-        return done;
+    ODO_TRY(connection->execute(id));
     const Migrator &migrator = projectMigrator();
-    if (auto made = migrator.create(**connection, migrator.newestVersion()); !made)
-        return made;
-    if (auto set = setProperty(**connection, "title", normalName(title)); !set)
-        return set;
-    return (*connection)->beginHistory();
+    ODO_TRY(migrator.create(*connection, migrator.newestVersion()));
+    ODO_TRY(setProperty(*connection, "title", normalName(title)));
+    return connection->beginHistory();
 }
 
 } // namespace
@@ -88,18 +82,14 @@ Project::~Project()
 Result<std::unique_ptr<Project>> Project::create(const std::filesystem::path &file, const std::string &title)
 {
     const Message what = projectSubject(file);
-    if (auto valid = checkTitle(title); !valid)
-        return tl::unexpected(valid.error());
-    if (auto may = checkNewProject(file, what); !may)
-        return tl::unexpected(may.error());
+    ODO_TRY(checkTitle(title));
+    ODO_TRY(checkNewProject(file, what));
     {
         NewFile newFile(file, what);
-        if (auto ready = newFile.prepare(); !ready)
-            return tl::unexpected(ready.error());
+        ODO_TRY(newFile.prepare());
         if (auto made = makeDatabase(newFile.temporary(), title); !made)
             return fail(made.error().code, what, made.error().why, made.error().advice);
-        if (auto published = newFile.publish(); !published)
-            return tl::unexpected(published.error());
+        ODO_TRY(newFile.publish());
     }
     return open(file, Access::ReadWrite);
 }
@@ -141,11 +131,8 @@ Result<void> makeReady(ProjectConnection &connection)
     constexpr std::chrono::seconds longestMigration{60};
     if (isReady(connection))
         return {};
-    const auto turn = connection.takeTurn(longestMigration);
-    if (!turn)
-        return tl::unexpected(turn.error());
-    if (auto done = connection.execute(QStringLiteral("PRAGMA journal_mode=WAL")); !done)
-        return done;
+    const auto turn = ODO_TRY(connection.takeTurn(longestMigration));
+    ODO_TRY(connection.execute(QStringLiteral("PRAGMA journal_mode=WAL")));
     return projectMigrator().migrate(connection);
 }
 
@@ -156,8 +143,7 @@ Result<std::unique_ptr<Project>> Project::open(const std::filesystem::path &file
     const Migrator &migrator = projectMigrator();
     if (auto sound = checkFileHeader(file, migrator.newestVersion()); !sound)
         return tl::unexpected(namingABackup(sound.error(), file));
-    if (auto own = checkLog(file); !own)
-        return tl::unexpected(own.error());
+    ODO_TRY(checkLog(file));
     auto connection = connect(file, access);
     if (!connection)
         return tl::unexpected(namingABackup(connection.error(), file));
@@ -170,12 +156,10 @@ Result<std::unique_ptr<Project>> Project::open(const std::filesystem::path &file
     if (!version)
         return tl::unexpected(namingABackup(version.error(), file));
     if (access == Access::ReadWrite) {
-        if (auto ready = makeReady(**connection); !ready)
-            return tl::unexpected(ready.error());
+        ODO_TRY(makeReady(**connection));
     } else if (*version != migrator.newestVersion()) {
         connection->reset();
-        if (auto migrated = bringUpToDate(file, *version); !migrated)
-            return tl::unexpected(migrated.error());
+        ODO_TRY(bringUpToDate(file, *version));
         return connectTo(file, access, false);
     }
     return std::unique_ptr<Project>(
@@ -197,10 +181,8 @@ Result<std::unique_ptr<Project>> Project::connectTo(const std::filesystem::path 
 {
     if (auto isFile = checkIsFile(file); !isFile) // SQLite would make a file that has gone meanwhile
         return tl::unexpected(isFile.error());
-    auto connection = connect(file, access);
-    if (!connection)
-        return tl::unexpected(connection.error());
-    return std::unique_ptr<Project>(new Project(std::make_unique<Impl>(std::move(*connection), writesBack)));
+    auto connection = ODO_TRY(connect(file, access));
+    return std::unique_ptr<Project>(new Project(std::make_unique<Impl>(std::move(connection), writesBack)));
 }
 
 const std::filesystem::path &Project::file() const
@@ -221,18 +203,15 @@ std::filesystem::path Project::resolve(const RecordingRecord &recording) const
 Result<std::string> Project::title() const
 {
     Statement select(*m_impl->connection, QStringLiteral("SELECT value FROM property WHERE name='title'"));
-    const auto found = select.firstRow();
-    if (!found)
-        return tl::unexpected(found.error());
-    const std::string title = *found ? select.name(0) : std::string();
+    const auto found = ODO_TRY(select.firstRow());
+    const std::string title = found ? select.name(0) : std::string();
     // another program, or an older one, gave it none
     return normalName(title).empty() ? titleFromName(file()) : title;
 }
 
 Result<void> Project::setTitle(const std::string &title)
 {
-    if (auto valid = checkTitle(title); !valid)
-        return valid;
+    ODO_TRY(checkTitle(title));
     return transact(*m_impl->connection,
                     [&] { return setProperty(*m_impl->connection, "title", normalName(title)); });
 }
@@ -333,10 +312,8 @@ std::optional<std::filesystem::path> Project::presentPlace() const
 Result<ProjectState> Project::state() const
 {
     const ProjectConnection &connection = *m_impl->connection;
-    const auto others = connection.number(QStringLiteral("PRAGMA data_version"));
-    if (!others)
-        return tl::unexpected(others.error());
-    return ProjectState{*others, connection.writeTurn().changesHere()};
+    const auto others = ODO_TRY(connection.number(QStringLiteral("PRAGMA data_version")));
+    return ProjectState{others, connection.writeTurn().changesHere()};
 }
 
 bool Project::writeBack() const

@@ -29,34 +29,24 @@ namespace {
 
 Result<void> addPictures(Project &project, RecordId camera, ReferredFiles &files)
 {
-    const auto lenses = project.cameras().allIntrinsics(camera);
-    if (!lenses)
-        return tl::unexpected(lenses.error());
-    for (const IntrinsicsRecord &lens : *lenses)
+    const auto lenses = ODO_TRY(project.cameras().allIntrinsics(camera));
+    for (const IntrinsicsRecord &lens : lenses)
         for (const StoredPicture &picture : lens.files)
             files.add(project.file(), picture.path);
-    const auto registrations = project.cameras().allRegistrations(camera);
-    if (!registrations)
-        return tl::unexpected(registrations.error());
-    for (const RegistrationRecord &registration : *registrations)
+    const auto registrations = ODO_TRY(project.cameras().allRegistrations(camera));
+    for (const RegistrationRecord &registration : registrations)
         files.add(project.file(), registration.picture.path);
     return {};
 }
 
 Result<void> addAllOf(Project &project, ReferredFiles &files)
 {
-    const auto recordings = project.trials().allRecordings();
-    if (!recordings)
-        return tl::unexpected(recordings.error());
-    for (const RecordingRecord &recording : *recordings)
+    const auto recordings = ODO_TRY(project.trials().allRecordings());
+    for (const RecordingRecord &recording : recordings)
         files.add(project.file(), recording.path);
-    const auto cameras = project.cameras().all();
-    if (!cameras)
-        return tl::unexpected(cameras.error());
-    for (const CameraRecord &camera : *cameras) {
-        if (auto added = addPictures(project, camera.id, files); !added)
-            return added;
-    }
+    const auto cameras = ODO_TRY(project.cameras().all());
+    for (const CameraRecord &camera : cameras)
+        ODO_TRY(addPictures(project, camera.id, files));
     return {};
 }
 
@@ -142,11 +132,9 @@ struct MissingRecording
 
 Result<std::vector<MissingRecording>> missingRecordings(Project &project)
 {
-    const auto recordings = project.trials().allRecordings();
-    if (!recordings)
-        return tl::unexpected(recordings.error());
+    const auto recordings = ODO_TRY(project.trials().allRecordings());
     std::vector<MissingRecording> missing;
-    for (const RecordingRecord &recording : *recordings) {
+    for (const RecordingRecord &recording : recordings) {
         const std::filesystem::path file = project.resolve(recording);
         if (!files::exists(file))
             missing.push_back({file.filename().string(), recording.sha256, recording.bytes});
@@ -234,8 +222,7 @@ Result<std::vector<std::filesystem::path>> unusedFiles(Project &project)
                (isOrdinary(file) && HeldFile::isHeld(file));
     });
     ReferredFiles own;
-    if (auto added = addAllOf(project, own); !added)
-        return tl::unexpected(added.error());
+    ODO_TRY(addAllOf(project, own));
     std::erase_if(files, [&](const std::filesystem::path &file) { return own.contains(file); });
     return files;
 }
@@ -248,10 +235,8 @@ Result<StrayMedia> strayMedia(Project &project, const JobControl &control)
     auto files = unusedFiles(project);
     if (!files || files->empty())
         return files.map([&](const auto &) { return stray; });
-    const auto beside = filesUsedBeside(project.file());
-    if (!beside)
-        return tl::unexpected(beside.error());
-    std::erase_if(*files, [&](const std::filesystem::path &file) { return beside->contains(file); });
+    const auto beside = ODO_TRY(filesUsedBeside(project.file()));
+    std::erase_if(*files, [&](const std::filesystem::path &file) { return beside.contains(file); });
     std::ranges::copy_if(*files, std::back_inserter(stray.projects), [](const std::filesystem::path &file) {
         return isOrdinary(file) && isProjectFile(file);
     });
@@ -259,14 +244,10 @@ Result<StrayMedia> strayMedia(Project &project, const JobControl &control)
         return std::ranges::any_of(
             stray.projects, [&](const std::filesystem::path &other) { return belongsTo(other, file); });
     });
-    const auto missing = missingRecordings(project);
-    if (!missing)
-        return tl::unexpected(missing.error());
+    const auto missing = ODO_TRY(missingRecordings(project));
     for (const std::filesystem::path &file : *files) {
-        const auto isLost = isOrdinary(file) ? isOneOf(*missing, file, control) : Result<bool>(false);
-        if (!isLost)
-            return tl::unexpected(isLost.error());
-        (*isLost ? stray.lost : isForeign(file) ? stray.foreign : stray.files).push_back(file);
+        const auto isLost = ODO_TRY(isOrdinary(file) ? isOneOf(missing, file, control) : Result<bool>(false));
+        (isLost ? stray.lost : isForeign(file) ? stray.foreign : stray.files).push_back(file);
     }
     return stray;
 }

@@ -49,8 +49,7 @@ Result<void> addFrameTimes(ProjectConnection &connection, RecordId id, const std
         const auto chunk = all.subspan(start, std::min(rowsPerChunk, all.size() - start));
         Statement insert(connection, QStringLiteral("INSERT INTO frame_time_chunk VALUES (?,?,?)"));
         insert.bind(id).bind(static_cast<std::int64_t>(start / rowsPerChunk)).bind(packTimes(chunk));
-        if (auto done = insert.run(); !done)
-            return done;
+        ODO_TRY(insert.run());
     }
     return {};
 }
@@ -103,12 +102,9 @@ Result<std::vector<RecordingRecord>> readRecordings(Statement &select)
 /// With their frame times.
 Result<std::vector<RecordingRecord>> readWhole(const ProjectConnection &connection, Statement &select)
 {
-    auto recordings = readRecordings(select);
-    if (!recordings)
-        return recordings;
-    for (RecordingRecord &recording : *recordings)
-        if (auto times = readFrameTimes(connection, recording); !times)
-            return tl::unexpected(times.error());
+    auto recordings = ODO_TRY(readRecordings(select));
+    for (RecordingRecord &recording : recordings)
+        ODO_TRY(readFrameTimes(connection, recording));
     return recordings;
 }
 
@@ -116,9 +112,7 @@ Result<std::vector<RecordingRecord>> readWhole(const ProjectConnection &connecti
 
 Result<RecordId> addRecording(ProjectConnection &connection, const RecordingRecord &recording)
 {
-    if (auto valid = checkText(ODO_TEXT("project.recording_path", "path of a recording"), recording.path);
-        !valid)
-        return tl::unexpected(valid.error());
+    ODO_TRY(checkText(ODO_TEXT("project.recording_path", "path of a recording"), recording.path));
     if (recording.path.empty())
         return fail(ErrorCode::InvalidInput, ODO_TEXT("project.recording", "recording"),
                     ODO_TEXT("project.recording_without_file", "it has no file"),
@@ -138,11 +132,9 @@ Result<RecordId> addRecording(ProjectConnection &connection, const RecordingReco
     insert.bind(path.is_absolute() ? storedPath(connection.file(), path) : recording.path);
     insert.bind(recording.sha256).bind(recording.bytes).bind(recording.widthPx).bind(recording.heightPx);
     insert.bind(recording.framesPerSecond).bind(recording.startOffsetS).bind(recording.clockRate);
-    if (auto done = insert.bind(recording.syncMethod).bind(recording.startOffsetSigmaS).run(); !done)
-        return tl::unexpected(done.error());
+    ODO_TRY(insert.bind(recording.syncMethod).bind(recording.startOffsetSigmaS).run());
     const RecordId id = insert.insertedId();
-    if (auto added = addFrameTimes(connection, id, recording.frameTimes); !added)
-        return tl::unexpected(added.error());
+    ODO_TRY(addFrameTimes(connection, id, recording.frameTimes));
     return id;
 }
 
@@ -162,11 +154,9 @@ Result<void> updateRecording(ProjectConnection &connection, const RecordingRecor
         .bind(recording.startOffsetS)
         .bind(recording.clockRate)
         .bind(recording.syncMethod);
-    if (auto done = update.bind(recording.startOffsetSigmaS).bind(recording.id).run(); !done)
-        return done;
+    ODO_TRY(update.bind(recording.startOffsetSigmaS).bind(recording.id).run());
     Statement remove(connection, QStringLiteral("DELETE FROM frame_time_chunk WHERE recording_id=?"));
-    if (auto done = remove.bind(recording.id).run(); !done)
-        return done;
+    ODO_TRY(remove.bind(recording.id).run());
     return addFrameTimes(connection, recording.id, recording.frameTimes);
 }
 
@@ -194,10 +184,8 @@ Result<std::optional<RecordingRecord>> newestRecordingOf(const ProjectConnection
                          QStringLiteral("FROM trial CROSS JOIN recording JOIN camera ON camera.id=camera_id "
                                         "WHERE trial_id=trial.id AND camera_id=? "
                                         "ORDER BY date_ms DESC, trial.id DESC, position LIMIT 1"));
-    auto newest = readWhole(connection, select.bind(camera));
-    if (!newest)
-        return tl::unexpected(newest.error());
-    return newest->empty() ? std::nullopt : std::optional(std::move(newest->front()));
+    auto newest = ODO_TRY(readWhole(connection, select.bind(camera)));
+    return newest.empty() ? std::nullopt : std::optional(std::move(newest.front()));
 }
 
 std::string storedPath(const std::filesystem::path &projectFile, const std::filesystem::path &file)
@@ -244,8 +232,7 @@ std::filesystem::path absolutePath(const std::filesystem::path &projectFile, con
 Result<std::string> fileSha256(const std::filesystem::path &file, const JobControl &control)
 {
     const Message what = quotedFileSubject(file);
-    if (auto may = checkMayBeRead(file, what); !may)
-        return tl::unexpected(may.error());
+    ODO_TRY(checkMayBeRead(file, what));
     QFile input(QString::fromStdString(file.string()));
     if (!input.open(QIODevice::ReadOnly))
         return fail(ErrorCode::Io, what, cannotBeRead(input.errorString().toStdString()), checkFileIsThere());
@@ -276,8 +263,7 @@ Result<void> removeRecording(ProjectConnection &connection, RecordId id)
     for (const char *sql :
          {"DELETE FROM raw_time_chunk WHERE recording_id=?",
           "DELETE FROM frame_time_chunk WHERE recording_id=?", "DELETE FROM recording WHERE id=?"}) {
-        if (auto done = runFor(connection, sql, id); !done)
-            return done;
+        ODO_TRY(runFor(connection, sql, id));
     }
     return {};
 }
@@ -299,13 +285,10 @@ Result<TrialRecord> TrialRepository::begin(const TrialRecord &trial,
                                            const std::vector<RecordingRecord> &recordings)
 {
     return transact(m_connection, [&]() -> Result<TrialRecord> {
-        auto added = add(trial, recordings);
-        if (!added)
-            return added;
+        auto added = ODO_TRY(add(trial, recordings));
         Statement update(m_connection, QStringLiteral("UPDATE trial SET state='recording' WHERE id=?"));
-        if (auto done = update.bind(added->id).run(); !done)
-            return tl::unexpected(done.error());
-        return get(added->id);
+        ODO_TRY(update.bind(added.id).run());
+        return get(added.id);
     });
 }
 
@@ -330,8 +313,7 @@ Result<RecordedTimes> TrialRepository::rawTimes(RecordId recording) const
         QStringLiteral(
             "SELECT pictures, readings FROM raw_time_chunk WHERE recording_id=? ORDER BY position"));
     auto read = select.bind(recording).eachRow([&](const Statement &row) -> Result<void> {
-        if (auto pictures = unpackRawTimes(row.blob(0), what, times.pictures); !pictures)
-            return pictures;
+        ODO_TRY(unpackRawTimes(row.blob(0), what, times.pictures));
         return unpackClockReadings(row.blob(1), what, times.readings);
     });
     if (!read)
@@ -349,26 +331,19 @@ Result<void> TrialRepository::complete(const TrialRecord &trial,
                                        const std::vector<RecordingRecord> &recordings)
 {
     return transact(m_connection, [&]() -> Result<void> {
-        const auto before = get(trial.id);
-        if (!before)
-            return tl::unexpected(before.error());
-        if (!before->unfinished)
-            return fail(ErrorCode::InvalidInput, trialSubject(before->name),
+        const auto before = ODO_TRY(get(trial.id));
+        if (!before.unfinished)
+            return fail(ErrorCode::InvalidInput, trialSubject(before.name),
                         ODO_TEXT("project.recording_ended", "its recording has ended already"),
                         ODO_TEXT("project.record_another", "record another trial"));
-        const auto begun = this->recordings(trial.id);
-        if (!begun)
-            return tl::unexpected(begun.error());
-        for (const RecordingRecord &recording : *begun) {
+        const auto begun = ODO_TRY(this->recordings(trial.id));
+        for (const RecordingRecord &recording : begun) {
             if (std::ranges::find(recordings, recording.id, &RecordingRecord::id) != recordings.end())
                 continue;
-            if (auto removed = removeRecording(m_connection, recording.id); !removed)
-                return removed;
+            ODO_TRY(removeRecording(m_connection, recording.id));
         }
-        for (const RecordingRecord &recording : recordings) {
-            if (auto updated = updateRecording(m_connection, recording); !updated)
-                return updated;
-        }
+        for (const RecordingRecord &recording : recordings)
+            ODO_TRY(updateRecording(m_connection, recording));
         return updateTrial(m_connection, trial);
     });
 }
@@ -402,22 +377,15 @@ Result<void> TrialRepository::setHash(RecordId recording, const std::string &sha
 Result<void> TrialRepository::removeUnfinished(RecordId trial)
 {
     return transact(m_connection, [&]() -> Result<void> {
-        const auto known = get(trial);
-        if (!known)
-            return tl::unexpected(known.error());
-        if (!known->unfinished)
-            return fail(ErrorCode::InvalidInput, trialSubject(known->name),
+        const auto known = ODO_TRY(get(trial));
+        if (!known.unfinished)
+            return fail(ErrorCode::InvalidInput, trialSubject(known.name),
                         ODO_TEXT("project.recording_kept", "its recording has ended, and is kept"),
                         ODO_TEXT("project.leave_it", "leave it"));
-        const auto recordings = this->recordings(trial);
-        if (!recordings)
-            return tl::unexpected(recordings.error());
-        for (const RecordingRecord &recording : *recordings) {
-            if (auto removed = removeRecording(m_connection, recording.id); !removed)
-                return removed;
-        }
-        if (auto removed = runFor(m_connection, "DELETE FROM trial_robot WHERE trial_id=?", trial); !removed)
-            return removed;
+        const auto recordings = ODO_TRY(this->recordings(trial));
+        for (const RecordingRecord &recording : recordings)
+            ODO_TRY(removeRecording(m_connection, recording.id));
+        ODO_TRY(runFor(m_connection, "DELETE FROM trial_robot WHERE trial_id=?", trial));
         return runFor(m_connection, "DELETE FROM trial WHERE id=?", trial);
     });
 }

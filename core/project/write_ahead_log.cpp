@@ -317,14 +317,11 @@ bool hasLog(const std::filesystem::path &file)
 Result<std::unique_ptr<LogCopy>> LogCopy::make(const std::filesystem::path &file)
 {
     const char *told = std::getenv("TMPDIR");
-    auto folder = TemporaryFolder::make(
+    auto folder = ODO_TRY(TemporaryFolder::make(
         told != nullptr ? told : "/tmp",
-        ODO_TEXT("project.copy_of_project", "copy of project '%1'")(Named::file(file.filename())));
-    if (!folder)
-        return tl::unexpected(folder.error());
-    std::unique_ptr<LogCopy> copy(new LogCopy(std::move(*folder)));
-    if (auto filled = copy->fill(file); !filled)
-        return tl::unexpected(filled.error());
+        ODO_TEXT("project.copy_of_project", "copy of project '%1'")(Named::file(file.filename()))));
+    std::unique_ptr<LogCopy> copy(new LogCopy(std::move(folder)));
+    ODO_TRY(copy->fill(file));
     return copy;
 }
 

@@ -167,13 +167,10 @@ Result<void> renderVideo(const SimulatedScene &scene, int camera, const OutputTa
             return cancelled(renderingOf(file));
         const Frame frame = renderer.render(i);
         if (!writer) {
-            auto created = VideoWriter::create(target, frame.format, options);
-            if (!created)
-                return tl::unexpected(created.error());
-            writer = std::move(*created);
+            auto created = ODO_TRY(VideoWriter::create(target, frame.format, options));
+            writer = std::move(created);
         }
-        if (auto written = writer->write(frame); !written)
-            return written;
+        ODO_TRY(writer->write(frame));
         control.report(static_cast<double>(i + 1) / static_cast<double>(count), renderingOf(file.filename()));
     }
     return writer->finish();

@@ -266,19 +266,17 @@ Result<MeasuredRobot> measure(const std::vector<ViewTrack> &views, const RobotSh
         times.push_back(timeOf(views.front(), observation));
         frames.push_back(observation.frame);
     }
-    auto placed = place(views, times, shape);
-    if (!placed)
-        return tl::unexpected(placed.error());
+    auto placed = ODO_TRY(place(views, times, shape));
     FusionSettings settings;
-    settings.planeSigmaM = placed->planeSigmaM;
-    settings.measurement = estimateOutlineNoise(placed->views);
+    settings.planeSigmaM = placed.planeSigmaM;
+    settings.measurement = estimateOutlineNoise(placed.views);
     const std::vector<double> apartM =
-        shape.heightVaries ? std::vector<double>() : settleContradictions(placed->views);
-    MeasuredRobot robot{fuseViews(times, frames, placed->views, settings), settings.measurement,
-                        placed->heightM, placed->estimated, placed->clearanceM};
+        shape.heightVaries ? std::vector<double>() : settleContradictions(placed.views);
+    MeasuredRobot robot{fuseViews(times, frames, placed.views, settings), settings.measurement,
+                        placed.heightM, placed.estimated, placed.clearanceM};
     flagContradictions(robot.track, apartM);
     chooseByMotion(robot.track, settings, options.longestBridgedGap);
-    alignSingleViews(robot.track, placed->views, views);
+    alignSingleViews(robot.track, placed.views, views);
     applyOverrules(robot.track.samples, options.overrules);
     return robot;
 }
@@ -288,20 +286,14 @@ Result<MeasuredRobot> measure(const std::vector<ViewTrack> &views, const RobotSh
 Result<Profile> analyse(const std::vector<ViewTrack> &views, const RobotShape &shape,
                         const AnalysisOptions &options)
 {
-    if (const auto checked = checkViews(views); !checked)
-        return tl::unexpected(checked.error());
-    auto robot = measure(views, shape, options);
-    if (!robot)
-        return tl::unexpected(robot.error());
-    if (const auto agreed = checkAgreement(robot->track.samples); !agreed)
-        return tl::unexpected(agreed.error());
-    auto profile = profileOfTrack(std::move(robot->track), options, robot->noise);
-    if (!profile)
-        return profile;
-    profile->heightM = robot->heightM;
-    profile->heightEstimated = robot->heightEstimated;
-    profile->clearanceM = robot->clearanceM;
-    profile->meanViewDisagreementM = meanDisagreement(profile->samples);
+    ODO_TRY(checkViews(views));
+    auto robot = ODO_TRY(measure(views, shape, options));
+    ODO_TRY(checkAgreement(robot.track.samples));
+    auto profile = ODO_TRY(profileOfTrack(std::move(robot.track), options, robot.noise));
+    profile.heightM = robot.heightM;
+    profile.heightEstimated = robot.heightEstimated;
+    profile.clearanceM = robot.clearanceM;
+    profile.meanViewDisagreementM = meanDisagreement(profile.samples);
     return profile;
 }
 

@@ -143,24 +143,20 @@ Result<AnalysisOptions> optionsForImported(AnalysisOptions options, const Sample
     std::vector<double> seconds;
     const bool isLong = raw.count > longestAtOnce;
     for (std::size_t stretch = 0; stretch < (isLong ? learntStretches : 1); ++stretch) {
-        const auto samples =
-            isLong ? raw.chunk(startOfStretch(stretch, raw.count), learntLength) : raw.chunk(0, raw.count);
-        if (!samples)
-            return tl::unexpected(samples.error());
-        addIntervals(*samples, seconds);
+        const auto samples = ODO_TRY(isLong ? raw.chunk(startOfStretch(stretch, raw.count), learntLength)
+                                            : raw.chunk(0, raw.count));
+        addIntervals(samples, seconds);
     }
     return withUsualInterval(std::move(options), std::move(seconds));
 }
 
 Result<Profile> analyseImported(const std::vector<Sample> &raw, const AnalysisOptions &options)
 {
-    auto profile = analyseImported(sourceOf(raw), options, {});
-    if (!profile)
-        return profile;
-    profile->samples = raw;
+    auto profile = ODO_TRY(analyseImported(sourceOf(raw), options, {}));
+    profile.samples = raw;
     for (std::size_t i = 0; i < raw.size(); ++i)
-        profile->samples[i].flags = profile->flags[i];
-    profile->flags.clear();
+        profile.samples[i].flags = profile.flags[i];
+    profile.flags.clear();
     return profile;
 }
 
@@ -177,13 +173,11 @@ FusedTrack trackOf(std::vector<Sample> samples, const AnalysisOptions &options)
 
 Result<Profile> analyseAtOnce(std::vector<Sample> samples, const AnalysisOptions &options)
 {
-    auto profile = profileOfTrack(trackOf(std::move(samples), options), options, importedNoise());
-    if (!profile)
-        return profile;
-    profile->flags.reserve(profile->samples.size());
-    for (const Sample &sample : profile->samples)
-        profile->flags.push_back(sample.flags);
-    profile->samples = {};
+    auto profile = ODO_TRY(profileOfTrack(trackOf(std::move(samples), options), options, importedNoise()));
+    profile.flags.reserve(profile.samples.size());
+    for (const Sample &sample : profile.samples)
+        profile.flags.push_back(sample.flags);
+    profile.samples = {};
     return profile;
 }
 
@@ -201,15 +195,13 @@ public:
 
     Result<Profile> run()
     {
-        if (auto learnt = learn(); !learnt)
-            return tl::unexpected(learnt.error());
+        ODO_TRY(learn());
         for (std::size_t begin = 0; begin < m_raw.count; begin += partLength) {
             if (m_control.isCancelled())
                 return cancelled(cannotMeasurePath());
             m_control.report(double(begin) / double(m_raw.count),
                              ODO_TEXT("trajectory.analysing_position", "analysing position %1")(begin));
-            if (auto added = addPart(begin, std::min(begin + partLength, m_raw.count)); !added)
-                return tl::unexpected(added.error());
+            ODO_TRY(addPart(begin, std::min(begin + partLength, m_raw.count)));
         }
         return finish();
     }
@@ -219,10 +211,8 @@ private:
     {
         std::vector<Sample> learnt;
         for (std::size_t stretch = 0; stretch < learntStretches; ++stretch) {
-            auto samples = m_raw.chunk(startOfStretch(stretch, m_raw.count), learntLength);
-            if (!samples)
-                return tl::unexpected(samples.error());
-            learnt.insert(learnt.end(), samples->begin(), samples->end());
+            auto samples = ODO_TRY(m_raw.chunk(startOfStretch(stretch, m_raw.count), learntLength));
+            learnt.insert(learnt.end(), samples.begin(), samples.end());
         }
         applyOverrules(learnt, m_options.overrules);
         m_known = flagSpikes(learnt, m_options, importedNoise());
@@ -232,10 +222,8 @@ private:
     Result<void> addPart(std::size_t begin, std::size_t end)
     {
         const std::size_t from = begin - std::min(begin, margin), to = std::min(end + margin, m_raw.count);
-        auto samples = m_raw.chunk(from, to - from);
-        if (!samples)
-            return tl::unexpected(samples.error());
-        FusedTrack track = trackOf(std::move(*samples), m_options);
+        auto samples = ODO_TRY(m_raw.chunk(from, to - from));
+        FusedTrack track = trackOf(std::move(samples), m_options);
         const std::vector<bool> struck = flagSpikesKnowing(m_known, track.samples, m_options);
         const auto points = makePoints(track.samples, struck, m_options, m_known.noise);
         for (Spike &spike : describeSpikes(track, points, m_options.longestBridgedGap)) {
@@ -261,22 +249,18 @@ private:
             return notEnoughData(m_raw.count, m_used, chooseLonger());
         m_profile.metrics = measureRun(m_instants);
         m_instants = {};
-        if (m_options.task) {
-            if (auto measured = measureByTask(); !measured)
-                return tl::unexpected(measured.error());
-        }
+        if (m_options.task)
+            ODO_TRY(measureByTask());
         return std::move(m_profile);
     }
 
     /// Gates, path and zones are searched along all samples.
     Result<void> measureByTask()
     {
-        auto samples = m_raw.chunk(0, m_raw.count);
-        if (!samples)
-            return tl::unexpected(samples.error());
-        for (std::size_t i = 0; i < samples->size(); ++i)
-            (*samples)[i].flags = m_profile.flags[i];
-        TaskFigures figures = measureTask(*m_options.task, *samples, m_profile.points);
+        auto samples = ODO_TRY(m_raw.chunk(0, m_raw.count));
+        for (std::size_t i = 0; i < samples.size(); ++i)
+            samples[i].flags = m_profile.flags[i];
+        TaskFigures figures = measureTask(*m_options.task, samples, m_profile.points);
         m_profile.passages = std::move(figures.passages);
         m_profile.metrics.insert(m_profile.metrics.end(), figures.metrics.begin(), figures.metrics.end());
         return {};
@@ -299,10 +283,8 @@ Result<Profile> analyseImported(const SampleSource &raw, const AnalysisOptions &
 {
     if (raw.count > longestAtOnce)
         return PartedAnalysis(raw, options, control).run();
-    auto samples = raw.chunk(0, raw.count);
-    if (!samples)
-        return tl::unexpected(samples.error());
-    auto profile = analyseAtOnce(std::move(*samples), options);
+    auto samples = ODO_TRY(raw.chunk(0, raw.count));
+    auto profile = analyseAtOnce(std::move(samples), options);
     if (profile)
         return profile;
     Error error = profile.error();

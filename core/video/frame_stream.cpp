@@ -65,10 +65,8 @@ Result<std::optional<Frame>> FrameStream::Impl::readOne(const std::optional<Pixe
 Result<void> FrameStream::Impl::readOn()
 {
     for (;;) {
-        auto frame = readOne(std::nullopt);
-        if (!frame)
-            return tl::unexpected(frame.error());
-        if (!*frame || !queue.push(std::move(**frame)))
+        auto frame = ODO_TRY(readOne(std::nullopt));
+        if (!frame || !queue.push(std::move(*frame)))
             return {};
     }
 }
@@ -97,10 +95,8 @@ FrameStream::~FrameStream() = default;
 Result<std::unique_ptr<FrameStream>> FrameStream::open(const std::filesystem::path &file, std::size_t ahead,
                                                        const CancelToken &cancel)
 {
-    auto reader = VideoReader::open(file, cancel);
-    if (!reader)
-        return tl::unexpected(reader.error());
-    return std::make_unique<FrameStream>(std::move(*reader), std::max<std::size_t>(ahead, 1));
+    auto reader = ODO_TRY(VideoReader::open(file, cancel));
+    return std::make_unique<FrameStream>(std::move(reader), std::max<std::size_t>(ahead, 1));
 }
 
 const VideoInfo &FrameStream::info() const

@@ -38,8 +38,7 @@ Message cannotRead(const std::filesystem::path &file)
 /// As a packet, which a decoder takes without a copy.
 Result<libav::PacketPtr> readFile(const std::filesystem::path &file)
 {
-    if (auto may = checkMayBeRead(file, cannotRead(file)); !may)
-        return tl::unexpected(may.error());
+    ODO_TRY(checkMayBeRead(file, cannotRead(file)));
     std::error_code error;
     const std::uintmax_t size = files::sizeOf(file, error);
     if (error || size > maximumFileBytes)
@@ -221,10 +220,8 @@ std::optional<Frame> decode(libav::PacketPtr file, const PictureHeader &header)
 
 Result<Frame> readPictureChecked(const std::filesystem::path &file)
 {
-    auto packet = readFile(file);
-    if (!packet)
-        return tl::unexpected(packet.error());
-    const auto header = pictureHeader(bytesOf(*packet));
+    auto packet = ODO_TRY(readFile(file));
+    const auto header = pictureHeader(bytesOf(packet));
     if (!header)
         return fail(ErrorCode::InvalidInput, cannotRead(file),
                     ODO_TEXT("video.no_picture_format", "it is no PNG, JPEG, BMP, TIFF or PNM picture"),
@@ -238,7 +235,7 @@ Result<Frame> readPictureChecked(const std::filesystem::path &file)
                                      "more than 50 megapixels or 32000 pixels a side are not read")},
                            Join::Semicolon),
                     ODO_TEXT("video.make_smaller", "make it smaller"));
-    auto frame = decode(std::move(*packet), *header);
+    auto frame = decode(std::move(packet), *header);
     if (!frame)
         return fail(ErrorCode::InvalidInput, cannotRead(file),
                     ODO_TEXT("video.picture_damaged", "its content is damaged or cut short"),

@@ -81,8 +81,7 @@ Result<void> RecordingWriter::Impl::openFile()
 
 Result<void> RecordingWriter::Impl::open(const FrameFormat &format)
 {
-    if (auto opened = openFile(); !opened)
-        return opened;
+    ODO_TRY(openFile());
     const int error = avformat_alloc_output_context2(&container, nullptr, "matroska", nullptr);
     if (error < 0)
         return libavProblem(error);
@@ -162,8 +161,7 @@ Result<std::unique_ptr<RecordingWriter>> RecordingWriter::create(const std::file
     auto impl = std::make_unique<Impl>();
     impl->file = file;
     impl->frameMs = std::max<std::int64_t>(1, std::llround(1000 / std::max(1.0, nominalFramesPerSecond)));
-    if (auto opened = impl->open(format); !opened)
-        return tl::unexpected(opened.error());
+    ODO_TRY(impl->open(format));
     return std::unique_ptr<RecordingWriter>(new RecordingWriter(std::move(impl)));
 }
 

@@ -31,8 +31,7 @@ int refuseOtherFiles(AVFormatContext *, AVIOContext **, const char *, int, AVDic
 
 Result<void> checkFile(const std::filesystem::path &file)
 {
-    if (auto may = checkMayBeRead(file, cannotOpenVideo(file)); !may)
-        return may;
+    ODO_TRY(checkMayBeRead(file, cannotOpenVideo(file)));
     std::error_code unknown;
     if (files::sizeOf(file, unknown) == 0)
         return fail(ErrorCode::InvalidInput, cannotOpenVideo(file), fileIsEmpty(), copyFromCamera());
@@ -56,13 +55,10 @@ Result<std::unique_ptr<VideoInput>> VideoInput::open(const std::filesystem::path
                                                      const AVInputFormat *known, const CancelToken &cancel)
 {
     libav::quieten();
-    if (auto checked = checkFile(file); !checked)
-        return tl::unexpected(checked.error());
+    ODO_TRY(checkFile(file));
     std::unique_ptr<VideoInput> input(new VideoInput(file, cancel));
-    if (auto opened = input->openContainer(known); !opened)
-        return tl::unexpected(opened.error());
-    if (auto found = input->findStream(); !found)
-        return tl::unexpected(found.error());
+    ODO_TRY(input->openContainer(known));
+    ODO_TRY(input->findStream());
     return input;
 }
 

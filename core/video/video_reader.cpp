@@ -135,10 +135,8 @@ struct VideoReader::Impl
 /// From the very beginning, in a way that works with every container.
 Result<void> VideoReader::Impl::restart()
 {
-    auto reopened = input->openedAgain();
-    if (!reopened)
-        return tl::unexpected(reopened.error());
-    input = std::move(*reopened);
+    auto reopened = ODO_TRY(input->openedAgain());
+    input = std::move(reopened);
     avcodec_flush_buffers(decoder.get());
     packetsRead = 0;
     counted = 0;
@@ -298,8 +296,7 @@ Result<std::optional<Frame>> VideoReader::Impl::decoded(std::size_t wanted)
     decodeTo(wanted);
     if (beganMidway && !isAhead(wanted)) {
         // What the container calls a key frame was none (gradual refresh): only the long way is exact.
-        if (auto again = restart(); !again)
-            return tl::unexpected(again.error());
+        ODO_TRY(restart());
         decodeTo(wanted);
     }
     beganMidway = false;
@@ -331,29 +328,20 @@ Result<std::unique_ptr<VideoReader>> VideoReader::openChecked(const std::filesys
 {
     auto impl = std::make_unique<Impl>();
     impl->file = file;
-    auto input = VideoInput::open(file, cancel);
-    if (!input)
-        return tl::unexpected(input.error());
-    auto format = streamFormat(**input);
-    if (!format)
-        return tl::unexpected(format.error());
-    auto decoder = openDecoder(**input);
-    if (!decoder)
-        return tl::unexpected(decoder.error());
-    auto index = indexPackets(**input);
-    if (!index)
-        return tl::unexpected(index.error());
-    impl->pixelFormat = static_cast<AVPixelFormat>((*input)->stream().codecpar->format);
-    judgeByMost(index->firstJpegs, *format, impl->pixelFormat);
-    index->firstJpegs.clear();
-    impl->info = describe(**input, *index, *format);
-    impl->input = std::move(*input);
-    impl->index = std::move(*index);
-    impl->decoder = std::move(*decoder);
+    auto input = ODO_TRY(VideoInput::open(file, cancel));
+    auto format = ODO_TRY(streamFormat(*input));
+    auto decoder = ODO_TRY(openDecoder(*input));
+    auto index = ODO_TRY(indexPackets(*input));
+    impl->pixelFormat = static_cast<AVPixelFormat>(input->stream().codecpar->format);
+    judgeByMost(index.firstJpegs, format, impl->pixelFormat);
+    index.firstJpegs.clear();
+    impl->info = describe(*input, index, format);
+    impl->input = std::move(input);
+    impl->index = std::move(index);
+    impl->decoder = std::move(decoder);
     if (impl->decoder->codec_id == AV_CODEC_ID_MJPEG)
-        impl->jpegDecoder = std::make_shared<JpegDecoder>(*format);
-    if (auto ready = impl->restart(); !ready)
-        return tl::unexpected(ready.error());
+        impl->jpegDecoder = std::make_shared<JpegDecoder>(format);
+    ODO_TRY(impl->restart());
     return std::unique_ptr<VideoReader>(new VideoReader(std::move(impl)));
 }
 
@@ -390,8 +378,7 @@ Result<void> VideoReader::seek(std::int64_t frameIndex)
                       [&d, frame]() -> Result<void> {
                           if (!d.isOnTheWay(frame) &&
                               (d.index.counted || !d.startAt(d.index.keyPacketFor(frame))))
-                              if (auto again = d.restart(); !again)
-                                  return again;
+                              ODO_TRY(d.restart());
                           d.nextIndex = frame;
                           return {};
                       });
@@ -409,12 +396,9 @@ std::int64_t VideoReader::keyFrameBefore(std::int64_t frameIndex) const
 
 Result<Frame> VideoReader::frameAt(std::int64_t frameIndex)
 {
-    if (auto found = seek(frameIndex); !found)
-        return tl::unexpected(found.error());
-    auto frame = next();
-    if (!frame)
-        return tl::unexpected(frame.error());
-    return std::move(**frame);
+    ODO_TRY(seek(frameIndex));
+    auto frame = ODO_TRY(next());
+    return std::move(*frame);
 }
 
 } // namespace odo

@@ -126,10 +126,8 @@ Result<void> VideoWriter::Impl::openContainer(const OutputTarget &target)
         return fail(ErrorCode::InvalidInput, cannotWrite(file),
                     ODO_TEXT("video.no_ffv1_in_mp4", "FFV1 does not go into MP4"),
                     ODO_TEXT("video.use_mkv", "use the ending .mkv"));
-    auto opened = OutputFile::open(target, videoKind(file));
-    if (!opened)
-        return tl::unexpected(opened.error());
-    output = std::move(*opened);
+    auto opened = ODO_TRY(OutputFile::open(target, videoKind(file)));
+    output = std::move(opened);
     const std::string name = "file:" + output->temporary().string(); // absolute
     int error =
         avformat_alloc_output_context2(&container, nullptr, matroska ? "matroska" : "mp4", name.c_str());
@@ -146,16 +144,13 @@ Result<void> VideoWriter::Impl::addStream()
 {
     if (matroska)
         options.maxBFrames = 0; // their time stamps would lie before their cluster's, out of reach of 16 bits
-    auto opened = openEncoder(format, options, (container->oformat->flags & AVFMT_GLOBALHEADER) != 0);
-    if (!opened)
-        return tl::unexpected(opened.error());
-    encoder = std::move(*opened);
-    auto described = describeStream(*encoder, format);
-    if (!described)
-        return tl::unexpected(described.error());
-    filter = std::move(described->filter);
+    auto opened =
+        ODO_TRY(openEncoder(format, options, (container->oformat->flags & AVFMT_GLOBALHEADER) != 0));
+    encoder = std::move(opened);
+    auto described = ODO_TRY(describeStream(*encoder, format));
+    filter = std::move(described.filter);
     stream = libav::allocated(avformat_new_stream(container, nullptr));
-    avcodec_parameters_copy(stream->codecpar, described->parameters.get());
+    avcodec_parameters_copy(stream->codecpar, described.parameters.get());
     stream->codecpar->codec_tag = 0;
     stream->time_base = encodingTimeBase;
     stream->avg_frame_rate = encoder->framerate;
@@ -191,8 +186,7 @@ Result<void> VideoWriter::Impl::muxThroughFilter(AVPacket *packet)
     if (const int error = av_bsf_send_packet(filter.get(), packet); error < 0)
         return problem(error);
     while (av_bsf_receive_packet(filter.get(), packet) == 0)
-        if (auto muxed = mux(packet); !muxed)
-            return muxed;
+        ODO_TRY(mux(packet));
     return {};
 }
 
@@ -207,8 +201,7 @@ Result<void> VideoWriter::Impl::encode(const AVFrame *picture)
             return {};
         if (error < 0)
             return problem(error);
-        if (auto muxed = muxThroughFilter(packet.get()); !muxed)
-            return muxed;
+        ODO_TRY(muxThroughFilter(packet.get()));
     }
 }
 
@@ -240,10 +233,8 @@ VideoWriter::create(const OutputTarget &target, const FrameFormat &format, const
     impl->file = target.file;
     impl->format = format;
     impl->options = options;
-    if (auto opened = impl->openContainer(target); !opened)
-        return tl::unexpected(opened.error());
-    if (auto added = impl->addStream(); !added)
-        return tl::unexpected(added.error());
+    ODO_TRY(impl->openContainer(target));
+    ODO_TRY(impl->addStream());
     return std::unique_ptr<VideoWriter>(new VideoWriter(std::move(impl)));
 }
 
@@ -268,13 +259,11 @@ Result<void> VideoWriter::write(const Frame &frame)
             ErrorCode::InvalidInput, what,
             ODO_TEXT("video.time_not_after", "its time is not after the frame's before it"),
             ODO_TEXT("video.write_in_order", "write the frames in order, at least a microsecond apart"));
-    auto picture = pictureOf(frame, *d.encoder, timeUs);
-    if (!picture)
-        return tl::unexpected(picture.error());
+    auto picture = ODO_TRY(pictureOf(frame, *d.encoder, timeUs));
     d.started = true;
     d.lastUs = timeUs;
     d.lastTime = frame.time;
-    auto encoded = d.encode(picture->get());
+    auto encoded = d.encode(picture.get());
     d.failed = !encoded;
     return encoded;
 }
@@ -291,15 +280,13 @@ Result<void> VideoWriter::finish()
         return fail(ErrorCode::InvalidInput, what,
                     ODO_TEXT("video.no_frame_written", "no frame was written to it"),
                     ODO_TEXT("video.write_at_least_one", "write at least one"));
-    if (auto flushed = d.encode(nullptr); !flushed)
-        return flushed;
+    ODO_TRY(d.encode(nullptr));
     if (const int error = av_write_trailer(d.container); error < 0)
         return d.problem(error);
     if (const int error = d.closeFile(); error < 0)
         return d.problem(error);
     if (d.matroska)
-        if (auto scaled = setMicrosecondScale(d.output->temporary(), d.duration()); !scaled)
-            return scaled;
+        ODO_TRY(setMicrosecondScale(d.output->temporary(), d.duration()));
     return d.output->commit();
 }
 

@@ -162,8 +162,7 @@ public:
         for (const auto step : {&DemoMaker::calibrateCameras, &DemoMaker::addLayout, &DemoMaker::renderVideos,
                                 &DemoMaker::registerCameras, &DemoMaker::addTasks, &DemoMaker::addTrials,
                                 &DemoMaker::trackTrials}) {
-            if (auto done = (this->*step)(); !done)
-                return done;
+            ODO_TRY((this->*step)());
             if (m_control.isCancelled())
                 return demoCancelled();
         }
@@ -176,8 +175,7 @@ private:
     Result<void> calibrateCameras()
     {
         const fs::path pictures = m_folder / "calibration";
-        if (auto made = makeFolder(pictures); !made)
-            return made;
+        ODO_TRY(makeFolder(pictures));
         for (const SimulatedCamera &camera : testbed().cameras) {
             m_control.report(0.02, ODO_TEXT("workflow.calibrating_camera",
                                             "calibrating camera %1")(Named::camera(camera.name)));
@@ -192,11 +190,8 @@ private:
                 board.cameraFromBoard = pose;
                 const std::string suffix = (number < 9 ? "_0" : "_") + std::to_string(number + 1) + ".png";
                 const fs::path file = pictures / (camera.name + suffix);
-                if (auto written = writePicture(
-                        renderBoard(camera.view.camera(), board, boardNoise, std::uint32_t(100 + number)),
-                        file);
-                    !written)
-                    return written;
+                ODO_TRY(writePicture(
+                    renderBoard(camera.view.camera(), board, boardNoise, std::uint32_t(100 + number)), file));
                 settings.files.push_back(file);
                 ++number;
             }
@@ -211,9 +206,7 @@ private:
     {
         const MarkerLayout &layout = testbed().floor.markers;
         m_layout = layout.name;
-        const auto added = m_project.layouts().add(layout);
-        if (!added)
-            return tl::unexpected(added.error());
+        const auto added = ODO_TRY(m_project.layouts().add(layout));
         return writeLayoutCsv(m_folder / "calibration" / "layout.csv", layout);
     }
 
@@ -224,12 +217,10 @@ private:
 
     Result<void> renderVideos()
     {
-        if (auto made = makeFolder(m_project.mediaFolder()); !made)
-            return made;
+        ODO_TRY(makeFolder(m_project.mediaFolder()));
         for (std::size_t t = 0; t < m_trials.size(); ++t) {
             const double share = 0.75 / double(m_trials.size()), from = 0.05 + share * double(t);
-            if (auto done = renderTrial(t, part(m_control, from, from + share)); !done)
-                return done;
+            ODO_TRY(renderTrial(t, part(m_control, from, from + share)));
         }
         return {};
     }
@@ -270,11 +261,8 @@ private:
     Result<void> addTasks()
     {
         for (const TaskRecord &task : demoTasks()) {
-            const auto added = m_project.tasks().add(task);
-            if (!added)
-                return tl::unexpected(added.error());
-            if (auto scored = m_project.tasks().setScoring(added->id, demoScoring(task.task)); !scored)
-                return scored;
+            const auto added = ODO_TRY(m_project.tasks().add(task));
+            ODO_TRY(m_project.tasks().setScoring(added.id, demoScoring(task.task)));
         }
         return {};
     }
@@ -284,13 +272,10 @@ private:
         for (const SimulatedRobot &simulated : trial.scene.robots) {
             if (m_project.robots().find(simulated.name))
                 continue;
-            if (auto added = m_project.robots().add(recordOf(simulated)); !added)
-                return tl::unexpected(added.error());
+            ODO_TRY(m_project.robots().add(recordOf(simulated)));
         }
-        if (!m_project.teams().find(trial.team)) {
-            if (auto added = m_project.teams().add({0, trial.team, className}); !added)
-                return tl::unexpected(added.error());
-        }
+        if (!m_project.teams().find(trial.team))
+            ODO_TRY(m_project.teams().add({0, trial.team, className}));
         return {};
     }
 
@@ -298,8 +283,7 @@ private:
     {
         for (std::size_t t = 0; t < m_trials.size(); ++t) {
             const DemoTrial &trial = m_trials[t];
-            if (auto added = addRobotAndTeam(trial); !added)
-                return added;
+            ODO_TRY(addRobotAndTeam(trial));
             ImportSettings settings;
             settings.trial = trial.trial;
             settings.team = trial.team;
@@ -313,8 +297,7 @@ private:
             ImportTrialJob job(std::move(settings));
             if (auto done = runToEnd(job, m_project, {m_control.cancel, {}}); !done)
                 return done;
-            if (auto kept = keepTruth(m_project, job.trial(), trial.scene, m_folder / "truth"); !kept)
-                return kept;
+            ODO_TRY(keepTruth(m_project, job.trial(), trial.scene, m_folder / "truth"));
         }
         return {};
     }
@@ -324,8 +307,7 @@ private:
         for (std::size_t t = 0; t < m_trials.size(); ++t) {
             const double share = 0.18 / double(m_trials.size()), from = 0.82 + share * double(t);
             TrackJob job(m_trials[t].trial, {});
-            if (auto done = runToEnd(job, m_project, part(m_control, from, from + share)); !done)
-                return done;
+            ODO_TRY(runToEnd(job, m_project, part(m_control, from, from + share)));
         }
         return {};
     }
@@ -339,10 +321,8 @@ private:
 
 Result<void> buildIn(const fs::path &folder, const JobControl &control)
 {
-    auto project = Project::create(folder / "demo.odo", "Demo lesson: Year 9 robotics");
-    if (!project)
-        return tl::unexpected(project.error());
-    return DemoMaker(folder, **project, control).make();
+    auto project = ODO_TRY(Project::create(folder / "demo.odo", "Demo lesson: Year 9 robotics"));
+    return DemoMaker(folder, *project, control).make();
 }
 
 constexpr std::array<const char *, 4> parts = {"demo.media", "calibration", "truth", "demo.odo"};
@@ -364,12 +344,9 @@ std::error_code moveParts(const fs::path &from, const fs::path &to)
 
 Result<void> makeIn(const fs::path &folder, const Message &what, const JobControl &control)
 {
-    const auto staging = TemporaryFolder::make(folder, what);
-    if (!staging)
-        return tl::unexpected(staging.error());
-    if (auto built = buildIn((*staging)->path(), control); !built)
-        return built;
-    const std::error_code problem = moveParts((*staging)->path(), folder);
+    const auto staging = ODO_TRY(TemporaryFolder::make(folder, what));
+    ODO_TRY(buildIn(staging->path(), control));
+    const std::error_code problem = moveParts(staging->path(), folder);
     return problem ? fail(ErrorCode::Io, what, foreignWords(problem.message()), demoAdvice())
                    : Result<void>();
 }
@@ -385,8 +362,7 @@ Result<fs::path> makeDemo(const fs::path &folder, const JobControl &control)
                         ODO_TEXT("workflow.demo_is_there", "%1 is there already")(Named::file(name)),
                         ODO_TEXT("workflow.open_it_or_elsewhere", "open it, or choose another folder"));
     }
-    if (auto may = checkNewProject(folder / "demo.odo", what); !may)
-        return tl::unexpected(may.error());
+    ODO_TRY(checkNewProject(folder / "demo.odo", what));
     std::error_code problem;
     const bool folderIsNew = files::makeFolders(folder, problem);
     if (problem)

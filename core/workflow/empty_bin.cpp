@@ -26,16 +26,13 @@ Result<void> EmptyBinJob::prepare(Project &project)
 
 Result<void> EmptyBinJob::run(const JobControl &control)
 {
-    const auto project = Project::openAgain(m_file, Project::Access::ReadWrite);
-    if (!project)
-        return tl::unexpected(project.error());
+    const auto project = ODO_TRY(Project::openAgain(m_file, Project::Access::ReadWrite));
     const auto usedBeside = filesUsedBeside(m_file);
     for (std::size_t i = 0; i < m_content.trials.size() && !control.isCancelled(); ++i) {
         const TrialName &trial = m_content.trials[i];
         control.report(static_cast<double>(i) / static_cast<double>(m_content.trials.size()),
                        ODO_TEXT("workflow.removing", "removing %1")(Named::trial(trial.name)));
-        if (auto removed = remove(**project, trial, usedBeside); !removed)
-            return removed;
+        ODO_TRY(remove(*project, trial, usedBeside));
     }
     return {};
 }
@@ -53,10 +50,8 @@ Result<void> EmptyBinJob::remove(Project &project, const TrialName &trial,
     auto removed =
         project.note(ODO_TEXT("workflow.remove_for_good", "remove %1 for good")(Named::trial(trial.name)),
                      [&]() -> Result<void> {
-                         auto files = project.trials().removeForGood(trial.id);
-                         if (!files)
-                             return tl::unexpected(files.error());
-                         paths = std::move(*files);
+                         auto files = ODO_TRY(project.trials().removeForGood(trial.id));
+                         paths = std::move(files);
                          return {};
                      });
     if (!removed)

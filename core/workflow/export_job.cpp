@@ -25,15 +25,11 @@ ExportJob::ExportJob(std::string trial, std::filesystem::path folder, CsvStyle s
 
 Result<void> ExportJob::prepare(Project &project)
 {
-    const auto trial = project.trials().find(m_trial);
-    if (!trial)
-        return tl::unexpected(trial.error());
-    auto analyses = project.analyses().current(trial->id);
-    if (!analyses)
-        return tl::unexpected(analyses.error());
-    if (analyses->empty())
+    const auto trial = ODO_TRY(project.trials().find(m_trial));
+    auto analyses = ODO_TRY(project.analyses().current(trial.id));
+    if (analyses.empty())
         return fail(ErrorCode::NotFound, exportOf(m_trial), notTrackedYet(), trackItFirst());
-    m_analyses = std::move(*analyses);
+    m_analyses = std::move(analyses);
     return {};
 }
 

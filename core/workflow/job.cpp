@@ -9,12 +9,10 @@ namespace odo {
 Result<void> runToEnd(Job &job, Project &project, const JobControl &control)
 {
     return orShortage(cannotDoThis(), [&]() -> Result<void> {
-        if (auto prepared = job.prepare(project); !prepared)
-            return prepared;
+        ODO_TRY(job.prepare(project));
         {
             const CancelScope scope(&control.cancel);
-            if (auto done = job.run(control); !done)
-                return done;
+            ODO_TRY(job.run(control));
         }
         return job.commit(project);
     });

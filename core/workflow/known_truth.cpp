@@ -54,17 +54,12 @@ Result<void> keepTruth(Project &project, const TrialRecord &trial, const Simulat
                     chooseWritableFolder());
     for (std::size_t r = 0; r < scene.robots.size(); ++r) {
         const std::string &name = scene.robots[r].name;
-        const auto robot = project.robots().find(name);
-        if (!robot)
-            return tl::unexpected(robot.error());
+        const auto robot = ODO_TRY(project.robots().find(name));
         TruthSeries truth = truthOf(scene, r);
         truth.trial = trial.id;
-        truth.robot = robot->id;
-        if (auto stored = project.trials().setTruth(truth); !stored)
-            return stored;
-        if (auto written = writeTruthCsv(folder / (fileNameOf(trial.name + "_" + name) + ".csv"), truth);
-            !written)
-            return written;
+        truth.robot = robot.id;
+        ODO_TRY(project.trials().setTruth(truth));
+        ODO_TRY(writeTruthCsv(folder / (fileNameOf(trial.name + "_" + name) + ".csv"), truth));
     }
     return {};
 }

@@ -53,8 +53,7 @@ ClaimedFile::Outcome<ClaimedFile> inFolder(const std::filesystem::path &folder, 
 Result<std::string> copyHashed(const std::filesystem::path &source, const ClaimedFile &target,
                                const Message &what, const JobControl &control)
 {
-    if (auto may = checkMayBeRead(source, what); !may)
-        return tl::unexpected(may.error());
+    ODO_TRY(checkMayBeRead(source, what));
     QFile in(QString::fromStdString(source.string()));
     if (!in.open(QIODevice::ReadOnly))
         return fail(ErrorCode::Io, what, foreignWords(in.errorString().toStdString()), checkProjectFolder());
@@ -100,12 +99,10 @@ Result<MediaCopy> held(const std::filesystem::path &file, const Message &what, c
             ErrorCode::Unavailable, what,
             ODO_TEXT("workflow.written_just_now", "another program is writing or removing it just now"),
             waitUntilThatHasEnded());
-    auto hash = fileSha256(file, control);
-    if (!hash)
-        return tl::unexpected(hash.error());
+    auto hash = ODO_TRY(fileSha256(file, control));
     if (!hold)
         return fail(ErrorCode::Io, what, foreignWords(hold.error().message()), checkFileIsThere());
-    return MediaCopy{std::move(*hold), std::move(*hash)};
+    return MediaCopy{std::move(*hold), std::move(hash)};
 }
 
 Result<MediaCopy> copied(const std::filesystem::path &source, const std::filesystem::path &mediaFolder,
@@ -114,12 +111,9 @@ Result<MediaCopy> copied(const std::filesystem::path &source, const std::filesys
     auto file = inFolder(mediaFolder, [&] { return ClaimedFile::begin(mediaFolder); });
     if (!file)
         return fail(ErrorCode::Io, what, foreignWords(file.error().message()), checkProjectFolder());
-    auto hash = copyHashed(source, *file, what, control);
-    if (!hash)
-        return tl::unexpected(hash.error());
-    if (auto done = published(*file, name, source.extension().string(), what); !done)
-        return tl::unexpected(done.error());
-    return MediaCopy{std::move(*file), std::move(*hash)};
+    auto hash = ODO_TRY(copyHashed(source, *file, what, control));
+    ODO_TRY(published(*file, name, source.extension().string(), what));
+    return MediaCopy{std::move(*file), std::move(hash)};
 }
 
 } // namespace
@@ -143,8 +137,7 @@ Result<ClaimedFile> writeMediaFile(const std::filesystem::path &folder, const st
         return fail(ErrorCode::Io, what, foreignWords(file.error().message()), checkProjectFolder());
     if (const std::error_code problem = file->write(content))
         return fail(ErrorCode::Io, what, foreignWords(problem.message()), checkProjectFolder());
-    if (auto done = published(*file, name, ending, what); !done)
-        return tl::unexpected(done.error());
+    ODO_TRY(published(*file, name, ending, what));
     return std::move(*file);
 }
 
@@ -155,13 +148,12 @@ Result<MediaCopy> copyIntoMedia(const std::filesystem::path &source, const std::
     const Message what = ODO_TEXT("workflow.copy_of", "copy of '%1'")(Named::file(source));
     const bool isThere =
         files::isSame(original.parent_path(), mediaFolder) || isOwnMedia(original, mediaFolder);
-    auto copy = isThere ? held(original, what, control) : copied(original, mediaFolder, name, what, control);
-    if (!copy)
-        return copy;
-    const auto bytes = copy->file.bytes();
+    auto copy =
+        ODO_TRY(isThere ? held(original, what, control) : copied(original, mediaFolder, name, what, control));
+    const auto bytes = copy.file.bytes();
     if (!bytes)
         return cannotBeLookedAt(what, bytes.error(), checkFileIsThere());
-    copy->bytes = *bytes;
+    copy.bytes = *bytes;
     return copy;
 }
 

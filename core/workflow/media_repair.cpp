@@ -49,21 +49,15 @@ Result<void> RelinkJob::prepare(Project &project)
 
 Result<void> RelinkJob::findLost()
 {
-    const auto project = Project::openAgain(m_project, Project::Access::ReadOnly);
-    if (!project)
-        return tl::unexpected(project.error());
-    const auto trials = (*project)->trials().names();
-    if (!trials)
-        return tl::unexpected(trials.error());
+    const auto project = ODO_TRY(Project::openAgain(m_project, Project::Access::ReadOnly));
+    const auto trials = ODO_TRY(project->trials().names());
     std::set<RecordId> unfinished;
-    for (const TrialName &trial : *trials)
+    for (const TrialName &trial : trials)
         if (trial.unfinished)
             unfinished.insert(trial.id);
-    auto recordings = (*project)->trials().allRecordings();
-    if (!recordings)
-        return tl::unexpected(recordings.error());
-    for (RecordingRecord &recording : *recordings)
-        if (!unfinished.contains(recording.trial) && !files::exists((*project)->resolve(recording)))
+    auto recordings = ODO_TRY(project->trials().allRecordings());
+    for (RecordingRecord &recording : recordings)
+        if (!unfinished.contains(recording.trial) && !files::exists(project->resolve(recording)))
             m_lost.push_back(std::move(recording));
     if (m_lost.empty())
         return fail(ErrorCode::NotFound, ODO_TEXT("workflow.lost_videos", "lost videos"),
@@ -74,14 +68,10 @@ Result<void> RelinkJob::findLost()
 
 Result<void> RelinkJob::run(const JobControl &control)
 {
-    if (auto found = findLost(); !found)
-        return found;
+    ODO_TRY(findLost());
     control.report(0, ODO_TEXT("workflow.looking_for_files", "looking for files"));
-    const auto files = filesOfSizes(m_folder, m_lost, control);
-    if (!files)
-        return tl::unexpected(files.error());
-    if (auto looked = look(*files, control); !looked)
-        return looked;
+    const auto files = ODO_TRY(filesOfSizes(m_folder, m_lost, control));
+    ODO_TRY(look(files, control));
     if (m_found.empty())
         return fail(
             ErrorCode::NotFound, lookIn(m_folder),
@@ -117,10 +107,8 @@ Result<void> RelinkJob::commit(Project &project)
                               ? Message(ODO_TEXT("workflow.link_lost_video", "link a lost video"))
                               : ODO_TEXT("workflow.link_lost_videos", "link %1 lost videos")(m_found.size());
     return project.change(words, [&]() -> Result<void> {
-        for (const Found &found : m_found) {
-            if (auto linked = project.trials().setFile(found.recording, files::absolute(found.file)); !linked)
-                return linked;
-        }
+        for (const Found &found : m_found)
+            ODO_TRY(project.trials().setFile(found.recording, files::absolute(found.file)));
         return {};
     });
 }
@@ -170,14 +158,10 @@ Result<void> FindStraysJob::prepare(Project &project)
 Result<void> FindStraysJob::run(const JobControl &control)
 {
     control.report(0, ODO_TEXT("workflow.looking_through_media", "looking through the media folder"));
-    const auto project = Project::openAgain(m_project, Project::Access::ReadOnly);
-    if (!project)
-        return tl::unexpected(project.error());
-    auto found = strayMedia(**project, control);
-    if (!found)
-        return tl::unexpected(found.error());
-    m_strays = std::move(found->files);
-    for (const auto *some : {&found->foreign, &found->lost, &found->projects})
+    const auto project = ODO_TRY(Project::openAgain(m_project, Project::Access::ReadOnly));
+    auto found = ODO_TRY(strayMedia(*project, control));
+    m_strays = std::move(found.files);
+    for (const auto *some : {&found.foreign, &found.lost, &found.projects})
         m_others.insert(m_others.end(), some->begin(), some->end());
     for (const std::filesystem::path &file : m_strays) {
         if (control.isCancelled())
@@ -210,8 +194,7 @@ Result<void> AdoptStraysJob::prepare(Project &project)
         settings.trial = freeTrialName(name, taken);
         settings.videos.assign(files.begin(), files.end());
         auto import = std::make_unique<ImportTrialJob>(std::move(settings));
-        if (auto prepared = import->prepare(project); !prepared)
-            return prepared;
+        ODO_TRY(import->prepare(project));
         m_imports.push_back(std::move(import));
     }
     return {};
@@ -236,8 +219,7 @@ Result<void> AdoptStraysJob::commit(Project &project)
     for (const std::unique_ptr<ImportTrialJob> &import : m_imports) {
         if (!import)
             continue;
-        if (auto done = import->commit(project); !done)
-            return done;
+        ODO_TRY(import->commit(project));
         m_trials.push_back(import->trial().name);
     }
     m_imports.clear();
@@ -252,16 +234,12 @@ Result<void> RemoveStraysJob::prepare(Project &project)
 
 Result<void> RemoveStraysJob::run(const JobControl &control)
 {
-    const auto project = Project::openAgain(m_project, Project::Access::ReadOnly);
-    if (!project)
-        return tl::unexpected(project.error());
+    const auto project = ODO_TRY(Project::openAgain(m_project, Project::Access::ReadOnly));
     for (const std::filesystem::path &file : m_strays) {
         if (control.isCancelled())
             return cancelled(ODO_TEXT("workflow.remove_strays", "remove stray files"));
-        const auto removed = removeStray(**project, file);
-        if (!removed)
-            return tl::unexpected(removed.error());
-        if (*removed)
+        const auto removed = ODO_TRY(removeStray(*project, file));
+        if (removed)
             m_removed.push_back(file);
     }
     return {};

@@ -39,14 +39,10 @@ Result<void> CopyJob::prepare(Project &project)
 Result<void> CopyJob::run(const JobControl &control)
 {
     const Message what = copySubject(m_copy);
-    if (auto may = checkNewProject(m_copy, what); !may)
-        return may;
+    ODO_TRY(checkNewProject(m_copy, what));
     control.report(0, copyingProject());
-    const auto project = Project::openAgain(m_project, Project::Access::ReadOnly);
-    if (!project)
-        return tl::unexpected(project.error());
-    if (auto saved = (*project)->saveCopy(m_copy); !saved)
-        return saved;
+    const auto project = ODO_TRY(Project::openAgain(m_project, Project::Access::ReadOnly));
+    ODO_TRY(project->saveCopy(m_copy));
     if (!control.isCancelled())
         return {};
     files::remove(m_copy);
@@ -122,11 +118,9 @@ Result<void> PackJob::prepare(Project &project)
 /// Which videos come from elsewhere, and which are lost or replaced.
 Result<void> PackJob::look(Project &project, const JobControl &control)
 {
-    const auto trials = project.trials().names();
-    if (!trials)
-        return tl::unexpected(trials.error());
+    const auto trials = ODO_TRY(project.trials().names());
     std::map<RecordId, std::string> names;
-    for (const TrialName &trial : *trials) {
+    for (const TrialName &trial : trials) {
         if (trial.unfinished)
             return fail(ErrorCode::InvalidInput, packSubject(m_project.filename()),
                         ODO_TEXT("workflow.trial_being_recorded",
@@ -134,10 +128,8 @@ Result<void> PackJob::look(Project &project, const JobControl &control)
                         endRecordingFirst());
         names.emplace(trial.id, trial.name);
     }
-    const auto recordings = project.trials().allRecordings();
-    if (!recordings)
-        return tl::unexpected(recordings.error());
-    for (const RecordingRecord &recording : *recordings) {
+    const auto recordings = ODO_TRY(project.trials().allRecordings());
+    for (const RecordingRecord &recording : recordings) {
         const std::filesystem::path file = project.resolve(recording);
         const std::string &trial = names[recording.trial];
         if (!files::exists(file)) {
@@ -146,10 +138,8 @@ Result<void> PackJob::look(Project &project, const JobControl &control)
                          "the video of camera %1 in trial '%2' is lost, and not in the packed project")(
                     Named::camera(recording.cameraName), Named::trial(trial)));
         } else if (!isOwnMedia(file, m_mediaFolder)) {
-            const auto isIts = isItsVideo(file, recording, control);
-            if (!isIts)
-                return tl::unexpected(isIts.error());
-            if (*isIts) {
+            const auto isIts = ODO_TRY(isItsVideo(file, recording, control));
+            if (isIts) {
                 m_elsewhere.push_back({recording.id, file});
                 m_inputs.add(file);
             } else {
@@ -168,35 +158,26 @@ Result<void> PackJob::copyProject(const std::filesystem::path &copy, std::vector
                                   const JobControl &control)
 {
     {
-        const auto original = Project::openAgain(m_project, Project::Access::ReadOnly);
-        if (!original)
-            return tl::unexpected(original.error());
-        if (auto looked = look(**original, control); !looked)
-            return looked;
-        if (auto saved = (*original)->saveCopy(copy); !saved)
-            return saved;
+        const auto original = ODO_TRY(Project::openAgain(m_project, Project::Access::ReadOnly));
+        ODO_TRY(look(*original, control));
+        ODO_TRY(original->saveCopy(copy));
     }
     entries.push_back({m_project.filename().string(), copy});
     const std::string media = m_mediaFolder.filename().string() + "/";
-    const auto files = filesIn(m_mediaFolder);
-    if (!files)
-        return tl::unexpected(files.error());
+    const auto files = ODO_TRY(filesIn(m_mediaFolder));
     std::set<std::string> taken;
-    for (const std::filesystem::path &file : *files) {
+    for (const std::filesystem::path &file : files) {
         const std::string name = file.lexically_relative(m_mediaFolder).generic_string();
         taken.insert(name);
         entries.push_back({media + name, file});
     }
     if (m_elsewhere.empty())
         return {};
-    const auto project = Project::open(copy, Project::Access::ReadWrite);
-    if (!project)
-        return tl::unexpected(project.error());
+    const auto project = ODO_TRY(Project::open(copy, Project::Access::ReadWrite));
     for (const Elsewhere &each : m_elsewhere) {
         const std::string name = media + freeName(each.file, taken);
         entries.push_back({name, each.file});
-        if (auto done = (*project)->trials().setFile(each.recording, copy.parent_path() / name); !done)
-            return done;
+        ODO_TRY(project->trials().setFile(each.recording, copy.parent_path() / name));
     }
     return {};
 }
@@ -204,15 +185,12 @@ Result<void> PackJob::copyProject(const std::filesystem::path &copy, std::vector
 Result<void> PackJob::run(const JobControl &control)
 {
     // Beside the archive: there is room for it, or there is none at all.
-    const auto work = TemporaryFolder::make(files::absolute(m_archive.file).parent_path(),
-                                            quotedFileSubject(m_archive.file));
-    if (!work)
-        return tl::unexpected(work.error());
-    const std::filesystem::path copy = (*work)->path() / m_project.filename();
+    const auto work = ODO_TRY(TemporaryFolder::make(files::absolute(m_archive.file).parent_path(),
+                                                    quotedFileSubject(m_archive.file)));
+    const std::filesystem::path copy = work->path() / m_project.filename();
     std::vector<ArchiveEntry> entries;
     control.report(0, copyingProject());
-    if (auto copied = copyProject(copy, entries, control); !copied)
-        return copied;
+    ODO_TRY(copyProject(copy, entries, control));
     return writeArchive(m_archive, entries, control);
 }
 
@@ -224,8 +202,7 @@ Result<void> takeAll(const Result<std::vector<Record>> &records, const Take &tak
     if (!records)
         return tl::unexpected(records.error());
     for (const Record &record : *records)
-        if (Result<void> taken = take(record); !taken)
-            return taken;
+        ODO_TRY(take(record));
     return {};
 }
 
@@ -260,12 +237,9 @@ Result<void> takeSetUp(Project &from, Project &to, const JobControl &control)
             return tl::unexpected(scoring ? added.error() : scoring.error());
         return scoring->empty() ? Result<void>() : to.tasks().setScoring(added->id, *scoring);
     };
-    if (auto taken = takeAll(from.cameras().all(), camera); !taken)
-        return taken;
-    if (auto taken = takeAll(from.layouts().all(), layout); !taken)
-        return taken;
-    if (auto taken = takeAll(from.robots().all(), robot); !taken)
-        return taken;
+    ODO_TRY(takeAll(from.cameras().all(), camera));
+    ODO_TRY(takeAll(from.layouts().all(), layout));
+    ODO_TRY(takeAll(from.robots().all(), robot));
     return takeAll(from.tasks().current(), task);
 }
 
@@ -274,14 +248,10 @@ Result<void> makeFilled(Project &from, const std::filesystem::path &file, const 
                         const JobControl &control)
 {
     files::remove(file);
-    const auto original = from.title();
-    if (!original)
-        return tl::unexpected(original.error());
-    const auto to = Project::create(file, title);
-    if (!to)
-        return tl::unexpected(to.error());
-    return (*to)->note(ODO_TEXT("workflow.take_over_set_up", "take over the set-up of %1")(*original),
-                       [&] { return takeSetUp(from, **to, control); });
+    const auto original = ODO_TRY(from.title());
+    const auto to = ODO_TRY(Project::create(file, title));
+    return to->note(ODO_TEXT("workflow.take_over_set_up", "take over the set-up of %1")(original),
+                    [&] { return takeSetUp(from, *to, control); });
 }
 
 } // namespace
@@ -291,19 +261,13 @@ Result<std::filesystem::path> makeProjectLike(const std::filesystem::path &origi
                                               const JobControl &control)
 {
     control.report(0, ODO_TEXT("workflow.taking_over_set_up", "taking over the set-up"));
-    const auto from = Project::openAgain(original, Project::Access::ReadOnly);
-    if (!from)
-        return tl::unexpected(from.error());
+    const auto from = ODO_TRY(Project::openAgain(original, Project::Access::ReadOnly));
     const Message what = projectSubject(file);
-    if (auto may = checkNewProject(file, what); !may)
-        return tl::unexpected(may.error());
+    ODO_TRY(checkNewProject(file, what));
     NewFile made(file, what);
-    if (auto ready = made.prepare(); !ready)
-        return tl::unexpected(ready.error());
-    if (auto filled = makeFilled(**from, made.temporary(), title, control); !filled)
-        return tl::unexpected(filled.error());
-    if (auto published = made.publish(); !published)
-        return tl::unexpected(published.error());
+    ODO_TRY(made.prepare());
+    ODO_TRY(makeFilled(*from, made.temporary(), title, control));
+    ODO_TRY(made.publish());
     return file;
 }
 

@@ -18,47 +18,33 @@ Result<FloorView> floorViewOf(Project &project, const RegistrationRecord &regist
 {
     Intrinsics intrinsics = registration.assumedIntrinsics;
     if (registration.intrinsics != 0) {
-        auto stored = project.cameras().intrinsics(registration.intrinsics);
-        if (!stored)
-            return tl::unexpected(stored.error());
-        intrinsics = stored->calibration.intrinsics;
+        auto stored = ODO_TRY(project.cameras().intrinsics(registration.intrinsics));
+        intrinsics = stored.calibration.intrinsics;
     }
-    auto camera = CameraModel::create(std::move(intrinsics));
-    if (!camera)
-        return tl::unexpected(camera.error());
-    return floorViewOf(registration.registration, *camera, registration.pixels);
+    auto camera = ODO_TRY(CameraModel::create(std::move(intrinsics)));
+    return floorViewOf(registration.registration, camera, registration.pixels);
 }
 
 Result<std::optional<FloorView>> floorViewInForce(Project &project, RecordId camera)
 {
-    const auto registration = project.cameras().currentRegistration(camera);
+    const auto registration = ODO_TRY(project.cameras().currentRegistration(camera));
     if (!registration)
-        return tl::unexpected(registration.error());
-    if (!*registration)
         return std::nullopt;
-    auto floorView = floorViewOf(project, **registration);
-    if (!floorView)
-        return tl::unexpected(floorView.error());
-    return std::move(*floorView);
+    auto floorView = ODO_TRY(floorViewOf(project, *registration));
+    return std::move(floorView);
 }
 
 Result<std::vector<RegisteredView>> registeredViews(Project &project, const TrialRecord &trial)
 {
-    auto recordings = project.trials().recordings(trial.id);
-    if (!recordings)
-        return tl::unexpected(recordings.error());
+    auto recordings = ODO_TRY(project.trials().recordings(trial.id));
     std::vector<RegisteredView> views;
-    for (RecordingRecord &recording : *recordings) {
+    for (RecordingRecord &recording : recordings) {
         RegisteredView view;
         view.file = project.resolve(recording);
-        auto registration = project.cameras().currentRegistration(recording.camera);
-        if (!registration)
-            return tl::unexpected(registration.error());
-        if (*registration) {
-            auto floorView = floorViewOf(project, **registration);
-            if (!floorView)
-                return tl::unexpected(floorView.error());
-            const Intrinsics &lens = floorView->camera().intrinsics();
+        auto registration = ODO_TRY(project.cameras().currentRegistration(recording.camera));
+        if (registration) {
+            auto floorView = ODO_TRY(floorViewOf(project, *registration));
+            const Intrinsics &lens = floorView.camera().intrinsics();
             if (lens.widthPx != recording.widthPx || lens.heightPx != recording.heightPx)
                 return fail(ErrorCode::InvalidInput,
                             ODO_TEXT("workflow.view_of_trial", "view '%1' of trial '%2'")(
@@ -69,8 +55,8 @@ Result<std::vector<RegisteredView>> registeredViews(Project &project, const Tria
                                 sizeText(lens.widthPx, lens.heightPx)),
                             ODO_TEXT("workflow.calibrate_at_recorded_size",
                                      "calibrate and register the camera at the size it records"));
-            view.floorView = std::move(*floorView);
-            view.registration = std::move(**registration);
+            view.floorView = std::move(floorView);
+            view.registration = std::move(*registration);
         }
         view.recording = std::move(recording);
         views.push_back(std::move(view));
@@ -83,18 +69,14 @@ Result<std::vector<RobotRecord>> robotsToTrack(Project &project, const TrialReco
 {
     std::vector<RobotRecord> robots;
     for (const std::string &name : names) {
-        auto robot = project.robots().find(name);
-        if (!robot)
-            return tl::unexpected(robot.error());
-        robots.push_back(std::move(*robot));
+        auto robot = ODO_TRY(project.robots().find(name));
+        robots.push_back(std::move(robot));
     }
     if (!names.empty())
         return robots;
     for (const RecordId id : trial.robots) {
-        auto robot = project.robots().get(id);
-        if (!robot)
-            return tl::unexpected(robot.error());
-        robots.push_back(std::move(*robot));
+        auto robot = ODO_TRY(project.robots().get(id));
+        robots.push_back(std::move(robot));
     }
     if (!robots.empty())
         return robots;
@@ -111,11 +93,9 @@ Result<std::vector<ImportedTrack>> importedTracksOf(Project &project, const Tria
 {
     std::vector<ImportedTrack> tracks;
     for (const RecordId robot : trial.robots) {
-        auto track = project.trials().currentImportedTrack(trial.id, robot, false);
-        if (!track)
-            return tl::unexpected(track.error());
-        if (*track)
-            tracks.push_back(std::move(**track));
+        auto track = ODO_TRY(project.trials().currentImportedTrack(trial.id, robot, false));
+        if (track)
+            tracks.push_back(std::move(*track));
     }
     return tracks;
 }

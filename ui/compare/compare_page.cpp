@@ -120,16 +120,12 @@ Result<ComparePage::Reading> ComparePage::readRuns(Project &project, Wish wish)
     Reading reading{std::move(wish.settings), std::nullopt, nullptr};
     auto &runs = reading.settings.runs;
     if (wish.withList) {
-        const auto trials = project.trials().all();
-        if (!trials)
-            return tl::unexpected(trials.error());
-        reading.list = runChoices(*trials);
+        const auto trials = ODO_TRY(project.trials().all());
+        reading.list = runChoices(trials);
         if (wish.withPartner && runs.size() == 1) {
-            const auto partner = partnerOf(project, *trials, runs.front().trial);
-            if (!partner)
-                return tl::unexpected(partner.error());
-            if (*partner)
-                runs.push_back({**partner, {}});
+            const auto partner = ODO_TRY(partnerOf(project, trials, runs.front().trial));
+            if (partner)
+                runs.push_back({*partner, {}});
         }
         std::vector<CompareSettings::Run> known;
         for (const int place : placesOf(*reading.list, runs))

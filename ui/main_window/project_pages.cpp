@@ -282,8 +282,7 @@ Result<void> ProjectPages::showTrial(const std::string &name)
 Result<void> ProjectPages::compareTrials(const QStringList &names)
 {
     for (const QString &name : names)
-        if (const auto trial = m_workspace.project()->trials().find(name.toStdString()); !trial)
-            return tl::unexpected(trial.error());
+        ODO_TRY(m_workspace.project()->trials().find(name.toStdString()));
     compare().showTrials(names);
     show(Mode::Compare);
     return {};

@@ -173,13 +173,9 @@ Result<void> Workspace::create(const std::filesystem::path &file, const QString 
 {
     if (isBusy())
         return busy(ODO_TEXT("ui.cannot_make_another", "cannot make another project"));
-    Result<std::unique_ptr<Project>> project = Project::create(file, title.toStdString());
-    if (!project)
-        return tl::unexpected(project.error());
-    auto lock = WindowLock::take(file);
-    if (!lock)
-        return tl::unexpected(lock.error());
-    adopt(std::move(*project), std::move(*lock));
+    std::unique_ptr<Project> project = ODO_TRY(Project::create(file, title.toStdString()));
+    auto lock = ODO_TRY(WindowLock::take(file));
+    adopt(std::move(project), std::move(lock));
     return {};
 }
 
@@ -212,11 +208,8 @@ void Workspace::adopt(std::unique_ptr<Project> project, std::unique_ptr<WindowLo
 
 Result<std::filesystem::path> Workspace::rescue()
 {
-    auto file = rescueProject(*m_project);
-    if (!file)
-        return file;
-    if (const Result<void> shown = open(*file); !shown)
-        return tl::unexpected(shown.error());
+    auto file = ODO_TRY(rescueProject(*m_project));
+    ODO_TRY(open(file));
     return file;
 }
 
@@ -306,20 +299,17 @@ Result<void> Workspace::begin(std::function<Result<std::filesystem::path>(const 
                 else if (whenOpen)
                     whenOpen();
             });
-    m_making->start(
-        [made, openHere = openHere(), find = std::move(find)](const JobControl &control) -> Result<void> {
-            const Result<std::filesystem::path> file = find(control, *made);
-            if (!file)
-                return tl::unexpected(file.error());
-            auto looked = makeReady(*file, openHere);
-            if (!looked) {
-                const bool isOpenHere = !openHere.empty() && files::isSame(*file, openHere);
-                return tl::unexpected(isOpenHere ? looked.error()
-                                                 : offeringABackup(looked.error(), *file, *made));
-            }
-            made->ready = std::move(*looked);
-            return {};
-        });
+    m_making->start([made, openHere = openHere(),
+                     find = std::move(find)](const JobControl &control) -> Result<void> {
+        const std::filesystem::path file = ODO_TRY(find(control, *made));
+        auto looked = makeReady(file, openHere);
+        if (!looked) {
+            const bool isOpenHere = !openHere.empty() && files::isSame(file, openHere);
+            return tl::unexpected(isOpenHere ? looked.error() : offeringABackup(looked.error(), file, *made));
+        }
+        made->ready = std::move(*looked);
+        return {};
+    });
     Q_EMIT jobStarted(shownWords(words));
     return {};
 }
@@ -347,10 +337,8 @@ Result<void> Workspace::beginRestoring(const std::filesystem::path &file, Done w
         const auto lock = WindowLock::take(file); // nobody opens it meanwhile
         if (!lock)
             return tl::unexpected(lock.error());
-        auto done = restoreBackup(file);
-        if (!done)
-            return tl::unexpected(done.error());
-        *restored = std::move(*done);
+        auto done = ODO_TRY(restoreBackup(file));
+        *restored = std::move(done);
         return file;
     };
     return makeAndOpen(make, ODO_TEXT("ui.restoring_backup", "Restoring the backup"),

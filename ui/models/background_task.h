@@ -60,10 +60,8 @@ public:
     {
         const auto value = std::make_shared<std::optional<Value>>();
         ask({[what = std::move(what), value](Project &project) -> Result<void> {
-                 Result<Value> given = what(project);
-                 if (!given)
-                     return tl::unexpected(given.error());
-                 *value = std::move(*given);
+                 Value given = ODO_TRY(what(project));
+                 *value = std::move(given);
                  return {};
              },
              [take = std::move(take), value](const std::optional<Error> &error) {

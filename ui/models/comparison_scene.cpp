@@ -79,26 +79,20 @@ Eigen::AlignedBox2d ComparisonScene::floorBounds() const
 
 Result<ComparisonScenePtr> loadComparisonScene(Project &project, const CompareSettings &settings)
 {
-    auto trials = readComparedTrials(project, settings);
-    if (!trials)
-        return tl::unexpected(trials.error());
-    auto compared = compareTrials(*trials, settings);
-    if (!compared)
-        return tl::unexpected(compared.error());
+    auto trials = ODO_TRY(readComparedTrials(project, settings));
+    auto compared = ODO_TRY(compareTrials(trials, settings));
     auto result = std::make_shared<ComparisonScene>();
-    for (const ComparedTrial &run : trials->runs) {
-        auto scene = loadTrialScene(project, run.trial.name);
-        if (!scene)
-            return tl::unexpected(scene.error());
+    for (const ComparedTrial &run : trials.runs) {
+        auto scene = ODO_TRY(loadTrialScene(project, run.trial.name));
         std::size_t robot = 0;
-        while ((*scene)->robots[robot].robot.id != run.analysis.robot) // the analysis is one of the scene's
+        while (scene->robots[robot].robot.id != run.analysis.robot) // the analysis is one of the scene's
             ++robot;
-        result->scenes.push_back(std::move(*scene));
+        result->scenes.push_back(std::move(scene));
         result->robots.push_back(robot);
     }
     result->settings = settings;
-    result->trials = std::move(*trials);
-    result->compared = std::move(*compared);
+    result->trials = std::move(trials);
+    result->compared = std::move(compared);
     return ComparisonScenePtr(std::move(result));
 }
 

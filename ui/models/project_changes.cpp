@@ -101,8 +101,7 @@ tl::unexpected<Error> nothing(Message what)
 Result<QString> OwnChanges::make(const Message &words, const std::function<Result<void>()> &work)
 {
     const std::size_t before = countOf(m_project);
-    if (const auto done = m_project.change(words, work); !done)
-        return tl::unexpected(done.error());
+    ODO_TRY(m_project.change(words, work));
     if (countOf(m_project) == before)
         return QString(); // nothing is another now
     ++m_made;
@@ -114,24 +113,20 @@ Result<QString> OwnChanges::undo()
 {
     if (m_made == 0)
         return nothing(undoSubject());
-    const auto words = m_project.undo();
-    if (!words)
-        return tl::unexpected(words.error());
+    const auto words = ODO_TRY(m_project.undo());
     --m_made;
     ++m_takenBack;
-    return OwnChangesWords::tr("Undone: %1.").arg(shownWords(*words));
+    return OwnChangesWords::tr("Undone: %1.").arg(shownWords(words));
 }
 
 Result<QString> OwnChanges::redo()
 {
     if (m_takenBack == 0)
         return nothing(redoSubject());
-    const auto words = m_project.redo();
-    if (!words)
-        return tl::unexpected(words.error());
+    const auto words = ODO_TRY(m_project.redo());
     ++m_made;
     --m_takenBack;
-    return OwnChangesWords::tr("Made again: %1.").arg(shownWords(*words));
+    return OwnChangesWords::tr("Made again: %1.").arg(shownWords(words));
 }
 
 } // namespace odo

@@ -94,10 +94,8 @@ Result<std::optional<std::string>> partnerOf(Project &project, std::span<const T
                 continue;
             if (++asked > mostAsked)
                 break;
-            const auto analyses = project.analyses().currentMetrics(trial.id);
-            if (!analyses)
-                return tl::unexpected(analyses.error());
-            if (!analyses->empty())
+            const auto analyses = ODO_TRY(project.analyses().currentMetrics(trial.id));
+            if (!analyses.empty())
                 return trial.name;
         }
     }

@@ -98,11 +98,9 @@ QString withNumbersPadded(const QString &text)
 Result<std::unordered_map<RecordId, std::optional<Score>>> bestScores(Project &project, Instant from,
                                                                       Instant to)
 {
-    auto scores = trialScores(project, from, to);
-    if (!scores)
-        return tl::unexpected(scores.error());
+    auto scores = ODO_TRY(trialScores(project, from, to));
     std::unordered_map<RecordId, std::optional<Score>> best;
-    for (TrialScore &run : *scores) {
+    for (TrialScore &run : scores) {
         const auto place = best.try_emplace(run.trial).first;
         if (run.score && (!place->second || run.score->points > place->second->points))
             place->second = std::move(run.score);
@@ -116,25 +114,22 @@ Result<std::vector<TrialRow>> withFigures(Project &project, std::vector<TrialRec
     std::vector<TrialRow> rows;
     if (trials.empty())
         return rows;
-    const auto figures = project.analyses().figures(shownMetric, trials.back().date, trials.front().date);
-    if (!figures)
-        return tl::unexpected(figures.error());
+    const auto figures =
+        ODO_TRY(project.analyses().figures(shownMetric, trials.back().date, trials.front().date));
     std::unordered_map<RecordId, Metric> best;
-    for (const TrialFigure &figure : *figures) {
+    for (const TrialFigure &figure : figures) {
         const auto [place, isNew] = best.try_emplace(figure.trial, figure.metric);
         if (!isNew && figure.metric.value > place->second.value)
             place->second = figure.metric;
     }
-    auto scores = bestScores(project, trials.back().date, trials.front().date);
-    if (!scores)
-        return tl::unexpected(scores.error());
+    auto scores = ODO_TRY(bestScores(project, trials.back().date, trials.front().date));
     rows.reserve(trials.size());
     for (TrialRecord &trial : trials) {
         const auto figure = best.find(trial.id);
         QString searchText = searchTextOf(trial);
         rows.push_back({std::move(trial), figure == best.end() ? std::nullopt : std::optional(figure->second),
                         std::move(searchText)});
-        if (const auto score = scores->find(rows.back().trial.id); score != scores->end()) {
+        if (const auto score = scores.find(rows.back().trial.id); score != scores.end()) {
             rows.back().isScored = true;
             rows.back().score = std::move(score->second);
         }
@@ -146,23 +141,17 @@ Result<std::vector<TrialRow>> withFigures(Project &project, std::vector<TrialRec
 
 Result<std::vector<TrialRow>> TrialRows::next(int count)
 {
-    auto trials = m_project->trials().page(m_last ? &*m_last : nullptr, count);
-    if (!trials)
-        return tl::unexpected(trials.error());
-    if (!trials->empty())
-        m_last = trials->back();
-    return withFigures(*m_project, std::move(*trials));
+    auto trials = ODO_TRY(m_project->trials().page(m_last ? &*m_last : nullptr, count));
+    if (!trials.empty())
+        m_last = trials.back();
+    return withFigures(*m_project, std::move(trials));
 }
 
 Result<TrialRow> loadTrialRow(Project &project, RecordId trial)
 {
-    auto record = project.trials().get(trial);
-    if (!record)
-        return tl::unexpected(record.error());
-    auto rows = withFigures(project, {std::move(*record)});
-    if (!rows)
-        return tl::unexpected(rows.error());
-    return std::move(rows->front());
+    auto record = ODO_TRY(project.trials().get(trial));
+    auto rows = ODO_TRY(withFigures(project, {std::move(record)}));
+    return std::move(rows.front());
 }
 
 TrialModel::TrialModel(QObject *parent) : QAbstractTableModel(parent) {}

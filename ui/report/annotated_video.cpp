@@ -24,10 +24,8 @@ public:
     static Result<ViewFilm> open(const SceneView &view, QSize sizePx, const CancelToken &cancel)
     {
         constexpr std::size_t ahead = 4;
-        auto stream = FrameStream::open(view.file, ahead, cancel);
-        if (!stream)
-            return tl::unexpected(stream.error());
-        return ViewFilm(std::move(*stream), sizePx);
+        auto stream = ODO_TRY(FrameStream::open(view.file, ahead, cancel));
+        return ViewFilm(std::move(stream), sizePx);
     }
     /// The picture of a frame at or after the one before; null where it is damaged or the file has ended.
     QImage pictureOf(std::int64_t frame)
@@ -111,10 +109,8 @@ Result<void> AnnotatedVideoJob::prepare(Project &project)
         return fail(ErrorCode::InvalidInput, what(),
                     ODO_TEXT("ui.video_speed_wrong", "its speed is not from 0.1 to 1"),
                     ODO_TEXT("ui.choose_video_speed", "choose another, such as 0.25"));
-    auto scene = loadTrialScene(project, m_trial);
-    if (!scene)
-        return tl::unexpected(scene.error());
-    m_scene = std::move(*scene);
+    auto scene = ODO_TRY(loadTrialScene(project, m_trial));
+    m_scene = std::move(scene);
     if (m_scene->frameTimes().empty())
         return fail(ErrorCode::NotFound, what(),
                     ODO_TEXT("ui.trial_without_recording", "the trial has no recording"),
@@ -158,18 +154,14 @@ Result<void> AnnotatedVideoJob::writePictures(const JobControl &control, Annotat
     options.threads = 0;
     std::vector<ViewFilm> films;
     for (std::size_t view = 0; view < m_scene->views.size(); ++view) {
-        auto film = ViewFilm::open(m_scene->views[view], painter.viewSizePx(view), control.cancel);
-        if (!film)
-            return tl::unexpected(film.error());
-        films.push_back(std::move(*film));
+        auto film = ODO_TRY(ViewFilm::open(m_scene->views[view], painter.viewSizePx(view), control.cancel));
+        films.push_back(std::move(film));
     }
     FrameFormat format;
     format.width = m_settings.sizePx.width();
     format.height = m_settings.sizePx.height();
     format.siting = ChromaSiting::Center;
-    auto writer = VideoWriter::create(m_settings.target, format, options);
-    if (!writer)
-        return tl::unexpected(writer.error());
+    auto writer = ODO_TRY(VideoWriter::create(m_settings.target, format, options));
     for (std::size_t i = 0; i < times.size(); ++i) {
         if (control.isCancelled())
             return cancelled(what());
@@ -182,14 +174,13 @@ Result<void> AnnotatedVideoJob::writePictures(const JobControl &control, Annotat
         const Nanoseconds at = fromSeconds(toSeconds(times[i] - times.front()) / m_settings.speed);
         const Frame frame = fromScreen(reinterpret_cast<const std::uint32_t *>(picture.constBits()),
                                        picture.width(), picture.height(), picture.bytesPerLine(), at);
-        if (auto written = (*writer)->write(frame); !written)
-            return written;
+        ODO_TRY(writer->write(frame));
         control.report(double(i + 1) / double(times.size()),
                        ODO_TEXT("ui.picture_of", "picture %1 of %2")(i + 1, times.size()));
     }
     m_pictureCount = static_cast<int>(times.size());
     m_durationS = double(times.size()) / options.nominalFramesPerSecond;
-    return (*writer)->finish();
+    return writer->finish();
 }
 
 } // namespace odo

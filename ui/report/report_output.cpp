@@ -35,10 +35,8 @@ PdfFile::~PdfFile() = default;
 
 Result<void> PdfFile::begin(const PageFormat &format)
 {
-    auto opened = OutputFile::open(m_target, FileKind::Pdf);
-    if (!opened)
-        return tl::unexpected(opened.error());
-    m_output = std::move(*opened);
+    auto opened = ODO_TRY(OutputFile::open(m_target, FileKind::Pdf));
+    m_output = std::move(opened);
     if (!m_file.open(m_output->descriptor(), QIODevice::WriteOnly))
         return m_output->failure(m_file.errorString().toStdString());
     m_writer = std::make_unique<QPdfWriter>(&m_file);
@@ -53,8 +51,7 @@ Result<void> PdfFile::begin(const PageFormat &format)
 Result<void> PdfFile::add(const ReportPage &page)
 {
     if (!m_writer) {
-        if (auto begun = begin(page.format); !begun)
-            return begun;
+        ODO_TRY(begin(page.format));
     } else {
         m_writer->setPageLayout(layoutOf(page.format));
         m_writer->newPage();
@@ -152,12 +149,10 @@ Result<void> ReportJob::prepare(Project &project)
 
 Result<void> ReportJob::run(const JobControl &control)
 {
-    const auto project = Project::openAgain(m_project, Project::Access::ReadOnly);
-    if (!project)
-        return tl::unexpected(project.error());
+    const auto project = ODO_TRY(Project::openAgain(m_project, Project::Access::ReadOnly));
     // gone with what it holds, however this ends
     const std::unique_ptr<PageOutput> output = std::move(m_output);
-    auto made = m_maker(**project, control, [&](const ReportPage &page) -> Result<void> {
+    auto made = m_maker(*project, control, [&](const ReportPage &page) -> Result<void> {
         ++m_pageCount;
         return output->add(page);
     });

@@ -15,8 +15,7 @@ Result<QImage> readLogo(const std::filesystem::path &file)
     constexpr qint64 mostPixels = 100'000'000;
     constexpr QSize shown(1400, 400); // ten times what a page shows: sharp in print
     const Message what = ODO_TEXT("ui.logo", "logo '%1'")(Named::file(file));
-    if (auto may = checkMayBeRead(file, what); !may)
-        return tl::unexpected(may.error());
+    ODO_TRY(checkMayBeRead(file, what));
     QImageReader reader(QString::fromStdString(file.string()));
     reader.setAutoTransform(true);
     const QSize size = reader.size();

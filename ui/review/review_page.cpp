@@ -101,8 +101,7 @@ ReviewPage::~ReviewPage() = default;
 
 Result<void> ReviewPage::showTrial(const QString &name)
 {
-    if (const Result<TrialRecord> known = m_project.trials().find(name.toStdString()); !known)
-        return tl::unexpected(known.error());
+    ODO_TRY(m_project.trials().find(name.toStdString()));
     m_chosen = name;
     m_chooser->setCurrent(name);
     load();
@@ -128,17 +127,15 @@ Result<ReviewPage::Reading> ReviewPage::readTrial(Project &project, const Wish &
     Reading reading{std::nullopt, nullptr};
     std::string name = wish.chosen.empty() ? wish.shown : wish.chosen;
     if (wish.withList) {
-        Result<std::vector<TrialName>> trials = project.trials().names();
-        if (!trials)
-            return tl::unexpected(trials.error());
+        std::vector<TrialName> trials = ODO_TRY(project.trials().names());
         reading.list.emplace();
         std::map<std::string, QString> shownTeams; // by name
         for (const TeamRecord &team : project.teams().all().value_or(std::vector<TeamRecord>()))
             shownTeams[team.name] = shownTeam(team);
         std::string newest;
         bool isThere = !wish.chosen.empty();
-        std::ranges::reverse(*trials); // the chooser goes on in time
-        for (const TrialName &trial : *trials) {
+        std::ranges::reverse(trials); // the chooser goes on in time
+        for (const TrialName &trial : trials) {
             if (trial.binned)
                 continue;
             const QString shown = QString::fromStdString(trial.name), team = shownTeams[trial.teamName];

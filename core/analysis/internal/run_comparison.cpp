@@ -71,8 +71,7 @@ public:
         using Part = Result<void> (Comparing::*)();
         for (const Part part : {&Comparing::checkRuns, &Comparing::choosePath, &Comparing::followRuns,
                                 &Comparing::chooseMoments, &Comparing::timeStations}) {
-            if (auto done = (this->*part)(); !done)
-                return tl::unexpected(done.error());
+            ODO_TRY((this->*part)());
         }
         return std::move(m_comparison);
     }
@@ -295,8 +294,7 @@ private:
                 return noCommonStretch(run);
         m_comparison.originM = beginOfAll();
         if (m_comparison.alignedBy == AlignBy::Distance)
-            if (auto aligned = alignByPlace(); !aligned)
-                return aligned;
+            ODO_TRY(alignByPlace());
         layStations();
         for (RunOnPath &run : m_comparison.runs)
             for (const double wayM : m_comparison.waysM) {

@@ -188,18 +188,16 @@ RigidTransform poseFromHomography(const Homography &raysFromPlane)
 Result<PlanePose> fitPlanePose(std::span<const PointPair> pairs, const CameraModel &camera, FocalLength focal,
                                Weights weights)
 {
-    const auto rays = raysFromPlane(pairs, camera);
-    if (!rays)
-        return tl::unexpected(rays.error());
+    const auto rays = ODO_TRY(raysFromPlane(pairs, camera));
     if (focal == FocalLength::Free) {
         // The closed form is weak against noise; where it fails the refinement starts from the focal length
         // given.
-        const double scale = focalScaleOf(*rays).value_or(1);
-        const auto free = refined(pairs, camera, FocalLength::Free, {startOf(*rays, scale), scale}, weights);
+        const double scale = focalScaleOf(rays).value_or(1);
+        const auto free = refined(pairs, camera, FocalLength::Free, {startOf(rays, scale), scale}, weights);
         if (free && isCredible(*free))
             return *free;
     }
-    if (const auto pose = refined(pairs, camera, FocalLength::Known, {startOf(*rays, 1), 1}, weights))
+    if (const auto pose = refined(pairs, camera, FocalLength::Known, {startOf(rays, 1), 1}, weights))
         return *pose;
     return noPose(pointsUndetermined(), ODO_TEXT("calibration.spread_points",
                                                  "spread the points over the floor, not along a line"));

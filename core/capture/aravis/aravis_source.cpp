@@ -113,19 +113,15 @@ CameraDescription describeFound(const std::string &place, const std::string &ven
 
 Result<std::unique_ptr<CameraSource>> openAravisSource(const std::string &uri)
 {
-    auto address = parseAravisAddress(uri);
-    if (!address)
-        return tl::unexpected(address.error());
+    auto address = ODO_TRY(parseAravisAddress(uri));
     AravisLibrary::instance();
     std::promise<Result<CameraDescription>> promise;
     auto opened = promise.get_future();
-    auto source = std::make_unique<AravisSource>(std::move(*address), std::move(promise));
+    auto source = std::make_unique<AravisSource>(std::move(address), std::move(promise));
     if (opened.wait_for(openWithin) != std::future_status::ready)
         return noAnswer(uri);
-    auto description = opened.get();
-    if (!description)
-        return tl::unexpected(description.error());
-    source->describe(std::move(*description));
+    auto description = ODO_TRY(opened.get());
+    source->describe(std::move(description));
     return source;
 }
 

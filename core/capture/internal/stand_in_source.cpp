@@ -183,16 +183,14 @@ public:
 
     Result<CapturedFrame> next() override
     {
-        auto frame = m_reader->next();
+        auto frame = ODO_TRY(m_reader->next());
         if (!frame)
-            return tl::unexpected(frame.error());
-        if (!*frame)
             return fail(ErrorCode::Io, nameAlone(m_description.uri),
                         ODO_TEXT("capture.video_has_ended", "the video has ended"),
                         ODO_TEXT("capture.open_video_again", "open it again to see it from the start"));
-        if (!m_pace.waitUntil((*frame)->time))
+        if (!m_pace.waitUntil(frame->time))
             return cancelled(nameAlone(m_description.uri));
-        CapturedFrame captured{std::move(**frame), 0, steadyNow()};
+        CapturedFrame captured{std::move(*frame), 0, steadyNow()};
         captured.sequence = static_cast<std::uint64_t>(captured.frame.index);
         return captured;
     }
@@ -207,14 +205,12 @@ private:
 
 Result<std::unique_ptr<CameraSource>> openFileSource(const std::filesystem::path &file, Pace::Kind pace)
 {
-    auto reader = VideoReader::open(file);
-    if (!reader)
-        return tl::unexpected(reader.error());
-    const VideoInfo &info = (*reader)->info();
+    auto reader = ODO_TRY(VideoReader::open(file));
+    const VideoInfo &info = reader->info();
     CameraDescription description{"file:" + file.string(),      "file",
                                   fileSubject(file.filename()), info.format.width,
                                   info.format.height,           info.framesPerSecond};
-    return std::make_unique<FileSource>(std::move(*reader), std::move(description), pace);
+    return std::make_unique<FileSource>(std::move(reader), std::move(description), pace);
 }
 
 } // namespace odo

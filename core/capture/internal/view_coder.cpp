@@ -38,10 +38,8 @@ struct ViewCoder::Coding
                          picture.lostBefore};
         if (coded.jpeg)
             return coded;
-        auto jpeg = encoder.encode(captured.frame);
-        if (!jpeg)
-            return tl::unexpected(jpeg.error());
-        coded.jpeg = std::make_shared<const std::vector<std::uint8_t>>(std::move(*jpeg));
+        auto jpeg = ODO_TRY(encoder.encode(captured.frame));
+        coded.jpeg = std::make_shared<const std::vector<std::uint8_t>>(std::move(jpeg));
         return coded;
     }
 

@@ -120,8 +120,7 @@ void ViewWriter::write()
         bool isWriting = false;
         const auto written = orShortage([this] { return recordingName(); },
                                         [&]() -> Result<void> {
-                                            if (auto room = checkDisk(output.writer != nullptr); !room)
-                                                return room;
+                                            ODO_TRY(checkDisk(output.writer != nullptr));
                                             isWriting = true;
                                             return write(output, next->frame);
                                         });
@@ -187,15 +186,13 @@ Result<void> ViewWriter::checkDisk(bool isBegun)
 Result<void> ViewWriter::write(Output &output, const CodedFrame &frame) const
 {
     if (!output.writer) {
-        auto writer = RecordingWriter::create(m_recording.file, frame.format, m_nominalFramesPerSecond);
-        if (!writer)
-            return tl::unexpected(writer.error());
-        output.writer = std::move(*writer);
+        auto writer =
+            ODO_TRY(RecordingWriter::create(m_recording.file, frame.format, m_nominalFramesPerSecond));
+        output.writer = std::move(writer);
         output.last = frame.raw;
     }
     const Nanoseconds time = output.timeOf(frame.raw);
-    if (auto written = output.writer->write(*frame.jpeg, time); !written)
-        return written;
+    ODO_TRY(output.writer->write(*frame.jpeg, time));
     output.last = frame.raw;
     output.time = time;
     return {};

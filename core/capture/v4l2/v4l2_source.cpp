@@ -348,12 +348,8 @@ Result<std::vector<CameraControl>> V4l2Source::controls()
 
 Result<void> V4l2Source::set(const std::string &id, double value)
 {
-    const auto open = device();
-    if (!open)
-        return tl::unexpected(open.error());
-    auto done = setV4l2Control(**open, m_description.uri, id, value);
-    if (!done)
-        return done;
+    const auto open = ODO_TRY(device());
+    ODO_TRY(setV4l2Control(*open, m_description.uri, id, value));
     const std::lock_guard lock(m_mutex);
     remember(m_settings, id, value);
     return {};
@@ -397,25 +393,17 @@ void V4l2Source::releaseAutomatics()
 
 Result<std::unique_ptr<CameraSource>> openV4l2Source(const std::string &uri)
 {
-    const auto address = parseV4l2Address(uri);
-    if (!address)
-        return tl::unexpected(address.error());
-    auto device = openV4l2Place(*address);
-    if (!device)
-        return tl::unexpected(device.error());
-    const std::vector<V4l2Mode> modes = v4l2Modes(**device);
-    const auto mode = chooseMode(modes, address->request, uri);
-    if (!mode)
-        return tl::unexpected(mode.error());
-    auto stream = V4l2Stream::start(*device, *mode, uri);
-    if (!stream)
-        return tl::unexpected(stream.error());
-    CameraDescription description = describeV4l2(**device, modes, *mode);
+    const auto address = ODO_TRY(parseV4l2Address(uri));
+    auto device = ODO_TRY(openV4l2Place(address));
+    const std::vector<V4l2Mode> modes = v4l2Modes(*device);
+    const auto mode = ODO_TRY(chooseMode(modes, address.request, uri));
+    auto stream = ODO_TRY(V4l2Stream::start(device, mode, uri));
+    CameraDescription description = describeV4l2(*device, modes, mode);
     description.uri = uri;
-    description.framesPerSecond = (*stream)->framesPerSecond();
-    V4l2KnownCamera camera(*address, **device);
-    return std::make_unique<V4l2Source>(std::move(description), *mode, std::move(camera), std::move(*device),
-                                        std::move(*stream));
+    description.framesPerSecond = stream->framesPerSecond();
+    V4l2KnownCamera camera(address, *device);
+    return std::make_unique<V4l2Source>(std::move(description), mode, std::move(camera), std::move(device),
+                                        std::move(stream));
 }
 
 } // namespace odo

@@ -51,11 +51,9 @@ Result<std::optional<std::string_view>> FileLines::next()
         if (searched > mostLineBytes)
             return fail(ErrorCode::InvalidInput, m_file.lineName(m_number + 1),
                         ODO_TEXT("exchange.line_too_long", "it is longer than 8 MiB"), checkRightFile());
-        const auto block = m_file.read();
-        if (!block)
-            return tl::unexpected(block.error());
-        m_atEnd = block->empty();
-        m_text += *block;
+        const auto block = ODO_TRY(m_file.read());
+        m_atEnd = block.empty();
+        m_text += block;
     }
     if (m_position >= m_text.size())
         return std::nullopt;
@@ -143,10 +141,8 @@ public:
         while (m_position < m_text.size()) {
             CsvRow row{m_line, {}};
             for (bool more = true; more;) {
-                auto cell = parseCell();
-                if (!cell)
-                    return tl::unexpected(cell.error());
-                row.cells.push_back(std::move(*cell));
+                auto cell = ODO_TRY(parseCell());
+                row.cells.push_back(std::move(cell));
                 more = m_position < m_text.size() && m_text[m_position] == ',';
                 if (more)
                     ++m_position;
@@ -238,34 +234,30 @@ bool isToBeMarked(std::string_view text)
 
 Result<std::vector<CsvRow>> readCsvRows(const std::filesystem::path &file)
 {
-    const auto text = readTextFile(file);
-    if (!text)
-        return tl::unexpected(text.error());
-    return CsvParser(file, *text).parse();
+    const auto text = ODO_TRY(readTextFile(file));
+    return CsvParser(file, text).parse();
 }
 
 Result<std::vector<CsvRow>> readCsvTable(const std::filesystem::path &file,
                                          const std::vector<std::string> &columns)
 {
-    auto rows = readCsvRows(file);
-    if (!rows)
-        return rows;
-    if (rows->empty())
+    auto rows = ODO_TRY(readCsvRows(file));
+    if (rows.empty())
         return fail(ErrorCode::InvalidInput, atLine(file, 1), fileIsEmpty(),
                     beginWithLine(headerLine(columns)));
-    if (rows->front().cells != columns) {
+    if (rows.front().cells != columns) {
         const bool semicolons =
-            rows->front().cells.size() == 1 && rows->front().cells.front().find(';') != std::string::npos;
+            rows.front().cells.size() == 1 && rows.front().cells.front().find(';') != std::string::npos;
         return semicolons
-                   ? fail(ErrorCode::InvalidInput, atLine(file, rows->front().line), separatedBySemicolons(),
+                   ? fail(ErrorCode::InvalidInput, atLine(file, rows.front().line), separatedBySemicolons(),
                           ODO_TEXT("exchange.save_with_commas_and_points",
                                    "save it with commas, and with a point in its numbers"))
-                   : fail(ErrorCode::InvalidInput, atLine(file, rows->front().line),
+                   : fail(ErrorCode::InvalidInput, atLine(file, rows.front().line),
                           ODO_TEXT("exchange.lacks_header", "it lacks the expected header line"),
                           beginWithLine(headerLine(columns)));
     }
-    rows->erase(rows->begin());
-    for (const CsvRow &row : *rows) {
+    rows.erase(rows.begin());
+    for (const CsvRow &row : rows) {
         if (row.cells.size() != columns.size())
             return fail(ErrorCode::InvalidInput, atLine(file, row.line),
                         ODO_TEXT("exchange.wrong_number_of_cells",

@@ -176,15 +176,13 @@ Result<void> AnalysisCheck::prepare()
 
 Result<void> AnalysisCheck::compareDigests(const Newest &newest, Proved &proved)
 {
-    const auto outcome = m_digests.compare(newest.analysis, allDigestParts);
-    if (!outcome)
-        return tl::unexpected(outcome.error());
-    for (const DigestPart part : outcome->changed)
+    const auto outcome = ODO_TRY(m_digests.compare(newest.analysis, allDigestParts));
+    for (const DigestPart part : outcome.changed)
         report(wordsOf(part, newest.robotName), restoreOrTrackAgain());
-    if (!outcome->isKept)
+    if (!outcome.isKept)
         return {};
     const auto holds = [&](DigestPart part) {
-        return std::ranges::find(outcome->changed, part) == outcome->changed.end();
+        return std::ranges::find(outcome.changed, part) == outcome.changed.end();
     };
     if (holds(DigestPart::Measurements))
         proved.measured.insert(newest.robot);
@@ -201,8 +199,7 @@ Result<void> AnalysisCheck::look(const TrialName &trial)
     m_changed.clear();
     Proved proved;
     for (const Newest &newest : m_newest[trial.id]) {
-        if (auto compared = compareDigests(newest, proved); !compared)
-            return compared;
+        ODO_TRY(compareDigests(newest, proved));
         if (m_overruledSince.contains(newest.analysis))
             report(ODO_TEXT("project.overrides_changed",
                             "the manual overrides have changed since robot '%1' was analysed")(
@@ -316,17 +313,14 @@ void AnalysisCheck::compareMetrics(const AnalysisRecord &analysis)
 Result<void> checkAnalyses(Project &project, const ProjectConnection &connection, bool isThorough,
                            const JobControl &control, std::vector<ProjectProblem> &problems)
 {
-    const auto trials = project.trials().names();
-    if (!trials)
-        return tl::unexpected(trials.error());
+    const auto trials = ODO_TRY(project.trials().names());
     AnalysisCheck check(project, connection, isThorough, problems);
-    if (auto prepared = check.prepare(); !prepared)
-        return prepared;
+    ODO_TRY(check.prepare());
     double done = 0;
-    for (const TrialName &trial : *trials) {
+    for (const TrialName &trial : trials) {
         if (control.isCancelled())
             return cancelled(projectCheck());
-        control.report(done++ / double(trials->size()),
+        control.report(done++ / double(trials.size()),
                        ODO_TEXT("project.checking", "checking %1")(Named::trial(trial.name)));
         if (trial.unfinished)
             continue;
@@ -365,8 +359,7 @@ std::optional<Nanoseconds> endOfTracks(const ProjectConnection &connection, Reco
     std::optional<Nanoseconds> end;
     const auto read = last.bind(trial).eachRow([&end](const Statement &row) -> Result<void> {
         std::vector<Sample> samples;
-        if (auto unpacked = unpackSamples(row.blob(0), {}, samples); !unpacked)
-            return unpacked;
+        ODO_TRY(unpackSamples(row.blob(0), {}, samples));
         if (!samples.empty())
             end = std::max(end.value_or(Nanoseconds(0)), samples.back().time);
         return {};
@@ -516,8 +509,7 @@ Result<void> checkChoices(const ProjectConnection &connection, const char *table
 Result<void> checkDerivedFigures(Project &project, const ProjectConnection &connection,
                                  std::vector<ProjectProblem> &problems)
 {
-    if (auto checked = checkTrials(connection, problems); !checked)
-        return checked;
+    ODO_TRY(checkTrials(connection, problems));
     if (auto checked = checkChoices(
             connection, "intrinsics",
             ODO_TEXT("project.others_calibration_chosen",
@@ -534,10 +526,8 @@ Result<void> checkDerivedFigures(Project &project, const ProjectConnection &conn
             problems);
         !checked)
         return checked;
-    const auto cameras = project.cameras().all();
-    if (!cameras)
-        return tl::unexpected(cameras.error());
-    for (const CameraRecord &camera : *cameras)
+    const auto cameras = ODO_TRY(project.cameras().all());
+    for (const CameraRecord &camera : cameras)
         checkRegistration(project, camera, problems);
     return {};
 }

@@ -222,8 +222,7 @@ Result<std::string> AnalysisDigests::make(RecordId analysis, DigestPart part)
         // Where one kind of rows ends and the next begins.
         if (!rows.isLater)
             hash.add("", 1);
-        if (auto added = m_queries->addRows(hash, rows, analysis); !added)
-            return tl::unexpected(added.error());
+        ODO_TRY(m_queries->addRows(hash, rows, analysis));
     }
     return hash.hex();
 }
@@ -250,10 +249,8 @@ Result<AnalysisDigests::Outcome> AnalysisDigests::compare(RecordId analysis,
     for (const DigestPart part : parts) {
         if (!outcome.isKept)
             break;
-        const auto now = make(analysis, part);
-        if (!now)
-            return tl::unexpected(now.error());
-        if (*now != stored[storedPart(part)])
+        const auto now = ODO_TRY(make(analysis, part));
+        if (now != stored[storedPart(part)])
             outcome.changed.push_back(part);
     }
     return outcome;
@@ -264,11 +261,9 @@ namespace {
 Result<void> writeDigest(ProjectConnection &connection, AnalysisDigests &digests, RecordId analysis,
                          DigestPart part)
 {
-    const auto made = digests.make(analysis, part);
-    if (!made)
-        return tl::unexpected(made.error());
+    const auto made = ODO_TRY(digests.make(analysis, part));
     Statement insert(connection, QStringLiteral("INSERT OR REPLACE INTO analysis_digest VALUES (?,?,?)"));
-    return insert.bind(analysis).bind(std::string(storedPart(part))).bind(*made).run();
+    return insert.bind(analysis).bind(std::string(storedPart(part))).bind(made).run();
 }
 
 } // namespace
@@ -276,10 +271,8 @@ Result<void> writeDigest(ProjectConnection &connection, AnalysisDigests &digests
 Result<void> writeDigests(ProjectConnection &connection, RecordId analysis)
 {
     AnalysisDigests digests(connection);
-    for (const DigestPart part : allDigestParts) {
-        if (auto written = writeDigest(connection, digests, analysis, part); !written)
-            return written;
-    }
+    for (const DigestPart part : allDigestParts)
+        ODO_TRY(writeDigest(connection, digests, analysis, part));
     return {};
 }
 
@@ -290,18 +283,13 @@ Result<void> keepDigestsRight(ProjectConnection &connection, const std::vector<D
         AnalysisDigests digests(connection);
         std::vector<DigestedPart> right;
         for (const DigestedPart &one : parts) {
-            const auto compared = digests.compare(one.analysis, std::array{one.part});
-            if (!compared)
-                return tl::unexpected(compared.error());
-            if (compared->isKept && compared->changed.empty())
+            const auto compared = ODO_TRY(digests.compare(one.analysis, std::array{one.part}));
+            if (compared.isKept && compared.changed.empty())
                 right.push_back(one);
         }
-        if (auto done = work(); !done)
-            return done;
-        for (const auto &[analysis, part] : right) {
-            if (auto written = writeDigest(connection, digests, analysis, part); !written)
-                return written;
-        }
+        ODO_TRY(work());
+        for (const auto &[analysis, part] : right)
+            ODO_TRY(writeDigest(connection, digests, analysis, part));
         return {};
     });
 }

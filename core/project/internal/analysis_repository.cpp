@@ -66,8 +66,7 @@ Result<RecordId> addRow(ProjectConnection &connection, const AnalysisRecord &ana
     insert.bind(static_cast<std::int64_t>(options.longestBridgedGap.count())).bind(analysis.profile.heightM);
     insert.bind(analysis.profile.heightEstimated ? 1 : 0).bind(analysis.profile.meanViewDisagreementM);
     insert.bindReference(analysis.task);
-    if (auto done = insert.run(); !done)
-        return tl::unexpected(done.error());
+    ODO_TRY(insert.run());
     return insert.insertedId();
 }
 
@@ -77,8 +76,7 @@ Result<void> addViews(ProjectConnection &connection, RecordId id, const Analysis
         Statement insert(connection, QStringLiteral("INSERT INTO analysis_view VALUES (?,?,?,?)"));
         insert.bind(id).bind(static_cast<std::int64_t>(i)).bind(analysis.views[i]);
         insert.bindReference(analysis.registrations.empty() ? 0 : analysis.registrations[i]);
-        if (auto done = insert.run(); !done)
-            return done;
+        ODO_TRY(insert.run());
     }
     return {};
 }
@@ -87,8 +85,7 @@ Result<void> addOverrules(ProjectConnection &connection, RecordId id, const std:
 {
     for (const Overrule &overrule : overrules) {
         Statement insert(connection, QStringLiteral("INSERT INTO analysis_overrule VALUES (?,?,?)"));
-        if (auto done = insert.bind(id).bind(overrule.frame).bind(overrule.isSpike ? 1 : 0).run(); !done)
-            return done;
+        ODO_TRY(insert.bind(id).bind(overrule.frame).bind(overrule.isSpike ? 1 : 0).run());
     }
     return {};
 }
@@ -102,8 +99,7 @@ Result<void> addFindings(ProjectConnection &connection, RecordId id, const Profi
                         ODO_TEXT("project.not_finite", "it is not a finite number"), analyseAgain());
         Statement insert(connection, QStringLiteral("INSERT INTO metric VALUES (?,?,?,?,?,?)"));
         insert.bind(id).bind(static_cast<std::int64_t>(i)).bind(metric.name).bind(metric.unit);
-        if (auto done = insert.bind(metric.value).bind(metric.sigma).run(); !done)
-            return done;
+        ODO_TRY(insert.bind(metric.value).bind(metric.sigma).run());
     }
     for (std::size_t i = 0; i < profile.spikes.size(); ++i) {
         const Spike &spike = profile.spikes[i];
@@ -111,8 +107,7 @@ Result<void> addFindings(ProjectConnection &connection, RecordId id, const Profi
         insert.bind(id).bind(static_cast<std::int64_t>(i)).bind(spike.sampleIndex);
         insert.bind(static_cast<std::int64_t>(spike.time.count()))
             .bind(static_cast<std::int64_t>(spike.flags));
-        if (auto done = insert.bind(spike.reason).run(); !done)
-            return done;
+        ODO_TRY(insert.bind(spike.reason).run());
     }
     return {};
 }
@@ -125,8 +120,7 @@ Result<void> addPassages(ProjectConnection &connection, RecordId id, const std::
         insert.bind(id).bind(static_cast<std::int64_t>(i)).bind(passage.gate);
         insert.bind(storedWord(gateRoleWords, passage.role));
         insert.bind(static_cast<std::int64_t>(passage.time.count())).bind(passage.sigmaS);
-        if (auto done = insert.bind(passage.commonSigmaS).run(); !done)
-            return done;
+        ODO_TRY(insert.bind(passage.commonSigmaS).run());
     }
     return {};
 }
@@ -137,14 +131,10 @@ Result<void> addSeries(ProjectConnection &connection, RecordId id, const Profile
     const std::span<const ProfilePoint> points(profile.points);
     for (std::size_t start = 0; start == 0 || start < points.size(); start += rowsPerChunk) {
         const std::size_t count = std::min(rowsPerChunk, points.size() - start);
-        const auto chunk = samples.chunk(start, count);
-        if (!chunk)
-            return tl::unexpected(chunk.error());
+        const auto chunk = ODO_TRY(samples.chunk(start, count));
         Statement insert(connection, QStringLiteral("INSERT INTO analysis_chunk VALUES (?,?,?,?)"));
         insert.bind(id).bind(static_cast<std::int64_t>(start / rowsPerChunk));
-        if (auto done = insert.bind(packSamples(*chunk)).bind(packPoints(points.subspan(start, count))).run();
-            !done)
-            return done;
+        ODO_TRY(insert.bind(packSamples(chunk)).bind(packPoints(points.subspan(start, count))).run());
     }
     return {};
 }
@@ -158,11 +148,9 @@ Result<AnalysisRecord> analysisOf(const Statement &row)
     analysis.robotName = row.name(3);
     analysis.made = Instant(std::chrono::milliseconds(row.integer(4)));
     analysis.softwareVersion = row.name(5);
-    const auto smoother = fromStoredWord(smootherWords, row.text(6),
-                                         ODO_TEXT("project.analysis_number", "analysis %1")(analysis.id));
-    if (!smoother)
-        return tl::unexpected(smoother.error());
-    analysis.options.smoother = *smoother;
+    const auto smoother = ODO_TRY(fromStoredWord(
+        smootherWords, row.text(6), ODO_TEXT("project.analysis_number", "analysis %1")(analysis.id)));
+    analysis.options.smoother = smoother;
     analysis.options.maxSpeedMps = row.real(7);
     analysis.options.maxAccelMps2 = row.real(8);
     analysis.options.longestBridgedGap = Nanoseconds(row.integer(9));
@@ -190,11 +178,9 @@ Result<void> readPassages(const ProjectConnection &connection, AnalysisRecord &i
                      QStringLiteral("SELECT gate, role, time_ns, sigma_s, common_sigma_s FROM gate_passage "
                                     "WHERE analysis_id=? ORDER BY position"));
     return select.bind(into.id).eachRow([&into](const Statement &row) -> Result<void> {
-        const auto role = fromStoredWord(gateRoleWords, row.text(1), gateSubject(row.name(0)));
-        if (!role)
-            return tl::unexpected(role.error());
+        const auto role = ODO_TRY(fromStoredWord(gateRoleWords, row.text(1), gateSubject(row.name(0))));
         into.profile.passages.push_back(
-            {row.name(0), *role, Nanoseconds(row.integer(2)), row.real(3), row.real(4)});
+            {row.name(0), role, Nanoseconds(row.integer(2)), row.real(3), row.real(4)});
         return {};
     });
 }
@@ -236,9 +222,7 @@ Result<void> readSeries(const ProjectConnection &connection, AnalysisRecord &int
     std::vector<Sample> samples;
     std::vector<ProfilePoint> points;
     Statement length(connection, QStringLiteral("SELECT COUNT(*) FROM analysis_chunk WHERE analysis_id=?"));
-    const auto counted = length.bind(into.id).firstRow();
-    if (!counted)
-        return tl::unexpected(counted.error());
+    ODO_TRY(length.bind(into.id).firstRow());
     if (length.integer(0) == 0)
         return damaged(ODO_TEXT("project.series_missing", "its series are missing"));
     const auto most = std::min<std::int64_t>(length.integer(0) * rowsPerChunk, maxBlobRows);
@@ -248,10 +232,8 @@ Result<void> readSeries(const ProjectConnection &connection, AnalysisRecord &int
         connection,
         QStringLiteral("SELECT samples, points FROM analysis_chunk WHERE analysis_id=? ORDER BY position"));
     auto read = select.bind(into.id).eachRow([&](const Statement &row) -> Result<void> {
-        if (auto unpacked = unpackSamples(row.blob(0), what, samples); !unpacked)
-            return unpacked;
-        if (auto unpacked = unpackPoints(row.blob(1), what, points); !unpacked)
-            return unpacked;
+        ODO_TRY(unpackSamples(row.blob(0), what, samples));
+        ODO_TRY(unpackPoints(row.blob(1), what, points));
         if (samples.size() != points.size())
             return damaged(lengthsDiffer());
         return samples.size() > maxBlobRows ? damaged(hasTooManySamples()) : Result<void>();
@@ -277,26 +259,16 @@ Result<AnalysisRecord> AnalysisRepository::add(AnalysisRecord analysis, const Sa
 {
     return transact(m_connection, [&]() -> Result<AnalysisRecord> {
         const SampleSource source = samples.chunk ? samples : sourceOf(analysis.profile.samples);
-        if (auto valid = checkAnalysis(analysis, source.count); !valid)
-            return tl::unexpected(valid.error());
-        const auto id = addRow(m_connection, analysis);
-        if (!id)
-            return tl::unexpected(id.error());
-        if (auto added = addViews(m_connection, *id, analysis); !added)
-            return tl::unexpected(added.error());
-        if (auto added = addOverrules(m_connection, *id, analysis.options.overrules); !added)
-            return tl::unexpected(added.error());
-        if (auto added = addFindings(m_connection, *id, analysis.profile); !added)
-            return tl::unexpected(added.error());
-        if (auto added = addPassages(m_connection, *id, analysis.profile.passages); !added)
-            return tl::unexpected(added.error());
-        if (auto added = addDoubtfulNames(m_connection, *id, analysis.doubtfulNames); !added)
-            return tl::unexpected(added.error());
-        if (auto added = addSeries(m_connection, *id, analysis.profile, source); !added)
-            return tl::unexpected(added.error());
-        if (auto written = writeDigests(m_connection, *id); !written)
-            return tl::unexpected(written.error());
-        analysis.id = *id;
+        ODO_TRY(checkAnalysis(analysis, source.count));
+        const auto id = ODO_TRY(addRow(m_connection, analysis));
+        ODO_TRY(addViews(m_connection, id, analysis));
+        ODO_TRY(addOverrules(m_connection, id, analysis.options.overrules));
+        ODO_TRY(addFindings(m_connection, id, analysis.profile));
+        ODO_TRY(addPassages(m_connection, id, analysis.profile.passages));
+        ODO_TRY(addDoubtfulNames(m_connection, id, analysis.doubtfulNames));
+        ODO_TRY(addSeries(m_connection, id, analysis.profile, source));
+        ODO_TRY(writeDigests(m_connection, id));
+        analysis.id = id;
         analysis.proof = AnalysisRecord::Proof::Holds;
         return std::move(analysis);
     });
@@ -304,25 +276,17 @@ Result<AnalysisRecord> AnalysisRepository::add(AnalysisRecord analysis, const Sa
 
 Result<std::vector<AnalysisRecord>> AnalysisRepository::current(RecordId trial) const
 {
-    auto analyses = currentMetrics(trial);
-    if (!analyses)
-        return analyses;
+    auto analyses = ODO_TRY(currentMetrics(trial));
     AnalysisDigests digests(m_connection);
-    for (AnalysisRecord &analysis : *analyses) {
-        const auto compared = digests.compare(analysis.id, shownDigestParts);
-        if (!compared)
-            return tl::unexpected(compared.error());
-        if (compared->isKept)
+    for (AnalysisRecord &analysis : analyses) {
+        const auto compared = ODO_TRY(digests.compare(analysis.id, shownDigestParts));
+        if (compared.isKept)
             analysis.proof =
-                compared->changed.empty() ? AnalysisRecord::Proof::Holds : AnalysisRecord::Proof::Broken;
-        if (auto read = readDecisions(m_connection, analysis); !read)
-            return tl::unexpected(read.error());
-        if (auto read = readSeries(m_connection, analysis); !read)
-            return tl::unexpected(read.error());
-        auto doubts = doubtfulNames(analysis.id);
-        if (!doubts)
-            return tl::unexpected(doubts.error());
-        analysis.doubtfulNames = std::move(*doubts);
+                compared.changed.empty() ? AnalysisRecord::Proof::Holds : AnalysisRecord::Proof::Broken;
+        ODO_TRY(readDecisions(m_connection, analysis));
+        ODO_TRY(readSeries(m_connection, analysis));
+        auto doubts = ODO_TRY(doubtfulNames(analysis.id));
+        analysis.doubtfulNames = std::move(doubts);
     }
     return analyses;
 }
@@ -390,14 +354,10 @@ Result<std::vector<AnalysisRecord>> AnalysisRepository::currentMetrics(RecordId 
     std::vector<AnalysisRecord> analyses;
     Statement select(m_connection, newestColumns);
     auto read = select.bind(trial).eachRow([&](const Statement &row) -> Result<void> {
-        auto analysis = analysisOf(row);
-        if (!analysis)
-            return tl::unexpected(analysis.error());
-        if (auto metrics = readMetrics(m_connection, *analysis); !metrics)
-            return metrics;
-        if (auto passages = readPassages(m_connection, *analysis); !passages)
-            return passages;
-        analyses.push_back(std::move(*analysis));
+        auto analysis = ODO_TRY(analysisOf(row));
+        ODO_TRY(readMetrics(m_connection, analysis));
+        ODO_TRY(readPassages(m_connection, analysis));
+        analyses.push_back(std::move(analysis));
         return {};
     });
     if (!read)

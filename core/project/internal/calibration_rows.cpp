@@ -20,11 +20,8 @@ Result<void> addUsed(ProjectConnection &connection, const IntrinsicsRecord &reco
 {
     const CalibrationPicture &picture = record.calibration.pictures[position];
     const StoredPicture file = position < record.files.size() ? record.files[position] : StoredPicture{};
-    if (auto valid = checkText(pictureName(), picture.view.source); !valid)
-        return valid;
-    if (auto valid = checkText(ODO_TEXT("project.picture_path", "path of a calibration picture"), file.path);
-        !valid)
-        return valid;
+    ODO_TRY(checkText(pictureName(), picture.view.source));
+    ODO_TRY(checkText(ODO_TEXT("project.picture_path", "path of a calibration picture"), file.path));
     const std::filesystem::path path(file.path);
     Statement insert(connection,
                      QStringLiteral("INSERT INTO calibration_picture (intrinsics_id, position, file, rms_px, "
@@ -41,8 +38,7 @@ Result<void> addUsed(ProjectConnection &connection, const IntrinsicsRecord &reco
 Result<void> addRejected(ProjectConnection &connection, const IntrinsicsRecord &record, std::size_t position)
 {
     const RejectedPicture &picture = record.calibration.rejected[position];
-    if (auto valid = checkText(pictureName(), picture.file); !valid)
-        return valid;
+    ODO_TRY(checkText(pictureName(), picture.file));
     Statement insert(connection, QStringLiteral("INSERT INTO rejected_picture VALUES (?,?,?,?)"));
     insert.bind(record.id).bind(static_cast<std::int64_t>(position)).bind(picture.file);
     return insert.bind(picture.reason).run();
@@ -52,14 +48,10 @@ Result<void> addRejected(ProjectConnection &connection, const IntrinsicsRecord &
 
 Result<void> addCalibrationPictures(ProjectConnection &connection, const IntrinsicsRecord &record)
 {
-    for (std::size_t i = 0; i < record.calibration.pictures.size(); ++i) {
-        if (auto done = addUsed(connection, record, i); !done)
-            return done;
-    }
-    for (std::size_t i = 0; i < record.calibration.rejected.size(); ++i) {
-        if (auto done = addRejected(connection, record, i); !done)
-            return done;
-    }
+    for (std::size_t i = 0; i < record.calibration.pictures.size(); ++i)
+        ODO_TRY(addUsed(connection, record, i));
+    for (std::size_t i = 0; i < record.calibration.rejected.size(); ++i)
+        ODO_TRY(addRejected(connection, record, i));
     return {};
 }
 
@@ -76,12 +68,9 @@ Result<void> readCalibrationPictures(const ProjectConnection &connection, Intrin
         picture.rmsPx = row.real(1);
         picture.used = row.integer(2) != 0;
         if (const QByteArray corners = row.blob(3); !corners.isEmpty()) {
-            if (auto unpacked = unpackCorners(
-                    corners,
-                    ODO_TEXT("project.corners_of", "corners of '%1'")(Named::file(picture.view.source)),
-                    picture);
-                !unpacked)
-                return unpacked;
+            ODO_TRY(unpackCorners(
+                corners, ODO_TEXT("project.corners_of", "corners of '%1'")(Named::file(picture.view.source)),
+                picture));
         }
         into.calibration.pictures.push_back(std::move(picture));
         into.files.push_back({row.text(4), row.text(5), row.integer(6)});
@@ -106,8 +95,7 @@ Result<RecordId> addLens(ProjectConnection &connection, const Intrinsics &intrin
     insert.bind(intrinsics.widthPx).bind(intrinsics.heightPx).bind(intrinsics.fxPx).bind(intrinsics.fyPx);
     insert.bind(intrinsics.cxPx).bind(intrinsics.cyPx).bind(storedWord(lensModelWords, intrinsics.model));
     insert.bind(packNumbers(intrinsics.distortion)).bind(packSquare(intrinsics.covariance));
-    if (auto done = insert.run(); !done)
-        return tl::unexpected(done.error());
+    ODO_TRY(insert.run());
     return insert.insertedId();
 }
 
@@ -116,21 +104,13 @@ Result<Intrinsics> lens(const ProjectConnection &connection, RecordId id)
     Statement select(connection,
                      QStringLiteral("SELECT width_px, height_px, fx_px, fy_px, cx_px, cy_px, model, "
                                     "distortion, covariance FROM lens WHERE id=?"));
-    const auto found = select.bind(id).firstRow();
+    const auto found = ODO_TRY(select.bind(id).firstRow());
     if (!found)
-        return tl::unexpected(found.error());
-    if (!*found)
         return noSuchId(connection, RecordKind::Lens, id);
     const Message what = ODO_TEXT("project.lens_of_project", "lens %1 of the project")(id);
-    const auto model = fromStoredWord(lensModelWords, select.text(6), what);
-    if (!model)
-        return tl::unexpected(model.error());
-    auto distortion = unpackNumbers(select.blob(7), what);
-    if (!distortion)
-        return tl::unexpected(distortion.error());
-    auto covariance = unpackSquare(select.blob(8), what);
-    if (!covariance)
-        return tl::unexpected(covariance.error());
+    const auto model = ODO_TRY(fromStoredWord(lensModelWords, select.text(6), what));
+    auto distortion = ODO_TRY(unpackNumbers(select.blob(7), what));
+    auto covariance = ODO_TRY(unpackSquare(select.blob(8), what));
     Intrinsics intrinsics;
     intrinsics.widthPx = select.smallInteger(0);
     intrinsics.heightPx = select.smallInteger(1);
@@ -138,9 +118,9 @@ Result<Intrinsics> lens(const ProjectConnection &connection, RecordId id)
     intrinsics.fyPx = select.real(3);
     intrinsics.cxPx = select.real(4);
     intrinsics.cyPx = select.real(5);
-    intrinsics.model = *model;
-    intrinsics.distortion = std::move(*distortion);
-    intrinsics.covariance = std::move(*covariance);
+    intrinsics.model = model;
+    intrinsics.distortion = std::move(distortion);
+    intrinsics.covariance = std::move(covariance);
     return intrinsics;
 }
 

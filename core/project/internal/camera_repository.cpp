@@ -38,15 +38,11 @@ Result<std::optional<Record>> currentRevision(const ProjectConnection &connectio
                 "AND chosen.camera_id=camera.id WHERE camera.id=?), (SELECT MAX(id) FROM %1 WHERE "
                 "camera_id=?))")
                 .arg(QLatin1String(table)));
-    const auto found = select.bind(camera).bind(camera).firstRow();
+    const auto found = ODO_TRY(select.bind(camera).bind(camera).firstRow());
     if (!found)
-        return tl::unexpected(found.error());
-    if (!*found)
         return std::nullopt;
-    auto record = read(connection, select);
-    if (!record)
-        return tl::unexpected(record.error());
-    return std::optional(std::move(*record));
+    auto record = ODO_TRY(read(connection, select));
+    return std::optional(std::move(record));
 }
 
 /// The newest first.
@@ -57,10 +53,8 @@ Result<std::vector<Record>> allRevisions(const ProjectConnection &connection, co
     std::vector<Record> all;
     Statement select(connection, columns + QStringLiteral("WHERE camera_id=? ORDER BY id DESC"));
     auto done = select.bind(camera).eachRow([&](const Statement &row) -> Result<void> {
-        auto record = read(connection, row);
-        if (!record)
-            return tl::unexpected(record.error());
-        all.push_back(std::move(*record));
+        auto record = ODO_TRY(read(connection, row));
+        all.push_back(std::move(record));
         return {};
     });
     if (!done)
@@ -100,18 +94,14 @@ Result<IntrinsicsRecord> readIntrinsics(const ProjectConnection &connection, con
     record.calibration.rmsPx = row.real(5);
     record.calibration.crossValidationPx = row.real(6);
     record.calibration.verdict = row.message(7);
-    auto intrinsics = lens(connection, row.integer(2));
-    if (!intrinsics)
-        return tl::unexpected(intrinsics.error());
-    record.calibration.intrinsics = std::move(*intrinsics);
+    auto intrinsics = ODO_TRY(lens(connection, row.integer(2)));
+    record.calibration.intrinsics = std::move(intrinsics);
     record.softwareVersion = row.name(8);
     if (!row.text(9).empty()) {
-        const auto pattern = fromStoredWord(
+        const auto pattern = ODO_TRY(fromStoredWord(
             boardPatternWords, row.text(9),
-            ODO_TEXT("project.calibration_of_project", "calibration %1 of the project")(record.id));
-        if (!pattern)
-            return tl::unexpected(pattern.error());
-        record.board.pattern = *pattern;
+            ODO_TEXT("project.calibration_of_project", "calibration %1 of the project")(record.id)));
+        record.board.pattern = pattern;
     }
     record.board.columns = row.smallInteger(10);
     record.board.rows = row.smallInteger(11);
@@ -120,8 +110,7 @@ Result<IntrinsicsRecord> readIntrinsics(const ProjectConnection &connection, con
     record.board.dictionary = row.text(14);
     record.calibration.lensReason = row.message(15);
     record.calibration.disagreeingPart = row.real(16);
-    if (auto read = readCalibrationPictures(connection, record); !read)
-        return tl::unexpected(read.error());
+    ODO_TRY(readCalibrationPictures(connection, record));
     return record;
 }
 
@@ -133,15 +122,11 @@ Result<CameraRecord> CameraRepository::add(const CameraRecord &given)
 {
     const CameraRecord camera{given.id, normalName(given.name), given.deviceUri};
     return transact(m_connection, [&]() -> Result<CameraRecord> {
-        if (auto valid = checkName(RecordKind::Camera, camera.name); !valid)
-            return tl::unexpected(valid.error());
-        if (auto valid = checkText(cameraAddress(), camera.deviceUri); !valid)
-            return tl::unexpected(valid.error());
-        if (auto isFree = checkNameIsFree(m_connection, RecordKind::Camera, camera.name); !isFree)
-            return tl::unexpected(isFree.error());
+        ODO_TRY(checkName(RecordKind::Camera, camera.name));
+        ODO_TRY(checkText(cameraAddress(), camera.deviceUri));
+        ODO_TRY(checkNameIsFree(m_connection, RecordKind::Camera, camera.name));
         Statement insert(m_connection, QStringLiteral("INSERT INTO camera (name, device_uri) VALUES (?,?)"));
-        if (auto done = insert.bind(camera.name).bind(camera.deviceUri).run(); !done)
-            return tl::unexpected(done.error());
+        ODO_TRY(insert.bind(camera.name).bind(camera.deviceUri).run());
         CameraRecord stored = camera;
         stored.id = insert.insertedId();
         return stored;
@@ -163,29 +148,24 @@ Result<std::vector<CameraRecord>> CameraRepository::all() const
 
 Result<CameraRecord> CameraRepository::find(const std::string &name) const
 {
-    const auto id = idNamed(m_connection, RecordKind::Camera, name);
-    if (!id)
-        return tl::unexpected(id.error());
-    if (*id == 0)
+    const auto id = ODO_TRY(idNamed(m_connection, RecordKind::Camera, name));
+    if (id == 0)
         return noSuchName(m_connection, RecordKind::Camera, name);
-    return get(*id);
+    return get(id);
 }
 
 Result<CameraRecord> CameraRepository::get(RecordId id) const
 {
     Statement select(m_connection, QStringLiteral("SELECT id, name, device_uri FROM camera WHERE id=?"));
-    const auto found = select.bind(id).firstRow();
+    const auto found = ODO_TRY(select.bind(id).firstRow());
     if (!found)
-        return tl::unexpected(found.error());
-    if (!*found)
         return noSuchId(m_connection, RecordKind::Camera, id);
     return cameraOf(select);
 }
 
 Result<void> CameraRepository::setDevice(RecordId camera, const std::string &uri)
 {
-    if (auto valid = checkText(cameraAddress(), uri); !valid)
-        return valid;
+    ODO_TRY(checkText(cameraAddress(), uri));
     Statement update(m_connection, QStringLiteral("UPDATE camera SET device_uri=? WHERE id=?"));
     return update.bind(uri).bind(camera).run();
 }
@@ -200,20 +180,16 @@ Result<IntrinsicsRecord> CameraRepository::addIntrinsics(const IntrinsicsRecord 
 {
     return transact(m_connection, [&]() -> Result<IntrinsicsRecord> {
         const IntrinsicCalibration &calibration = intrinsics.calibration;
-        if (auto valid = checkText(ODO_TEXT("project.calibration_origin", "origin of a calibration"),
-                                   intrinsics.origin.english());
-            !valid)
-            return tl::unexpected(valid.error());
-        const auto lensId = addLens(m_connection, calibration.intrinsics);
-        if (!lensId)
-            return tl::unexpected(lensId.error());
+        ODO_TRY(checkText(ODO_TEXT("project.calibration_origin", "origin of a calibration"),
+                          intrinsics.origin.english()));
+        const auto lensId = ODO_TRY(addLens(m_connection, calibration.intrinsics));
         Statement insert(
             m_connection,
             QStringLiteral("INSERT INTO intrinsics (camera_id, lens_id, made_ms, origin, rms_px, "
                            "cross_validation_px, verdict, software_version, board_pattern, board_columns, "
                            "board_rows, square_m, marker_ratio, dictionary, lens_reason, disagreeing_part) "
                            "VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)"));
-        insert.bind(intrinsics.camera).bind(*lensId);
+        insert.bind(intrinsics.camera).bind(lensId);
         insert.bind(static_cast<std::int64_t>(intrinsics.made.time_since_epoch().count()))
             .bind(intrinsics.origin);
         insert.bind(calibration.rmsPx).bind(calibration.crossValidationPx).bind(calibration.verdict);
@@ -226,15 +202,12 @@ Result<IntrinsicsRecord> CameraRepository::addIntrinsics(const IntrinsicsRecord 
             .bind(board.markerRatio)
             .bind(board.dictionary);
         insert.bind(calibration.lensReason).bind(calibration.disagreeingPart);
-        if (auto done = insert.run(); !done)
-            return tl::unexpected(done.error());
+        ODO_TRY(insert.run());
         IntrinsicsRecord stored = intrinsics;
         stored.id = insert.insertedId();
         Statement newest(m_connection, QStringLiteral("UPDATE camera SET intrinsics_id=NULL WHERE id=?"));
-        if (auto done = newest.bind(intrinsics.camera).run(); !done)
-            return tl::unexpected(done.error());
-        if (auto added = addCalibrationPictures(m_connection, stored); !added)
-            return tl::unexpected(added.error());
+        ODO_TRY(newest.bind(intrinsics.camera).run());
+        ODO_TRY(addCalibrationPictures(m_connection, stored));
         return stored;
     });
 }
@@ -252,21 +225,17 @@ Result<std::vector<IntrinsicsRecord>> CameraRepository::allIntrinsics(RecordId c
 Result<void> CameraRepository::chooseIntrinsics(RecordId intrinsics)
 {
     return transact(m_connection, [&]() -> Result<void> {
-        const auto chosen = this->intrinsics(intrinsics);
-        if (!chosen)
-            return tl::unexpected(chosen.error());
+        const auto chosen = ODO_TRY(this->intrinsics(intrinsics));
         Statement update(m_connection, QStringLiteral("UPDATE camera SET intrinsics_id=? WHERE id=?"));
-        return update.bind(intrinsics).bind(chosen->camera).run();
+        return update.bind(intrinsics).bind(chosen.camera).run();
     });
 }
 
 Result<IntrinsicsRecord> CameraRepository::intrinsics(RecordId id) const
 {
     Statement select(m_connection, intrinsicsColumns + QStringLiteral("WHERE id=?"));
-    const auto found = select.bind(id).firstRow();
+    const auto found = ODO_TRY(select.bind(id).firstRow());
     if (!found)
-        return tl::unexpected(found.error());
-    if (!*found)
         return noSuchId(m_connection, RecordKind::Calibration, id);
     return readIntrinsics(m_connection, select);
 }
@@ -282,11 +251,8 @@ const QString registrationColumns = QStringLiteral(
 
 Result<RecordId> addRow(ProjectConnection &connection, const RegistrationRecord &record, RecordId lensId)
 {
-    if (auto valid =
-            checkText(ODO_TEXT("project.registration_picture_path", "path of a registration's picture"),
-                      record.picture.path);
-        !valid)
-        return tl::unexpected(valid.error());
+    ODO_TRY(checkText(ODO_TEXT("project.registration_picture_path", "path of a registration's picture"),
+                      record.picture.path));
     Statement insert(
         connection,
         QStringLiteral("INSERT INTO registration (camera_id, layout_id, intrinsics_id, assumed_lens_id, "
@@ -306,8 +272,7 @@ Result<RecordId> addRow(ProjectConnection &connection, const RegistrationRecord 
     insert.bind(path.is_absolute() ? storedPath(connection.file(), path) : picture.path)
         .bind(picture.sha256)
         .bind(picture.bytes);
-    if (auto done = insert.run(); !done)
-        return tl::unexpected(done.error());
+    ODO_TRY(insert.run());
     return insert.insertedId();
 }
 
@@ -315,21 +280,17 @@ Result<void> addMarkers(ProjectConnection &connection, RecordId id, const Regist
 {
     for (std::size_t i = 0; i < record.pixels.size(); ++i) {
         const MarkerPixel &marker = record.pixels[i];
-        if (auto valid = checkName(RecordKind::Marker, marker.label); !valid)
-            return valid;
+        ODO_TRY(checkName(RecordKind::Marker, marker.label));
         Statement insert(connection, QStringLiteral("INSERT INTO registration_pixel VALUES (?,?,?,?,?)"));
         insert.bind(id).bind(static_cast<std::int64_t>(i)).bind(marker.label);
-        if (auto done = insert.bind(marker.pixel.x()).bind(marker.pixel.y()).run(); !done)
-            return done;
+        ODO_TRY(insert.bind(marker.pixel.x()).bind(marker.pixel.y()).run());
     }
     for (std::size_t i = 0; i < record.registration.markers.size(); ++i) {
         const MarkerError &marker = record.registration.markers[i];
-        if (auto valid = checkName(RecordKind::Marker, marker.label); !valid)
-            return valid;
+        ODO_TRY(checkName(RecordKind::Marker, marker.label));
         Statement insert(connection, QStringLiteral("INSERT INTO registration_error VALUES (?,?,?,?,?)"));
         insert.bind(id).bind(static_cast<std::int64_t>(i)).bind(marker.label);
-        if (auto done = insert.bind(marker.errorM).bind(marker.errorPx).run(); !done)
-            return done;
+        ODO_TRY(insert.bind(marker.errorM).bind(marker.errorPx).run());
     }
     return {};
 }
@@ -358,15 +319,12 @@ Result<void> readLastCheck(const ProjectConnection &connection, RegistrationReco
         connection,
         QStringLiteral("SELECT made_ms, outcome, shift_px, shift_m, words FROM registration_check "
                        "WHERE registration_id=? ORDER BY id DESC LIMIT 1"));
-    const auto found = select.bind(into.id).firstRow();
+    const auto found = ODO_TRY(select.bind(into.id).firstRow());
     if (!found)
-        return tl::unexpected(found.error());
-    if (!*found)
         return {};
-    const auto outcome = fromStoredWord(checkOutcomeWords, select.text(1), registrationOfProject(into.id));
-    if (!outcome)
-        return tl::unexpected(outcome.error());
-    into.lastCheck = RegistrationCheck{Instant(std::chrono::milliseconds(select.integer(0))), *outcome,
+    const auto outcome =
+        ODO_TRY(fromStoredWord(checkOutcomeWords, select.text(1), registrationOfProject(into.id)));
+    into.lastCheck = RegistrationCheck{Instant(std::chrono::milliseconds(select.integer(0))), outcome,
                                        select.real(2), select.real(3), select.message(4)};
     return {};
 }
@@ -377,13 +335,9 @@ Result<void> addFloorSigma(const ProjectConnection &connection, RegistrationReco
     Intrinsics used = record.assumedIntrinsics;
     if (record.intrinsics != 0) {
         Statement select(connection, QStringLiteral("SELECT lens_id FROM intrinsics WHERE id=?"));
-        const auto found = select.bind(record.intrinsics).firstRow();
-        if (!found)
-            return tl::unexpected(found.error());
-        auto stored = lens(connection, *found ? select.integer(0) : 0);
-        if (!stored)
-            return tl::unexpected(stored.error());
-        used = std::move(*stored);
+        const auto found = ODO_TRY(select.bind(record.intrinsics).firstRow());
+        auto stored = ODO_TRY(lens(connection, found ? select.integer(0) : 0));
+        used = std::move(stored);
     }
     if (const auto camera = CameraModel::create(std::move(used)))
         record.registration.floorSigmaM = floorSigmaM(record.registration, *camera, record.pixels);
@@ -407,24 +361,17 @@ Result<RegistrationRecord> readRegistration(const ProjectConnection &connection,
     record.softwareVersion = row.name(17);
     record.picture = {row.text(18), row.text(19), row.integer(20)};
     const Message what = registrationOfProject(record.id);
-    const auto covariance = unpackSquare(row.blob(13), what);
-    if (!covariance)
-        return tl::unexpected(covariance.error());
-    if (covariance->rows() != 6)
+    const auto covariance = ODO_TRY(unpackSquare(row.blob(13), what));
+    if (covariance.rows() != 6)
         return fail(ErrorCode::InvalidInput, what,
                     ODO_TEXT("project.covariance_not_6_by_6", "its stored covariance is not a 6 by 6 matrix"),
                     isDamagedRestoreFile());
-    registration.poseCovariance = *covariance;
-    auto assumed = lens(connection, row.integer(4));
-    if (!assumed)
-        return tl::unexpected(assumed.error());
-    record.assumedIntrinsics = std::move(*assumed);
-    if (auto read = readMarkers(connection, record); !read)
-        return tl::unexpected(read.error());
-    if (auto read = readLastCheck(connection, record); !read)
-        return tl::unexpected(read.error());
-    if (auto added = addFloorSigma(connection, record); !added)
-        return tl::unexpected(added.error());
+    registration.poseCovariance = covariance;
+    auto assumed = ODO_TRY(lens(connection, row.integer(4)));
+    record.assumedIntrinsics = std::move(assumed);
+    ODO_TRY(readMarkers(connection, record));
+    ODO_TRY(readLastCheck(connection, record));
+    ODO_TRY(addFloorSigma(connection, record));
     return record;
 }
 
@@ -433,19 +380,13 @@ Result<RegistrationRecord> readRegistration(const ProjectConnection &connection,
 Result<RegistrationRecord> CameraRepository::addRegistration(const RegistrationRecord &registration)
 {
     return transact(m_connection, [&]() -> Result<RegistrationRecord> {
-        const auto lensId = addLens(m_connection, registration.assumedIntrinsics);
-        if (!lensId)
-            return tl::unexpected(lensId.error());
-        const auto id = addRow(m_connection, registration, *lensId);
-        if (!id)
-            return tl::unexpected(id.error());
-        if (auto added = addMarkers(m_connection, *id, registration); !added)
-            return tl::unexpected(added.error());
+        const auto lensId = ODO_TRY(addLens(m_connection, registration.assumedIntrinsics));
+        const auto id = ODO_TRY(addRow(m_connection, registration, lensId));
+        ODO_TRY(addMarkers(m_connection, id, registration));
         Statement newest(m_connection, QStringLiteral("UPDATE camera SET registration_id=NULL WHERE id=?"));
-        if (auto done = newest.bind(registration.camera).run(); !done)
-            return tl::unexpected(done.error());
+        ODO_TRY(newest.bind(registration.camera).run());
         RegistrationRecord stored = registration;
-        stored.id = *id;
+        stored.id = id;
         return stored;
     });
 }
@@ -463,11 +404,9 @@ Result<std::vector<RegistrationRecord>> CameraRepository::allRegistrations(Recor
 Result<void> CameraRepository::chooseRegistration(RecordId registration)
 {
     return transact(m_connection, [&]() -> Result<void> {
-        const auto chosen = this->registration(registration);
-        if (!chosen)
-            return tl::unexpected(chosen.error());
+        const auto chosen = ODO_TRY(this->registration(registration));
         Statement update(m_connection, QStringLiteral("UPDATE camera SET registration_id=? WHERE id=?"));
-        return update.bind(registration).bind(chosen->camera).run();
+        return update.bind(registration).bind(chosen.camera).run();
     });
 }
 
@@ -487,10 +426,8 @@ Result<void> CameraRepository::addCheck(RecordId registration, const Registratio
 Result<RegistrationRecord> CameraRepository::registration(RecordId id) const
 {
     Statement select(m_connection, registrationColumns + QStringLiteral("WHERE id=?"));
-    const auto found = select.bind(id).firstRow();
+    const auto found = ODO_TRY(select.bind(id).firstRow());
     if (!found)
-        return tl::unexpected(found.error());
-    if (!*found)
         return noSuchId(m_connection, RecordKind::Registration, id);
     return readRegistration(m_connection, select);
 }

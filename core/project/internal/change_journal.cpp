@@ -120,9 +120,7 @@ Result<bool> isAnalysedSince(const ProjectConnection &connection, const std::vec
     for (const TouchedAnalysis &one : touched) {
         Statement newest(connection,
                          QStringLiteral("SELECT MAX(id) FROM analysis WHERE trial_id=? AND robot_id=?"));
-        const auto found = newest.bind(one.trial).bind(one.robot).firstRow();
-        if (!found)
-            return tl::unexpected(found.error());
+        ODO_TRY(newest.bind(one.trial).bind(one.robot).firstRow());
         const RecordId id = newest.integer(0);
         if (id > one.id && std::ranges::find(touched, id, &TouchedAnalysis::id) == touched.end())
             return true;
@@ -152,9 +150,7 @@ Result<void> ChangeJournal::begin(Watched how, const Message &words,
 {
     if (m_isMaking)
         return transact(m_connection, work);
-    if (auto valid = checkText(ODO_TEXT("project.change_words", "words of a change"), words.english());
-        !valid)
-        return valid;
+    ODO_TRY(checkText(ODO_TEXT("project.change_words", "words of a change"), words.english()));
     m_isMaking = true;
     auto made = (this->*how)(words, work);
     m_isMaking = false;
@@ -165,8 +161,7 @@ Result<void> ChangeJournal::count(const Message &words, const std::function<Resu
 {
     return transact(m_connection, [&]() -> Result<void> {
         const auto before = sqlite3_total_changes64(m_connection.handle());
-        if (auto done = work(); !done)
-            return done;
+        ODO_TRY(work());
         const bool isChanged = sqlite3_total_changes64(m_connection.handle()) != before;
         return isChanged ? tell(words, ChangeEntry::Kind::Made) : Result<void>();
     });
@@ -176,21 +171,17 @@ Result<void> ChangeJournal::record(const Message &words, const std::function<Res
 {
     Change change{words, {}};
     const auto watched = [&]() -> Result<void> {
-        const auto session = watch(m_connection);
-        if (!session)
-            return tl::unexpected(session.error());
-        if (auto done = work(); !done)
-            return done;
+        const auto session = ODO_TRY(watch(m_connection));
+        ODO_TRY(work());
         auto rows = changeset(m_connection, [&](int *size, void **bytes) {
-            return sqlite3session_changeset(session->get(), size, bytes);
+            return sqlite3session_changeset(session.get(), size, bytes);
         });
         if (!rows)
             return tl::unexpected(rows.error());
         change.rows = std::move(*rows);
         return change.rows.empty() ? Result<void>() : tell(words, ChangeEntry::Kind::Made);
     };
-    if (auto done = transact(m_connection, watched); !done)
-        return done;
+    ODO_TRY(transact(m_connection, watched));
     if (change.rows.empty())
         return {};
     m_undone.clear();
@@ -226,13 +217,9 @@ Result<void> ChangeJournal::apply(const Bytes &rows, const Message &what, const 
         // SQLite reads them only, whatever it asks for.
         auto *bytes =
             const_cast<std::byte *>(rows.data()); // NOLINT(cppcoreguidelines-pro-type-const-cast): see above
-        const auto touched = touchedAnalyses(m_connection, rows.size(), bytes);
-        if (!touched)
-            return tl::unexpected(touched.error());
-        const auto isSuperseded = isAnalysedSince(m_connection, *touched);
-        if (!isSuperseded)
-            return tl::unexpected(isSuperseded.error());
-        const int code = *isSuperseded
+        const auto touched = ODO_TRY(touchedAnalyses(m_connection, rows.size(), bytes));
+        const auto isSuperseded = ODO_TRY(isAnalysedSince(m_connection, touched));
+        const int code = isSuperseded
                              ? SQLITE_ABORT
                              : sqlite3changeset_apply(m_connection.handle(), static_cast<int>(rows.size()),
                                                       bytes, nullptr, abortOnConflict, nullptr);
@@ -259,10 +246,8 @@ Result<Message> ChangeJournal::undo()
     });
     if (!inverse)
         return tl::unexpected(inverse.error());
-    if (auto done = apply(*inverse, ODO_TEXT("project.undo_of", "undo '%1'")(last.words), last.words,
-                          ChangeEntry::Kind::Undone);
-        !done)
-        return tl::unexpected(done.error());
+    ODO_TRY(apply(*inverse, ODO_TEXT("project.undo_of", "undo '%1'")(last.words), last.words,
+                  ChangeEntry::Kind::Undone));
     m_undone.push_back(std::move(m_done.back()));
     m_done.pop_back();
     return m_undone.back().words;
@@ -275,10 +260,8 @@ Result<Message> ChangeJournal::redo()
                     ODO_TEXT("project.nothing_to_redo", "nothing has been undone"),
                     ODO_TEXT("project.undo_something_first", "undo something first"));
     const Change &last = m_undone.back();
-    if (auto done = apply(last.rows, ODO_TEXT("project.redo_of", "redo '%1'")(last.words), last.words,
-                          ChangeEntry::Kind::Redone);
-        !done)
-        return tl::unexpected(done.error());
+    ODO_TRY(apply(last.rows, ODO_TEXT("project.redo_of", "redo '%1'")(last.words), last.words,
+                  ChangeEntry::Kind::Redone));
     m_done.push_back(std::move(m_undone.back()));
     m_undone.pop_back();
     return m_done.back().words;
@@ -292,11 +275,9 @@ Result<std::vector<ChangeEntry>> changeEntries(const ProjectConnection &connecti
     auto read = select.eachRow([&](const Statement &row) -> Result<void> {
         ChangeEntry entry;
         entry.made = Instant(std::chrono::milliseconds(row.integer(0)));
-        const auto kind = fromStoredWord(changeKindWords, row.text(1),
-                                         ODO_TEXT("project.change_list", "the list of changes"));
-        if (!kind)
-            return tl::unexpected(kind.error());
-        entry.kind = *kind;
+        const auto kind = ODO_TRY(fromStoredWord(changeKindWords, row.text(1),
+                                                 ODO_TEXT("project.change_list", "the list of changes")));
+        entry.kind = kind;
         entry.words = row.message(2);
         entries.push_back(std::move(entry));
         return {};

@@ -70,8 +70,7 @@ Result<std::unique_ptr<ProjectConnection>> ProjectConnection::openAt(const std::
         const SqliteRefusal reason = sqliteRefusal(database.lastError().nativeErrorCode().toInt(), 0);
         return fail(reason.code, connection->subject(), reason.why, reason.advice);
     }
-    if (auto configured = connection->configure(); !configured)
-        return tl::unexpected(configured.error());
+    ODO_TRY(connection->configure());
     ::stat(place.c_str(), &connection->m_opened);
     return connection;
 }
@@ -108,12 +107,10 @@ ProjectConnection::openForReading(const std::filesystem::path &file)
     auto connection = open(file, DatabaseAccess::ReadOnly);
     if (connection && !lacksItsLog(**connection))
         return connection;
-    auto copy = LogCopy::make(real);
-    if (!copy)
-        return tl::unexpected(copy.error());
-    connection = openAt((*copy)->file(), file, DatabaseAccess::QueryOnly);
+    auto copy = ODO_TRY(LogCopy::make(real));
+    connection = openAt(copy->file(), file, DatabaseAccess::QueryOnly);
     if (connection)
-        (*connection)->m_copy = std::move(*copy);
+        (*connection)->m_copy = std::move(copy);
     return connection;
 }
 
@@ -154,8 +151,7 @@ Result<void> ProjectConnection::configure()
     for (const char *pragma :
          {"PRAGMA trusted_schema=OFF", "PRAGMA cell_size_check=ON", "PRAGMA mmap_size=0",
           "PRAGMA temp_store=MEMORY", "PRAGMA foreign_keys=ON", "PRAGMA synchronous=FULL", usualCache}) {
-        if (auto done = execute(QString::fromLatin1(pragma)); !done)
-            return done;
+        ODO_TRY(execute(QString::fromLatin1(pragma)));
     }
     return m_access == DatabaseAccess::QueryOnly ? execute(QStringLiteral("PRAGMA query_only=ON"))
                                                  : Result<void>();
@@ -209,10 +205,8 @@ Result<void> ProjectConnection::execute(const QString &sql) const
 Result<std::int64_t> ProjectConnection::number(const QString &sql) const
 {
     Statement statement(*this, sql);
-    const auto found = statement.firstRow();
-    if (!found)
-        return tl::unexpected(found.error());
-    return *found ? statement.integer(0) : 0;
+    const auto found = ODO_TRY(statement.firstRow());
+    return found ? statement.integer(0) : 0;
 }
 
 Result<HeldTurn> ProjectConnection::takeTurn(std::chrono::milliseconds patience) const
@@ -310,19 +304,16 @@ bool ProjectConnection::checkpoint(Checkpoint how) const
 
 Result<void> ProjectConnection::setLogMark(LogMark mark) const
 {
-    if (auto done = execute(QStringLiteral("PRAGMA default_cache_size=%1").arg(mark)); !done)
-        return done;
+    ODO_TRY(execute(QStringLiteral("PRAGMA default_cache_size=%1").arg(mark)));
     return execute(QString::fromLatin1(usualCache));
 }
 
 /// In a transaction that has changed rows, before it is committed: its log belongs to this state of the file.
 Result<void> ProjectConnection::markLog() const
 {
-    const auto before = number(QStringLiteral("PRAGMA default_cache_size"));
-    if (!before)
-        return tl::unexpected(before.error());
+    const auto before = ODO_TRY(number(QStringLiteral("PRAGMA default_cache_size")));
     // below zero: SQLite's own size, for want of a mark
-    return setLogMark(nextLogMark(*before > 0 ? static_cast<LogMark>(*before) : 0));
+    return setLogMark(nextLogMark(before > 0 ? static_cast<LogMark>(before) : 0));
 }
 
 void ProjectConnection::countChanges() const

@@ -194,13 +194,11 @@ template <class Work>
 auto transact(ProjectConnection &connection, const Work &work) -> decltype(work())
 {
     Transaction transaction(connection);
-    if (auto begun = transaction.begin(); !begun)
-        return tl::unexpected(begun.error());
+    ODO_TRY(transaction.begin());
     auto outcome = work();
     if (!outcome)
         return outcome;
-    if (auto committed = transaction.commit(); !committed)
-        return tl::unexpected(committed.error());
+    ODO_TRY(transaction.commit());
     return outcome;
 }
 

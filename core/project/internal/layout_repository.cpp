@@ -29,8 +29,7 @@ Result<void> checkMarkers(const MarkerLayout &layout)
                     ODO_TEXT("project.leave_out_unseen_markers", "leave out those that no camera sees"));
     std::set<std::string> labels;
     for (const Marker &marker : layout.markers) {
-        if (auto valid = checkName(RecordKind::Marker, marker.label); !valid)
-            return valid;
+        ODO_TRY(checkName(RecordKind::Marker, marker.label));
         if (!isOnFloor(marker.pointInWorld))
             return fail(ErrorCode::InvalidInput, layoutSubject(layout.name),
                         ODO_TEXT("project.marker_off_floor",
@@ -71,22 +70,17 @@ Result<LayoutRecord> LayoutRepository::add(const MarkerLayout &given)
     MarkerLayout layout = given;
     layout.name = normalName(given.name);
     return transact(m_connection, [&]() -> Result<LayoutRecord> {
-        if (auto valid = checkName(RecordKind::Layout, layout.name); !valid)
-            return tl::unexpected(valid.error());
-        if (auto valid = checkMarkers(layout); !valid)
-            return tl::unexpected(valid.error());
-        if (auto isFree = checkNameIsFree(m_connection, RecordKind::Layout, layout.name); !isFree)
-            return tl::unexpected(isFree.error());
+        ODO_TRY(checkName(RecordKind::Layout, layout.name));
+        ODO_TRY(checkMarkers(layout));
+        ODO_TRY(checkNameIsFree(m_connection, RecordKind::Layout, layout.name));
         Statement insert(m_connection, QStringLiteral("INSERT INTO layout (name) VALUES (?)"));
-        if (auto done = insert.bind(layout.name).run(); !done)
-            return tl::unexpected(done.error());
+        ODO_TRY(insert.bind(layout.name).run());
         const RecordId id = insert.insertedId();
         for (std::size_t i = 0; i < layout.markers.size(); ++i) {
             const Marker &marker = layout.markers[i];
             Statement row(m_connection, QStringLiteral("INSERT INTO marker VALUES (?,?,?,?,?)"));
             row.bind(id).bind(static_cast<std::int64_t>(i)).bind(marker.label);
-            if (auto done = row.bind(marker.pointInWorld.x()).bind(marker.pointInWorld.y()).run(); !done)
-                return tl::unexpected(done.error());
+            ODO_TRY(row.bind(marker.pointInWorld.x()).bind(marker.pointInWorld.y()).run());
         }
         return LayoutRecord{id, layout};
     });
@@ -97,10 +91,8 @@ Result<std::vector<LayoutRecord>> LayoutRepository::all() const
     std::vector<LayoutRecord> layouts;
     Statement select(m_connection, QStringLiteral("SELECT id, name FROM layout ORDER BY id"));
     auto read = select.eachRow([&](const Statement &row) -> Result<void> {
-        auto layout = readLayout(m_connection, row.integer(0), row.name(1));
-        if (!layout)
-            return tl::unexpected(layout.error());
-        layouts.push_back(std::move(*layout));
+        auto layout = ODO_TRY(readLayout(m_connection, row.integer(0), row.name(1)));
+        layouts.push_back(std::move(layout));
         return {};
     });
     if (!read)
@@ -110,21 +102,17 @@ Result<std::vector<LayoutRecord>> LayoutRepository::all() const
 
 Result<LayoutRecord> LayoutRepository::find(const std::string &name) const
 {
-    const auto id = idNamed(m_connection, RecordKind::Layout, name);
-    if (!id)
-        return tl::unexpected(id.error());
-    if (*id == 0)
+    const auto id = ODO_TRY(idNamed(m_connection, RecordKind::Layout, name));
+    if (id == 0)
         return noSuchName(m_connection, RecordKind::Layout, name);
-    return get(*id);
+    return get(id);
 }
 
 Result<LayoutRecord> LayoutRepository::get(RecordId id) const
 {
     Statement select(m_connection, QStringLiteral("SELECT id, name FROM layout WHERE id=?"));
-    const auto found = select.bind(id).firstRow();
+    const auto found = ODO_TRY(select.bind(id).firstRow());
     if (!found)
-        return tl::unexpected(found.error());
-    if (!*found)
         return noSuchId(m_connection, RecordKind::Layout, id);
     return readLayout(m_connection, select.integer(0), select.name(1));
 }
@@ -132,24 +120,20 @@ Result<LayoutRecord> LayoutRepository::get(RecordId id) const
 Result<void> LayoutRepository::setPlaces(const LayoutRecord &layout)
 {
     return transact(m_connection, [&]() -> Result<void> {
-        const auto stored = get(layout.id);
-        if (!stored)
-            return tl::unexpected(stored.error());
-        if (!std::ranges::equal(stored->layout.markers, layout.layout.markers, {}, &Marker::label,
+        const auto stored = ODO_TRY(get(layout.id));
+        if (!std::ranges::equal(stored.layout.markers, layout.layout.markers, {}, &Marker::label,
                                 &Marker::label))
-            return fail(ErrorCode::InvalidInput, layoutSubject(stored->layout.name),
+            return fail(ErrorCode::InvalidInput, layoutSubject(stored.layout.name),
                         ODO_TEXT("project.other_labels", "the labels are not those that it has"),
                         ODO_TEXT("project.add_another_layout", "add another layout for other markers"));
-        if (auto valid = checkMarkers({stored->layout.name, layout.layout.markers}); !valid)
-            return valid;
+        ODO_TRY(checkMarkers({stored.layout.name, layout.layout.markers}));
         for (std::size_t i = 0; i < layout.layout.markers.size(); ++i) {
             const Marker &marker = layout.layout.markers[i];
             Statement update(
                 m_connection,
                 QStringLiteral("UPDATE marker SET x_m=?, y_m=? WHERE layout_id=? AND position=?"));
             update.bind(marker.pointInWorld.x()).bind(marker.pointInWorld.y()).bind(layout.id);
-            if (auto done = update.bind(static_cast<std::int64_t>(i)).run(); !done)
-                return done;
+            ODO_TRY(update.bind(static_cast<std::int64_t>(i)).run());
         }
         return {};
     });

@@ -78,8 +78,7 @@ Result<void> convertColumns(ProjectConnection &connection)
         const QString sql = QStringLiteral("UPDATE %1 SET %2=stored_message(%3, %2) WHERE %2<>''")
                                 .arg(QLatin1String(each.table), QLatin1String(each.column))
                                 .arg(int(each.of));
-        if (auto done = connection.execute(sql); !done)
-            return done;
+        ODO_TRY(connection.execute(sql));
     }
     return {};
 }
@@ -110,10 +109,8 @@ Result<std::vector<DigestedPart>> touchedParts(const ProjectConnection &connecti
 
 Result<void> storeMessages(ProjectConnection &connection)
 {
-    const auto parts = touchedParts(connection);
-    if (!parts)
-        return tl::unexpected(parts.error());
-    return keepDigestsRight(connection, *parts, [&] { return convertColumns(connection); });
+    const auto parts = ODO_TRY(touchedParts(connection));
+    return keepDigestsRight(connection, parts, [&] { return convertColumns(connection); });
 }
 
 } // namespace odo

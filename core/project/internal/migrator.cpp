@@ -55,10 +55,8 @@ int copyPages(sqlite3 *source, const std::filesystem::path &target)
 /// Opens the copy for reading and lets SQLite look through it.
 Result<void> checkCopy(const std::filesystem::path &file, const Message &what)
 {
-    const auto copy = ProjectConnection::open(file, DatabaseAccess::Immutable);
-    if (!copy)
-        return tl::unexpected(copy.error());
-    if (!passesQuickCheck(**copy).value_or(false))
+    const auto copy = ODO_TRY(ProjectConnection::open(file, DatabaseAccess::Immutable));
+    if (!passesQuickCheck(*copy).value_or(false))
         return fail(ErrorCode::Io, what,
                     ODO_TEXT("project.copy_differs", "the copy differs from what was written"),
                     checkDiskAndRetry());
@@ -70,10 +68,8 @@ Result<void> checkCopy(const std::filesystem::path &file, const Message &what)
 Migration sqlMigration(Message purpose, std::vector<std::string> statements)
 {
     const auto apply = [statements = std::move(statements)](ProjectConnection &connection) -> Result<void> {
-        for (const std::string &sql : statements) {
-            if (auto done = connection.execute(QString::fromStdString(sql)); !done)
-                return done;
-        }
+        for (const std::string &sql : statements)
+            ODO_TRY(connection.execute(QString::fromStdString(sql)));
         return {};
     };
     return {std::move(purpose), apply};
@@ -86,30 +82,24 @@ Result<void> Migrator::create(ProjectConnection &connection, int version) const
 
 Result<int> Migrator::knownVersion(const ProjectConnection &connection) const
 {
-    const auto version = connection.number(QStringLiteral("PRAGMA user_version"));
-    if (!version)
-        return tl::unexpected(version.error());
-    if (*version > newestVersion())
-        return fail(ErrorCode::NewerFormat, connection.subject(), isOfNewerFormat(*version, newestVersion()),
+    const auto version = ODO_TRY(connection.number(QStringLiteral("PRAGMA user_version")));
+    if (version > newestVersion())
+        return fail(ErrorCode::NewerFormat, connection.subject(), isOfNewerFormat(version, newestVersion()),
                     openWithThatOdograph());
-    if (*version < 1)
-        return fail(
-            ErrorCode::InvalidInput, connection.subject(),
-            ODO_TEXT("project.impossible_format", "it says of itself to have the format %1")(*version),
-            restoreFile());
-    return static_cast<int>(*version);
+    if (version < 1)
+        return fail(ErrorCode::InvalidInput, connection.subject(),
+                    ODO_TEXT("project.impossible_format", "it says of itself to have the format %1")(version),
+                    restoreFile());
+    return static_cast<int>(version);
 }
 
 Result<void> Migrator::migrate(ProjectConnection &connection) const
 {
-    const auto version = knownVersion(connection);
-    if (!version)
-        return tl::unexpected(version.error());
-    if (*version == newestVersion())
+    const auto version = ODO_TRY(knownVersion(connection));
+    if (version == newestVersion())
         return {};
-    if (auto kept = copyDatabase(connection, freeBackupName(connection.file(), *version)); !kept)
-        return kept;
-    return runSteps(connection, *version, newestVersion());
+    ODO_TRY(copyDatabase(connection, freeBackupName(connection.file(), version)));
+    return runSteps(connection, version, newestVersion());
 }
 
 Result<void> Migrator::runSteps(ProjectConnection &connection, int fromVersion, int toVersion) const
@@ -117,8 +107,7 @@ Result<void> Migrator::runSteps(ProjectConnection &connection, int fromVersion, 
     for (int version = fromVersion + 1; version <= toVersion; ++version) {
         const Migration &migration = m_migrations[static_cast<std::size_t>(version - 1)];
         const auto step = [&]() -> Result<void> {
-            if (auto applied = migration.apply(connection); !applied)
-                return applied;
+            ODO_TRY(migration.apply(connection));
             return setVersion(connection, version);
         };
         if (auto done = transact(connection, step); !done)
@@ -137,26 +126,22 @@ Result<void> copyDatabase(const ProjectConnection &connection, const std::filesy
 {
     const Message what = copySubject(target);
     NewFile file(target, what);
-    if (auto ready = file.prepare(); !ready)
-        return ready;
+    ODO_TRY(file.prepare());
     const int code = copyPages(connection.handle(), file.temporary());
     if (code != SQLITE_OK)
         return fail(code == SQLITE_READONLY || code == SQLITE_CANTOPEN ? ErrorCode::ReadOnly : ErrorCode::Io,
                     what, foreignWords(sqlite3_errstr(code)),
                     ODO_TEXT("project.choose_writable_folder",
                              "choose a folder that can be written to and has room"));
-    if (auto checked = checkCopy(file.temporary(), what); !checked)
-        return checked;
+    ODO_TRY(checkCopy(file.temporary(), what));
     return file.publish();
 }
 
 Result<bool> passesQuickCheck(const ProjectConnection &connection)
 {
     Statement check(connection, QStringLiteral("PRAGMA quick_check(1)"));
-    const auto row = check.firstRow();
-    if (!row)
-        return tl::unexpected(row.error());
-    return *row && check.text(0) == "ok";
+    const auto row = ODO_TRY(check.firstRow());
+    return row && check.text(0) == "ok";
 }
 
 } // namespace odo

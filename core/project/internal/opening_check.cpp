@@ -59,12 +59,9 @@ Result<Schema> expectedSchema(const Migrator &migrator, int version)
     const std::lock_guard lock(mutex);
     if (const auto found = known.find(version); found != known.end())
         return found->second;
-    const auto reference = ProjectConnection::open(":memory:", DatabaseAccess::ReadWrite);
-    if (!reference)
-        return tl::unexpected(reference.error());
-    if (auto made = migrator.create(**reference, version); !made)
-        return tl::unexpected(made.error());
-    auto schema = schemaOf(**reference, std::numeric_limits<std::int64_t>::max());
+    const auto reference = ODO_TRY(ProjectConnection::open(":memory:", DatabaseAccess::ReadWrite));
+    ODO_TRY(migrator.create(*reference, version));
+    auto schema = schemaOf(*reference, std::numeric_limits<std::int64_t>::max());
     if (schema)
         known.emplace(version, *schema);
     return schema;
@@ -74,13 +71,9 @@ Result<Schema> expectedSchema(const Migrator &migrator, int version)
 /// we run.
 Result<void> checkSchema(const ProjectConnection &connection, const Migrator &migrator, int version)
 {
-    const auto expected = expectedSchema(migrator, version);
-    if (!expected)
-        return tl::unexpected(expected.error());
-    const auto found = schemaOf(connection, expected->size() + 1);
-    if (!found)
-        return tl::unexpected(found.error());
-    if (*expected != *found)
+    const auto expected = ODO_TRY(expectedSchema(migrator, version));
+    const auto found = ODO_TRY(schemaOf(connection, expected.size() + 1));
+    if (expected != found)
         return fail(ErrorCode::InvalidInput, connection.subject(),
                     ODO_TEXT("project.other_tables", "its tables are not those of a project"), restoreFile());
     return {};
@@ -105,10 +98,8 @@ Result<void> quickCheck(const ProjectConnection &connection)
         return {};
     // What the disk fails to give looks like damage to SQLite: so it is asked once more.
     for (int attempt = 0; attempt < 2; ++attempt) {
-        const auto sound = passesQuickCheck(connection);
-        if (!sound)
-            return tl::unexpected(sound.error());
-        if (*sound)
+        const auto sound = ODO_TRY(passesQuickCheck(connection));
+        if (sound)
             return {};
         if (!canBeRead(connection.file()))
             return fail(ErrorCode::Io, connection.subject(), diskCannotBeRead(), copyToAnotherDisk());
@@ -118,13 +109,9 @@ Result<void> quickCheck(const ProjectConnection &connection)
 
 Result<int> checkSnapshot(const ProjectConnection &connection, const Migrator &migrator)
 {
-    auto version = migrator.knownVersion(connection);
-    if (!version)
-        return version;
-    if (auto ours = checkSchema(connection, migrator, *version); !ours)
-        return tl::unexpected(ours.error());
-    if (auto sound = quickCheck(connection); !sound)
-        return tl::unexpected(sound.error());
+    auto version = ODO_TRY(migrator.knownVersion(connection));
+    ODO_TRY(checkSchema(connection, migrator, version));
+    ODO_TRY(quickCheck(connection));
     return version;
 }
 
@@ -134,8 +121,7 @@ Result<int> checkContent(ProjectConnection &connection, const Migrator &migrator
 {
     const StepLimit limit(connection, mostOpeningSteps);
     // In one transaction, for another process may be bringing it up to date.
-    if (auto begun = connection.execute(QStringLiteral("BEGIN")); !begun)
-        return tl::unexpected(begun.error());
+    ODO_TRY(connection.execute(QStringLiteral("BEGIN")));
     auto version = checkSnapshot(connection, migrator);
     static_cast<void>(connection.execute(QStringLiteral("COMMIT"))); // nothing was changed
     return version;
@@ -259,8 +245,7 @@ Result<void> checkIsFile(const std::filesystem::path &file)
 
 Result<void> checkFileHeader(const std::filesystem::path &file, int newestVersion)
 {
-    if (auto isFile = checkIsFile(file); !isFile)
-        return isFile;
+    ODO_TRY(checkIsFile(file));
     const Message what = projectSubject(file);
     const DatabaseBytes bytes(file);
     Header header{};

@@ -244,31 +244,25 @@ Result<std::vector<ProjectProblem>> beyondLimits(const ProjectConnection &connec
             return ODO_TEXT("project.texts_too_long", "%1: texts of more than %2 characters: %3")(
                 std::string(text.table) + "." + text.column, text.most, found);
         };
-        if (auto done = count("SELECT COUNT(*) FROM %1 WHERE length(%2)>%3", text.table, text.column,
-                              std::to_string(text.most), words);
-            !done)
-            return tl::unexpected(done.error());
+        ODO_TRY(count("SELECT COUNT(*) FROM %1 WHERE length(%2)>%3", text.table, text.column,
+                      std::to_string(text.most), words));
     }
     for (const NumberColumn &number : numbers) {
         const auto words = [&](std::int64_t found) {
             return ODO_TEXT("project.numbers_too_large", "%1: numbers beyond %2: %3")(
                 std::string(number.table) + "." + number.column, quantity(number.most, 0), found);
         };
-        if (auto done = count("SELECT COUNT(*) FROM %1 WHERE abs(%2)>%3", number.table, number.column,
-                              formatNumber(number.most, 0), words);
-            !done)
-            return tl::unexpected(done.error());
+        ODO_TRY(count("SELECT COUNT(*) FROM %1 WHERE abs(%2)>%3", number.table, number.column,
+                      formatNumber(number.most, 0), words));
     }
     for (const ListOf &list : lists) {
         const auto words = [&](std::int64_t found) {
             return ODO_TEXT("project.lists_too_long", "%1: more than %2 of one %3: %4")(
                 std::string(list.table), list.most, std::string(list.owner), found);
         };
-        if (auto done = count(
-                "SELECT COALESCE(MAX(n), 0) FROM (SELECT COUNT(*) AS n FROM %1 GROUP BY %2_id) WHERE n>%3",
-                list.table, list.owner, std::to_string(list.most), words);
-            !done)
-            return tl::unexpected(done.error());
+        ODO_TRY(
+            count("SELECT COALESCE(MAX(n), 0) FROM (SELECT COUNT(*) AS n FROM %1 GROUP BY %2_id) WHERE n>%3",
+                  list.table, list.owner, std::to_string(list.most), words));
     }
     return problems;
 }
@@ -476,8 +470,7 @@ Result<std::vector<ProjectProblem>> checkProject(Project &project, ProjectConnec
     if (auto checked = checkAnalyses(project, connection, withHashes, partOf(control, 0.1, 0.4), problems);
         !checked && !control.isCancelled())
         problems.push_back({wholeMessage(checked.error().what, checked.error().why), file, restoreProject()});
-    if (auto checked = checkFiles(files, withHashes, partOf(control, 0.4, 1), problems); !checked)
-        return tl::unexpected(checked.error());
+    ODO_TRY(checkFiles(files, withHashes, partOf(control, 0.4, 1), problems));
     addStrayMedia(project, problems, control);
     // What was interrupted looks like damage.
     if (control.isCancelled())

@@ -42,21 +42,15 @@ Result<RobotRecord> robotOf(const Statement &row)
     RobotRecord robot;
     robot.id = row.integer(0);
     robot.name = row.name(1);
-    const auto colour = colourOf(row.text(2));
-    if (!colour)
-        return tl::unexpected(colour.error());
-    const auto mode = fromStoredWord(heightModeWords, row.text(3), robotSubject(robot.name));
-    if (!mode)
-        return tl::unexpected(mode.error());
-    robot.colour = *colour;
-    robot.heightMode = *mode;
+    const auto colour = ODO_TRY(colourOf(row.text(2)));
+    const auto mode = ODO_TRY(fromStoredWord(heightModeWords, row.text(3), robotSubject(robot.name)));
+    robot.colour = colour;
+    robot.heightMode = mode;
     robot.heightM = sizeOf(row, 4);
     robot.lengthM = sizeOf(row, 5);
     robot.widthM = sizeOf(row, 6);
-    const auto drawing = fromStoredWord(drawingColourWords, row.text(7), robotSubject(robot.name));
-    if (!drawing)
-        return tl::unexpected(drawing.error());
-    robot.drawingColour = *drawing;
+    const auto drawing = ODO_TRY(fromStoredWord(drawingColourWords, row.text(7), robotSubject(robot.name)));
+    robot.drawingColour = drawing;
     robot.referenceM = {row.real(8), row.real(9)};
     return robot;
 }
@@ -69,8 +63,7 @@ RobotRecord withNormalName(RobotRecord robot)
 
 Result<void> checkRobot(const RobotRecord &robot)
 {
-    if (auto valid = checkName(RecordKind::Robot, robot.name); !valid)
-        return valid;
+    ODO_TRY(checkName(RecordKind::Robot, robot.name));
     const auto refuse = [&robot](Message why, Message advice) {
         return fail(ErrorCode::InvalidInput, robotSubject(robot.name), std::move(why), std::move(advice));
     };
@@ -113,10 +106,8 @@ Result<RobotRecord> RobotRepository::add(const RobotRecord &given)
 {
     const RobotRecord robot = withNormalName(given);
     return transact(m_connection, [&]() -> Result<RobotRecord> {
-        if (auto valid = checkRobot(robot); !valid)
-            return tl::unexpected(valid.error());
-        if (auto isFree = checkNameIsFree(m_connection, RecordKind::Robot, robot.name); !isFree)
-            return tl::unexpected(isFree.error());
+        ODO_TRY(checkRobot(robot));
+        ODO_TRY(checkNameIsFree(m_connection, RecordKind::Robot, robot.name));
         Statement insert(m_connection,
                          QStringLiteral("INSERT INTO robot (name, colour, height_mode, height_m, "
                                         "length_m, width_m, drawing_colour, reference_forward_m, "
@@ -124,8 +115,7 @@ Result<RobotRecord> RobotRepository::add(const RobotRecord &given)
         insert.bind(robot.name).bind(storedColour(robot)).bind(storedWord(heightModeWords, robot.heightMode));
         insert.bind(robot.heightM).bind(robot.lengthM).bind(robot.widthM);
         insert.bind(storedWord(drawingColourWords, robot.drawingColour));
-        if (auto done = insert.bind(robot.referenceM.x()).bind(robot.referenceM.y()).run(); !done)
-            return tl::unexpected(done.error());
+        ODO_TRY(insert.bind(robot.referenceM.x()).bind(robot.referenceM.y()).run());
         RobotRecord stored = robot;
         stored.id = insert.insertedId();
         return stored;
@@ -137,10 +127,8 @@ Result<std::vector<RobotRecord>> RobotRepository::all() const
     std::vector<RobotRecord> robots;
     Statement select(m_connection, robotColumns + QStringLiteral("ORDER BY id"));
     auto read = select.eachRow([&robots](const Statement &row) -> Result<void> {
-        auto robot = robotOf(row);
-        if (!robot)
-            return tl::unexpected(robot.error());
-        robots.push_back(std::move(*robot));
+        auto robot = ODO_TRY(robotOf(row));
+        robots.push_back(std::move(robot));
         return {};
     });
     if (!read)
@@ -150,21 +138,17 @@ Result<std::vector<RobotRecord>> RobotRepository::all() const
 
 Result<RobotRecord> RobotRepository::find(const std::string &name) const
 {
-    const auto id = idNamed(m_connection, RecordKind::Robot, name);
-    if (!id)
-        return tl::unexpected(id.error());
-    if (*id == 0)
+    const auto id = ODO_TRY(idNamed(m_connection, RecordKind::Robot, name));
+    if (id == 0)
         return noSuchName(m_connection, RecordKind::Robot, name);
-    return get(*id);
+    return get(id);
 }
 
 Result<RobotRecord> RobotRepository::get(RecordId id) const
 {
     Statement select(m_connection, robotColumns + QStringLiteral("WHERE id=?"));
-    const auto found = select.bind(id).firstRow();
+    const auto found = ODO_TRY(select.bind(id).firstRow());
     if (!found)
-        return tl::unexpected(found.error());
-    if (!*found)
         return noSuchId(m_connection, RecordKind::Robot, id);
     return robotOf(select);
 }
@@ -173,14 +157,10 @@ Result<void> RobotRepository::set(const RobotRecord &given)
 {
     const RobotRecord robot = withNormalName(given);
     return transact(m_connection, [&]() -> Result<void> {
-        const auto known = get(robot.id);
-        if (!known)
-            return tl::unexpected(known.error());
-        if (auto valid = checkRobot(robot); !valid)
-            return valid;
-        if (known->name != robot.name)
-            if (auto isFree = checkNameIsFree(m_connection, RecordKind::Robot, robot.name); !isFree)
-                return isFree;
+        const auto known = ODO_TRY(get(robot.id));
+        ODO_TRY(checkRobot(robot));
+        if (known.name != robot.name)
+            ODO_TRY(checkNameIsFree(m_connection, RecordKind::Robot, robot.name));
         Statement update(m_connection,
                          QStringLiteral("UPDATE robot SET name=?, colour=?, height_mode=?, height_m=?, "
                                         "length_m=?, width_m=?, drawing_colour=?, reference_forward_m=?, "
@@ -195,24 +175,19 @@ Result<void> RobotRepository::set(const RobotRecord &given)
 Result<void> RobotRepository::remove(RecordId robot)
 {
     return transact(m_connection, [&]() -> Result<void> {
-        const auto known = get(robot);
-        if (!known)
-            return tl::unexpected(known.error());
+        const auto known = ODO_TRY(get(robot));
         Statement used(m_connection, QStringLiteral("SELECT 1 FROM trial_robot WHERE robot_id=? UNION "
                                                     "SELECT 1 FROM analysis WHERE robot_id=? UNION "
                                                     "SELECT 1 FROM observation_series WHERE robot_id=? UNION "
                                                     "SELECT 1 FROM imported_track WHERE robot_id=?"));
-        const auto isUsed = used.bind(robot).bind(robot).bind(robot).bind(robot).firstRow();
-        if (!isUsed)
-            return tl::unexpected(isUsed.error());
-        if (*isUsed)
+        const auto isUsed = ODO_TRY(used.bind(robot).bind(robot).bind(robot).bind(robot).firstRow());
+        if (isUsed)
             return fail(
-                ErrorCode::InvalidInput, robotSubject(known->name),
+                ErrorCode::InvalidInput, robotSubject(known.name),
                 ODO_TEXT("project.robot_drove", "it drove in a trial"),
                 joined({keepIt(), ODO_TEXT("project.robot_can_be_renamed", "it can be given another name")},
                        Join::Semicolon));
-        if (auto left = runFor(m_connection, "DELETE FROM team_robot WHERE robot_id=?", robot); !left)
-            return left;
+        ODO_TRY(runFor(m_connection, "DELETE FROM team_robot WHERE robot_id=?", robot));
         return runFor(m_connection, "DELETE FROM robot WHERE id=?", robot);
     });
 }

@@ -98,11 +98,9 @@ QByteArray packTimes(std::span<const Nanoseconds> times)
 
 Result<void> unpackTimes(const QByteArray &bytes, const Message &what, std::vector<Nanoseconds> &appendTo)
 {
-    auto reader = BlobReader::open(bytes, timesLayout, what);
-    if (!reader)
-        return tl::unexpected(reader.error());
-    for (std::size_t i = 0; i < reader->rows(); ++i)
-        appendTo.emplace_back(reader->take<std::int64_t>());
+    auto reader = ODO_TRY(BlobReader::open(bytes, timesLayout, what));
+    for (std::size_t i = 0; i < reader.rows(); ++i)
+        appendTo.emplace_back(reader.take<std::int64_t>());
     return {};
 }
 
@@ -117,16 +115,14 @@ QByteArray packRawTimes(std::span<const RawTime> pictures)
 
 Result<void> unpackRawTimes(const QByteArray &bytes, const Message &what, std::vector<RawTime> &appendTo)
 {
-    auto reader = BlobReader::open(bytes, rawTimesLayout, what);
-    if (!reader)
-        return tl::unexpected(reader.error());
-    const auto fresh = appended(appendTo, reader->rows());
-    takeColumn<std::uint64_t>(*reader, fresh,
+    auto reader = ODO_TRY(BlobReader::open(bytes, rawTimesLayout, what));
+    const auto fresh = appended(appendTo, reader.rows());
+    takeColumn<std::uint64_t>(reader, fresh,
                               [](RawTime &picture, std::uint64_t value) { picture.sequence = value; });
     takeColumn<std::int64_t>(
-        *reader, fresh, [](RawTime &picture, std::int64_t value) { picture.device = Nanoseconds(value); });
+        reader, fresh, [](RawTime &picture, std::int64_t value) { picture.device = Nanoseconds(value); });
     takeColumn<std::int64_t>(
-        *reader, fresh, [](RawTime &picture, std::int64_t value) { picture.arrival = Nanoseconds(value); });
+        reader, fresh, [](RawTime &picture, std::int64_t value) { picture.arrival = Nanoseconds(value); });
     return {};
 }
 
@@ -142,12 +138,10 @@ QByteArray packClockReadings(std::span<const ClockReading> readings)
 Result<void> unpackClockReadings(const QByteArray &bytes, const Message &what,
                                  std::vector<ClockReading> &appendTo)
 {
-    auto reader = BlobReader::open(bytes, clockReadingsLayout, what);
-    if (!reader)
-        return tl::unexpected(reader.error());
-    const auto fresh = appended(appendTo, reader->rows());
+    auto reader = ODO_TRY(BlobReader::open(bytes, clockReadingsLayout, what));
+    const auto fresh = appended(appendTo, reader.rows());
     for (const auto time : {&ClockReading::device, &ClockReading::before, &ClockReading::after})
-        takeColumn<std::int64_t>(*reader, fresh, [time](ClockReading &reading, std::int64_t value) {
+        takeColumn<std::int64_t>(reader, fresh, [time](ClockReading &reading, std::int64_t value) {
             reading.*time = Nanoseconds(value);
         });
     return {};
@@ -183,31 +177,29 @@ Result<void> unpackObservations(const QByteArray &bytes, const Message &what,
                                 std::vector<Observation> &appendTo)
 {
     const bool hasSupport = bytes.size() > 1 && std::uint8_t(bytes[1]) == supportedLayout.version;
-    auto reader = BlobReader::open(bytes, hasSupport ? supportedLayout : observationsLayout, what);
-    if (!reader)
-        return tl::unexpected(reader.error());
-    const auto rows = appended(appendTo, reader->rows());
-    takeColumn<std::int64_t>(*reader, rows, [](Observation &o, std::int64_t value) { o.frame = value; });
-    takeColumn<std::int64_t>(*reader, rows,
+    auto reader = ODO_TRY(BlobReader::open(bytes, hasSupport ? supportedLayout : observationsLayout, what));
+    const auto rows = appended(appendTo, reader.rows());
+    takeColumn<std::int64_t>(reader, rows, [](Observation &o, std::int64_t value) { o.frame = value; });
+    takeColumn<std::int64_t>(reader, rows,
                              [](Observation &o, std::int64_t value) { o.time = Nanoseconds(value); });
-    takeColumn<std::uint8_t>(*reader, rows, [](Observation &o, std::uint8_t bits) {
+    takeColumn<std::uint8_t>(reader, rows, [](Observation &o, std::uint8_t bits) {
         o.found = (bits & foundBit) != 0;
         o.duplicateFrame = (bits & duplicateBit) != 0;
         o.touchesBorder = (bits & borderBit) != 0;
     });
-    takeVector(*reader, rows, [](Observation &o) -> Eigen::Vector2d & { return o.ellipse.centrePx; });
-    takeColumn<double>(*reader, rows, [](Observation &o, double value) { o.ellipse.semiMajorPx = value; });
-    takeColumn<double>(*reader, rows, [](Observation &o, double value) { o.ellipse.semiMinorPx = value; });
-    takeColumn<double>(*reader, rows, [](Observation &o, double value) { o.ellipse.angleRad = value; });
-    takeCovariance(*reader, rows, [](Observation &o) -> Eigen::Matrix2d & { return o.centreCovariancePx2; });
-    takeColumn<double>(*reader, rows, [](Observation &o, double value) { o.areaPx = value; });
-    takeColumn<double>(*reader, rows, [](Observation &o, double value) { o.score = value; });
+    takeVector(reader, rows, [](Observation &o) -> Eigen::Vector2d & { return o.ellipse.centrePx; });
+    takeColumn<double>(reader, rows, [](Observation &o, double value) { o.ellipse.semiMajorPx = value; });
+    takeColumn<double>(reader, rows, [](Observation &o, double value) { o.ellipse.semiMinorPx = value; });
+    takeColumn<double>(reader, rows, [](Observation &o, double value) { o.ellipse.angleRad = value; });
+    takeCovariance(reader, rows, [](Observation &o) -> Eigen::Matrix2d & { return o.centreCovariancePx2; });
+    takeColumn<double>(reader, rows, [](Observation &o, double value) { o.areaPx = value; });
+    takeColumn<double>(reader, rows, [](Observation &o, double value) { o.score = value; });
     if (!hasSupport)
         return {};
     for (Observation &o : rows)
         o.supportPx.resize(o.found ? supportDirections : 0);
     for (std::size_t k = 0; k < supportDirections; ++k) {
-        takeColumn<float>(*reader, rows, [k](Observation &o, float value) {
+        takeColumn<float>(reader, rows, [k](Observation &o, float value) {
             if (o.found)
                 o.supportPx[k] = value;
         });
@@ -238,33 +230,31 @@ QByteArray packSamples(std::span<const Sample> samples)
 
 Result<void> unpackSamples(const QByteArray &bytes, const Message &what, std::vector<Sample> &appendTo)
 {
-    auto reader = BlobReader::open(bytes, samplesLayout, what);
-    if (!reader)
-        return tl::unexpected(reader.error());
-    const auto rows = appended(appendTo, reader->rows());
-    takeColumn<std::int64_t>(*reader, rows,
+    auto reader = ODO_TRY(BlobReader::open(bytes, samplesLayout, what));
+    const auto rows = appended(appendTo, reader.rows());
+    takeColumn<std::int64_t>(reader, rows,
                              [](Sample &s, std::int64_t value) { s.time = Nanoseconds(value); });
-    takeColumn<std::int64_t>(*reader, rows, [](Sample &s, std::int64_t value) { s.frame = value; });
-    takeColumn<std::uint8_t>(*reader, rows, [](Sample &s, std::uint8_t bits) {
+    takeColumn<std::int64_t>(reader, rows, [](Sample &s, std::int64_t value) { s.frame = value; });
+    takeColumn<std::uint8_t>(reader, rows, [](Sample &s, std::uint8_t bits) {
         if ((bits & positionBit) != 0)
             s.position = Eigen::Vector2d(0, 0);
         if ((bits & disagreementBit) != 0)
             s.viewDisagreementM = 0;
     });
     for (int axis : {0, 1}) {
-        takeColumn<double>(*reader, rows, [axis](Sample &s, double value) {
+        takeColumn<double>(reader, rows, [axis](Sample &s, double value) {
             if (s.position)
                 (*s.position)[axis] = value;
         });
     }
-    takeCovariance(*reader, rows, [](Sample &s) -> Eigen::Matrix2d & { return s.covariance; });
-    takeCovariance(*reader, rows, [](Sample &s) -> Eigen::Matrix2d & { return s.commonCovariance; });
-    takeColumn<std::uint32_t>(*reader, rows, [](Sample &s, std::uint32_t value) { s.views = value; });
-    takeColumn<double>(*reader, rows, [](Sample &s, double value) {
+    takeCovariance(reader, rows, [](Sample &s) -> Eigen::Matrix2d & { return s.covariance; });
+    takeCovariance(reader, rows, [](Sample &s) -> Eigen::Matrix2d & { return s.commonCovariance; });
+    takeColumn<std::uint32_t>(reader, rows, [](Sample &s, std::uint32_t value) { s.views = value; });
+    takeColumn<double>(reader, rows, [](Sample &s, double value) {
         if (s.viewDisagreementM)
             s.viewDisagreementM = value;
     });
-    takeColumn<std::uint32_t>(*reader, rows, [](Sample &s, std::uint32_t value) { s.flags = value; });
+    takeColumn<std::uint32_t>(reader, rows, [](Sample &s, std::uint32_t value) { s.flags = value; });
     return {};
 }
 
@@ -285,19 +275,16 @@ QByteArray packPoints(std::span<const ProfilePoint> points)
 
 Result<void> unpackPoints(const QByteArray &bytes, const Message &what, std::vector<ProfilePoint> &appendTo)
 {
-    auto reader = BlobReader::open(bytes, pointsLayout, what);
-    if (!reader)
-        return tl::unexpected(reader.error());
-    const auto rows = appended(appendTo, reader->rows());
-    takeColumn<std::uint8_t>(*reader, rows,
-                             [](ProfilePoint &p, std::uint8_t value) { p.valid = value != 0; });
-    takeVector(*reader, rows, [](ProfilePoint &p) -> Eigen::Vector2d & { return p.position; });
-    takeVector(*reader, rows, [](ProfilePoint &p) -> Eigen::Vector2d & { return p.velocity; });
-    takeVector(*reader, rows, [](ProfilePoint &p) -> Eigen::Vector2d & { return p.acceleration; });
+    auto reader = ODO_TRY(BlobReader::open(bytes, pointsLayout, what));
+    const auto rows = appended(appendTo, reader.rows());
+    takeColumn<std::uint8_t>(reader, rows, [](ProfilePoint &p, std::uint8_t value) { p.valid = value != 0; });
+    takeVector(reader, rows, [](ProfilePoint &p) -> Eigen::Vector2d & { return p.position; });
+    takeVector(reader, rows, [](ProfilePoint &p) -> Eigen::Vector2d & { return p.velocity; });
+    takeVector(reader, rows, [](ProfilePoint &p) -> Eigen::Vector2d & { return p.acceleration; });
     for (double ProfilePoint::*member :
          {&ProfilePoint::sigmaXM, &ProfilePoint::sigmaYM, &ProfilePoint::speedMps,
           &ProfilePoint::sigmaSpeedMps, &ProfilePoint::accelMps2, &ProfilePoint::sigmaAccelMps2})
-        takeColumn<double>(*reader, rows, [member](ProfilePoint &p, double value) { p.*member = value; });
+        takeColumn<double>(reader, rows, [member](ProfilePoint &p, double value) { p.*member = value; });
     return {};
 }
 
@@ -312,15 +299,13 @@ QByteArray packTruth(const TruthSeries &truth)
 
 Result<void> unpackTruth(const QByteArray &bytes, const Message &what, TruthSeries &into)
 {
-    auto reader = BlobReader::open(bytes, truthLayout, what);
-    if (!reader)
-        return tl::unexpected(reader.error());
-    into.times.resize(reader->rows());
-    takeColumn<std::int64_t>(*reader, into.times,
+    auto reader = ODO_TRY(BlobReader::open(bytes, truthLayout, what));
+    into.times.resize(reader.rows());
+    takeColumn<std::int64_t>(reader, into.times,
                              [](Nanoseconds &t, std::int64_t value) { t = Nanoseconds(value); });
     for (auto *series : {&into.positions, &into.velocities, &into.accelerations}) {
-        series->resize(reader->rows());
-        takeVector(*reader, *series, [](Eigen::Vector2d &v) -> Eigen::Vector2d & { return v; });
+        series->resize(reader.rows());
+        takeVector(reader, *series, [](Eigen::Vector2d &v) -> Eigen::Vector2d & { return v; });
     }
     return {};
 }
@@ -344,12 +329,10 @@ QByteArray packCorners(const CalibrationPicture &picture)
 
 Result<void> unpackCorners(const QByteArray &bytes, const Message &what, CalibrationPicture &into)
 {
-    auto reader = BlobReader::open(bytes, cornersLayout, what);
-    if (!reader)
-        return tl::unexpected(reader.error());
-    const std::size_t corners = reader->rows();
+    auto reader = ODO_TRY(BlobReader::open(bytes, cornersLayout, what));
+    const std::size_t corners = reader.rows();
     for (std::size_t i = 0; i < corners; ++i) {
-        const auto bits = reader->take<std::uint8_t>();
+        const auto bits = reader.take<std::uint8_t>();
         if (bits & standsOutBit)
             into.outliers.push_back(i);
         if (bits & leftOutBit)
@@ -357,7 +340,7 @@ Result<void> unpackCorners(const QByteArray &bytes, const Message &what, Calibra
     }
     for (auto *vectors : {&into.view.pixels, &into.view.pointsOnBoard, &into.residualsPx}) {
         vectors->assign(corners, Eigen::Vector2d::Zero());
-        takeVector(*reader, *vectors, [](Eigen::Vector2d &vector) -> Eigen::Vector2d & { return vector; });
+        takeVector(reader, *vectors, [](Eigen::Vector2d &vector) -> Eigen::Vector2d & { return vector; });
     }
     return {};
 }
@@ -371,11 +354,9 @@ QByteArray packNumbers(std::span<const double> numbers)
 
 Result<std::vector<double>> unpackNumbers(const QByteArray &bytes, const Message &what)
 {
-    auto reader = BlobReader::open(bytes, numbersLayout, what);
-    if (!reader)
-        return tl::unexpected(reader.error());
-    std::vector<double> numbers(reader->rows());
-    takeColumn<double>(*reader, numbers, [](double &number, double value) { number = value; });
+    auto reader = ODO_TRY(BlobReader::open(bytes, numbersLayout, what));
+    std::vector<double> numbers(reader.rows());
+    takeColumn<double>(reader, numbers, [](double &number, double value) { number = value; });
     return numbers;
 }
 
@@ -389,20 +370,18 @@ QByteArray packSquare(const Eigen::MatrixXd &matrix)
 
 Result<Eigen::MatrixXd> unpackSquare(const QByteArray &bytes, const Message &what)
 {
-    auto reader = BlobReader::open(bytes, squareLayout, what);
-    if (!reader)
-        return tl::unexpected(reader.error());
+    auto reader = ODO_TRY(BlobReader::open(bytes, squareLayout, what));
     std::size_t size = 0;
-    while (size < maxSquareSize && size * size < reader->rows())
+    while (size < maxSquareSize && size * size < reader.rows())
         ++size;
-    if (size * size != reader->rows())
+    if (size * size != reader.rows())
         return fail(ErrorCode::InvalidInput, what,
                     ODO_TEXT("project.matrix_not_square",
-                             "its stored matrix of %1 numbers is not square")(reader->rows()),
+                             "its stored matrix of %1 numbers is not square")(reader.rows()),
                     isDamagedRestoreFile());
     Eigen::MatrixXd matrix(static_cast<Eigen::Index>(size), static_cast<Eigen::Index>(size));
     for (Eigen::Index i = 0; i < matrix.size(); ++i)
-        matrix.data()[i] = reader->take<double>();
+        matrix.data()[i] = reader.take<double>();
     return matrix;
 }
 

@@ -24,16 +24,14 @@ Result<void> TrialRepository::addObservations(const ObservationSeries &series)
         Statement insert(m_connection,
                          QStringLiteral("INSERT INTO observation_series (recording_id, robot_id, "
                                         "algorithm) VALUES (?,?,?)"));
-        if (auto done = insert.bind(series.recording).bind(series.robot).bind(series.algorithm).run(); !done)
-            return done;
+        ODO_TRY(insert.bind(series.recording).bind(series.robot).bind(series.algorithm).run());
         const RecordId id = insert.insertedId();
         const std::span<const Observation> all(series.observations);
         for (std::size_t start = 0; start < all.size(); start += rowsPerChunk) {
             const auto chunk = all.subspan(start, std::min(rowsPerChunk, all.size() - start));
             Statement row(m_connection, QStringLiteral("INSERT INTO observation_chunk VALUES (?,?,?)"));
             row.bind(id).bind(static_cast<std::int64_t>(start / rowsPerChunk)).bind(packObservations(chunk));
-            if (auto done = row.run(); !done)
-                return done;
+            ODO_TRY(row.run());
         }
         return {};
     });
@@ -45,10 +43,8 @@ Result<std::optional<ObservationSeries>> TrialRepository::currentObservations(Re
     Statement select(m_connection,
                      QStringLiteral("SELECT id, algorithm FROM observation_series "
                                     "WHERE recording_id=? AND robot_id=? ORDER BY id DESC LIMIT 1"));
-    const auto found = select.bind(recording).bind(robot).firstRow();
+    const auto found = ODO_TRY(select.bind(recording).bind(robot).firstRow());
     if (!found)
-        return tl::unexpected(found.error());
-    if (!*found)
         return std::nullopt;
     const RecordId id = select.integer(0);
     ObservationSeries series{recording, robot, select.text(1), {}};
@@ -70,13 +66,11 @@ Result<void> TrialRepository::setOverrules(RecordId trial, RecordId robot,
     return transact(m_connection, [&]() -> Result<void> {
         Statement remove(m_connection,
                          QStringLiteral("DELETE FROM overrule WHERE trial_id=? AND robot_id=?"));
-        if (auto done = remove.bind(trial).bind(robot).run(); !done)
-            return done;
+        ODO_TRY(remove.bind(trial).bind(robot).run());
         for (const Overrule &overrule : overrules) {
             Statement insert(m_connection, QStringLiteral("INSERT INTO overrule VALUES (?,?,?,?)"));
             insert.bind(trial).bind(robot).bind(overrule.frame).bind(overrule.isSpike ? 1 : 0);
-            if (auto done = insert.run(); !done)
-                return done;
+            ODO_TRY(insert.run());
         }
         return {};
     });
@@ -101,8 +95,7 @@ Result<void> TrialRepository::setPointedOut(RecordId trial, const std::vector<Po
     return transact(m_connection, [&]() -> Result<void> {
         Statement remove(m_connection, QStringLiteral("DELETE FROM pointed_out_robot WHERE recording_id IN "
                                                       "(SELECT id FROM recording WHERE trial_id=?)"));
-        if (auto done = remove.bind(trial).run(); !done)
-            return done;
+        ODO_TRY(remove.bind(trial).run());
         for (const PointedOutRobot &one : robots) {
             Statement insert(m_connection,
                              QStringLiteral("INSERT INTO pointed_out_robot VALUES (?,?,?,?,?)"));
@@ -111,8 +104,7 @@ Result<void> TrialRepository::setPointedOut(RecordId trial, const std::vector<Po
                 .bind(one.frame)
                 .bind(one.pixel.x())
                 .bind(one.pixel.y());
-            if (auto done = insert.run(); !done)
-                return done;
+            ODO_TRY(insert.run());
         }
         return {};
     });
@@ -169,16 +161,12 @@ Result<void> addTrackChunks(ProjectConnection &connection, RecordId id, const Im
 {
     std::optional<Nanoseconds> before;
     for (std::size_t start = 0; start < samples.count; start += rowsPerChunk) {
-        const auto chunk = samples.chunk(start, std::min(rowsPerChunk, samples.count - start));
-        if (!chunk)
-            return tl::unexpected(chunk.error());
-        if (auto valid = checkSamples(track, *chunk, before); !valid)
-            return valid;
-        before = chunk->back().time;
+        const auto chunk = ODO_TRY(samples.chunk(start, std::min(rowsPerChunk, samples.count - start)));
+        ODO_TRY(checkSamples(track, chunk, before));
+        before = chunk.back().time;
         Statement insert(connection, QStringLiteral("INSERT INTO imported_track_chunk VALUES (?,?,?)"));
         insert.bind(id).bind(static_cast<std::int64_t>(start / rowsPerChunk));
-        if (auto done = insert.bind(packSamples(*chunk)).run(); !done)
-            return done;
+        ODO_TRY(insert.bind(packSamples(chunk)).run());
     }
     return {};
 }
@@ -193,12 +181,8 @@ Result<void> TrialRepository::addImportedTrack(const ImportedTrack &track, const
     if (source.count > maxBlobRows)
         return refusedTrack(track, hasTooManySamples());
     return transact(m_connection, [&]() -> Result<void> {
-        if (auto valid = checkName(RecordKind::Track, track.file); !valid)
-            return valid;
-        if (auto valid =
-                checkText(ODO_TEXT("project.track_reading", "reading of a track"), track.reading.english());
-            !valid)
-            return valid;
+        ODO_TRY(checkName(RecordKind::Track, track.file));
+        ODO_TRY(checkText(ODO_TEXT("project.track_reading", "reading of a track"), track.reading.english()));
         Statement insert(
             m_connection,
             QStringLiteral(
@@ -208,8 +192,7 @@ Result<void> TrialRepository::addImportedTrack(const ImportedTrack &track, const
         insert.bind(static_cast<std::int64_t>(track.imported.time_since_epoch().count()))
             .bind(track.file)
             .bind(track.sha256);
-        if (auto done = insert.bind(track.bytes).bind(track.format).bind(track.reading).run(); !done)
-            return done;
+        ODO_TRY(insert.bind(track.bytes).bind(track.format).bind(track.reading).run());
         return addTrackChunks(m_connection, insert.insertedId(), track, source);
     });
 }
@@ -224,10 +207,8 @@ Result<std::optional<std::pair<RecordId, ImportedTrack>>> newestTrack(const Proj
         connection,
         QStringLiteral("SELECT id, imported_ms, file, sha256, bytes, format, reading FROM imported_track "
                        "WHERE trial_id=? AND robot_id=? ORDER BY id DESC LIMIT 1"));
-    const auto found = select.bind(trial).bind(robot).firstRow();
+    const auto found = ODO_TRY(select.bind(trial).bind(robot).firstRow());
     if (!found)
-        return tl::unexpected(found.error());
-    if (!*found)
         return std::nullopt;
     ImportedTrack track{trial,
                         robot,
@@ -246,13 +227,11 @@ Result<std::optional<std::pair<RecordId, ImportedTrack>>> newestTrack(const Proj
 Result<std::optional<ImportedTrack>> TrialRepository::currentImportedTrack(RecordId trial, RecordId robot,
                                                                            bool withSamples) const
 {
-    auto newest = newestTrack(m_connection, trial, robot);
+    auto newest = ODO_TRY(newestTrack(m_connection, trial, robot));
     if (!newest)
-        return tl::unexpected(newest.error());
-    if (!*newest)
         return std::nullopt;
-    const RecordId id = (*newest)->first;
-    ImportedTrack &track = (*newest)->second;
+    const RecordId id = newest->first;
+    ImportedTrack &track = newest->second;
     NoiseLevel noise;
     std::size_t count = 0;
     Statement chunks(
@@ -260,8 +239,7 @@ Result<std::optional<ImportedTrack>> TrialRepository::currentImportedTrack(Recor
         QStringLiteral("SELECT samples FROM imported_track_chunk WHERE track_id=? ORDER BY position"));
     auto read = chunks.bind(id).eachRow([&](const Statement &row) -> Result<void> {
         std::vector<Sample> chunk;
-        if (auto unpacked = unpackSamples(row.blob(0), trackSubject(track), chunk); !unpacked)
-            return unpacked;
+        ODO_TRY(unpackSamples(row.blob(0), trackSubject(track), chunk));
         count += chunk.size();
         if (count > maxBlobRows)
             return refusedTrack(track, hasTooManySamples());
@@ -288,8 +266,7 @@ Result<void> TrialRepository::setTruth(const TruthSeries &truth)
     }
     return transact(m_connection, [&]() -> Result<void> {
         Statement remove(m_connection, QStringLiteral("DELETE FROM truth WHERE trial_id=? AND robot_id=?"));
-        if (auto done = remove.bind(truth.trial).bind(truth.robot).run(); !done)
-            return done;
+        ODO_TRY(remove.bind(truth.trial).bind(truth.robot).run());
         Statement insert(m_connection, QStringLiteral("INSERT INTO truth VALUES (?,?,?)"));
         return insert.bind(truth.trial).bind(truth.robot).bind(packTruth(truth)).run();
     });
@@ -299,18 +276,14 @@ Result<std::optional<TruthSeries>> TrialRepository::truth(RecordId trial, Record
 {
     Statement select(m_connection,
                      QStringLiteral("SELECT series FROM truth WHERE trial_id=? AND robot_id=?"));
-    const auto found = select.bind(trial).bind(robot).firstRow();
+    const auto found = ODO_TRY(select.bind(trial).bind(robot).firstRow());
     if (!found)
-        return tl::unexpected(found.error());
-    if (!*found)
         return std::nullopt;
     TruthSeries truth;
     truth.trial = trial;
     truth.robot = robot;
-    if (auto read = unpackTruth(select.blob(0),
-                                ODO_TEXT("project.truth_of_trial", "truth of trial %1")(trial), truth);
-        !read)
-        return tl::unexpected(read.error());
+    ODO_TRY(
+        unpackTruth(select.blob(0), ODO_TEXT("project.truth_of_trial", "truth of trial %1")(trial), truth));
     return std::optional(std::move(truth));
 }
 
@@ -322,13 +295,11 @@ Result<void> addDoubtfulNames(ProjectConnection &connection, RecordId analysis,
         const auto position = static_cast<std::int64_t>(i);
         Statement insert(connection, QStringLiteral("INSERT INTO doubtful_name VALUES (?,?,?,?)"));
         insert.bind(analysis).bind(position).bind(static_cast<std::int64_t>(doubt.from.count()));
-        if (auto done = insert.bind(static_cast<std::int64_t>(doubt.to.count())).run(); !done)
-            return done;
+        ODO_TRY(insert.bind(static_cast<std::int64_t>(doubt.to.count())).run());
         for (const RecordId other : doubt.others) {
             Statement insertOther(connection,
                                   QStringLiteral("INSERT INTO doubtful_name_robot VALUES (?,?,?)"));
-            if (auto done = insertOther.bind(analysis).bind(position).bind(other).run(); !done)
-                return done;
+            ODO_TRY(insertOther.bind(analysis).bind(position).bind(other).run());
         }
     }
     return {};

@@ -101,8 +101,7 @@ bool changesRows(const QSqlQuery &query)
 /// A statement outside of a transaction, in one of its own: its change gets a mark too.
 Result<void> Statement::runAlone()
 {
-    if (auto begun = m_connection.execute(QStringLiteral("BEGIN IMMEDIATE")); !begun)
-        return begun;
+    ODO_TRY(m_connection.execute(QStringLiteral("BEGIN IMMEDIATE")));
     const std::int64_t rowsBefore = sqlite3_total_changes64(m_connection.handle());
     auto done = start();
     if (done && sqlite3_total_changes64(m_connection.handle()) != rowsBefore)
@@ -118,9 +117,7 @@ Result<void> Statement::run()
 {
     if (!m_prepared || changesNothing(m_query))
         return start();
-    const auto turn = m_connection.takeTurn();
-    if (!turn)
-        return tl::unexpected(turn.error());
+    const auto turn = ODO_TRY(m_connection.takeTurn());
     const bool isAlone =
         sqlite3_get_autocommit(m_connection.handle()) != 0 && m_connection.m_transactionDepth == 0;
     auto done = isAlone && changesRows(m_query) ? runAlone() : start();
@@ -131,12 +128,9 @@ Result<void> Statement::run()
 
 Result<void> Statement::eachRow(const std::function<Result<void>(const Statement &)> &row)
 {
-    if (auto started = start(); !started)
-        return started;
-    while (m_query.next()) {
-        if (auto done = row(*this); !done)
-            return done;
-    }
+    ODO_TRY(start());
+    while (m_query.next())
+        ODO_TRY(row(*this));
     if (m_query.lastError().isValid())
         return failure();
     return {};
@@ -144,8 +138,7 @@ Result<void> Statement::eachRow(const std::function<Result<void>(const Statement
 
 Result<bool> Statement::firstRow()
 {
-    if (auto started = start(); !started)
-        return tl::unexpected(started.error());
+    ODO_TRY(start());
     if (m_query.next())
         return true;
     if (m_query.lastError().isValid())
@@ -260,12 +253,9 @@ Result<void> Transaction::begin()
         return fail(ErrorCode::Io, m_connection.subject(),
                     ODO_TEXT("project.earlier_step_failed", "an earlier step of this change failed"),
                     ODO_TEXT("project.try_change_again", "try the whole change again"));
-    auto turn = m_connection.takeTurn();
-    if (!turn)
-        return tl::unexpected(turn.error());
-    m_turn = std::move(*turn);
-    if (auto inPlace = checkPlace(); !inPlace)
-        return inPlace;
+    auto turn = ODO_TRY(m_connection.takeTurn());
+    m_turn = std::move(turn);
+    ODO_TRY(checkPlace());
     const QString sql =
         m_depth == 0 ? QStringLiteral("BEGIN IMMEDIATE") : QStringLiteral("SAVEPOINT step%1").arg(m_depth);
     if (auto begun = m_connection.execute(sql); !begun) {

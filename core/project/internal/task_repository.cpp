@@ -37,13 +37,11 @@ Result<std::vector<Eigen::Vector2d>> unpackPlaces(const QByteArray &blob, const 
     std::vector<Eigen::Vector2d> points;
     if (blob.isEmpty())
         return points;
-    const auto numbers = unpackNumbers(blob, what);
-    if (!numbers)
-        return tl::unexpected(numbers.error());
-    if (numbers->size() % 2 != 0)
+    const auto numbers = ODO_TRY(unpackNumbers(blob, what));
+    if (numbers.size() % 2 != 0)
         return fail(ErrorCode::InvalidInput, what, ifCutOff, restoreProject());
-    for (std::size_t i = 0; i < numbers->size(); i += 2)
-        points.emplace_back((*numbers)[i], (*numbers)[i + 1]);
+    for (std::size_t i = 0; i < numbers.size(); i += 2)
+        points.emplace_back(numbers[i], numbers[i + 1]);
     return points;
 }
 
@@ -52,15 +50,11 @@ Result<void> readZones(const ProjectConnection &connection, const Message &what,
     Statement select(
         connection, QStringLiteral("SELECT name, rule, corners FROM zone WHERE task_id=? ORDER BY position"));
     return select.bind(into.id).eachRow([&](const Statement &row) -> Result<void> {
-        const auto rule = fromStoredWord(zoneRuleWords, row.text(1), zoneSubject(row.name(0)));
-        if (!rule)
-            return tl::unexpected(rule.error());
-        auto corners =
+        const auto rule = ODO_TRY(fromStoredWord(zoneRuleWords, row.text(1), zoneSubject(row.name(0))));
+        auto corners = ODO_TRY(
             unpackPlaces(row.blob(2), what,
-                         ODO_TEXT("project.zone_cut_off", "its zone '%1' ends within a point")(row.name(0)));
-        if (!corners)
-            return tl::unexpected(corners.error());
-        into.task.zones.push_back({row.name(0), *rule, std::move(*corners)});
+                         ODO_TEXT("project.zone_cut_off", "its zone '%1' ends within a point")(row.name(0))));
+        into.task.zones.push_back({row.name(0), rule, std::move(corners)});
         return {};
     });
 }
@@ -71,11 +65,9 @@ Result<void> readGates(const ProjectConnection &connection, TaskRecord &into)
                      QStringLiteral("SELECT name, role, from_x_m, from_y_m, to_x_m, to_y_m FROM gate "
                                     "WHERE task_id=? ORDER BY position"));
     return select.bind(into.id).eachRow([&into](const Statement &row) -> Result<void> {
-        const auto role = fromStoredWord(gateRoleWords, row.text(1), gateSubject(row.name(0)));
-        if (!role)
-            return tl::unexpected(role.error());
+        const auto role = ODO_TRY(fromStoredWord(gateRoleWords, row.text(1), gateSubject(row.name(0))));
         into.task.gates.push_back(
-            {row.name(0), *role, {row.real(2), row.real(3)}, {row.real(4), row.real(5)}});
+            {row.name(0), role, {row.real(2), row.real(3)}, {row.real(4), row.real(5)}});
         return {};
     });
 }
@@ -84,20 +76,14 @@ Result<void> readGates(const ProjectConnection &connection, TaskRecord &into)
 Result<void> readCourse(const ProjectConnection &connection, const Statement &row, TaskRecord &record)
 {
     const Message what = taskSubject(record.name);
-    const auto kind = fromStoredWord(taskTemplateWords, row.text(2), what);
-    if (!kind)
-        return tl::unexpected(kind.error());
-    record.task.kind = *kind;
-    auto path = unpackPlaces(row.blob(3), what,
-                             ODO_TEXT("project.path_cut_off", "its reference path ends within a point"));
-    if (!path)
-        return tl::unexpected(path.error());
-    record.task.path = {std::move(*path), row.integer(4) != 0};
+    const auto kind = ODO_TRY(fromStoredWord(taskTemplateWords, row.text(2), what));
+    record.task.kind = kind;
+    auto path = ODO_TRY(unpackPlaces(
+        row.blob(3), what, ODO_TEXT("project.path_cut_off", "its reference path ends within a point")));
+    record.task.path = {std::move(path), row.integer(4) != 0};
     record.task.limits = {row.optionalReal(5), row.optionalReal(6)};
-    if (auto read = readGates(connection, record); !read)
-        return read;
-    if (auto read = readZones(connection, what, record); !read)
-        return read;
+    ODO_TRY(readGates(connection, record));
+    ODO_TRY(readZones(connection, what, record));
     if (auto valid = checkTask(record.task); !valid)
         return fail(valid.error().code, what, wholeMessage(valid.error().what, valid.error().why),
                     restoreProject());
@@ -137,13 +123,11 @@ Result<void> addGates(ProjectConnection &connection, RecordId task, const std::v
 {
     for (std::size_t i = 0; i < gates.size(); ++i) {
         const Gate &gate = gates[i];
-        if (auto valid = checkName(RecordKind::Gate, gate.name); !valid)
-            return valid;
+        ODO_TRY(checkName(RecordKind::Gate, gate.name));
         Statement insert(connection, QStringLiteral("INSERT INTO gate VALUES (?,?,?,?,?,?,?,?)"));
         insert.bind(task).bind(static_cast<std::int64_t>(i)).bind(gate.name);
         insert.bind(storedWord(gateRoleWords, gate.role)).bind(gate.from.x()).bind(gate.from.y());
-        if (auto done = insert.bind(gate.to.x()).bind(gate.to.y()).run(); !done)
-            return done;
+        ODO_TRY(insert.bind(gate.to.x()).bind(gate.to.y()).run());
     }
     return {};
 }
@@ -152,14 +136,10 @@ Result<void> addZones(ProjectConnection &connection, RecordId task, const std::v
 {
     for (std::size_t i = 0; i < zones.size(); ++i) {
         const Zone &zone = zones[i];
-        if (auto valid = checkName(RecordKind::Zone, zone.name); !valid)
-            return valid;
+        ODO_TRY(checkName(RecordKind::Zone, zone.name));
         Statement insert(connection, QStringLiteral("INSERT INTO zone VALUES (?,?,?,?,?)"));
         insert.bind(task).bind(static_cast<std::int64_t>(i)).bind(zone.name);
-        if (auto done =
-                insert.bind(storedWord(zoneRuleWords, zone.rule)).bind(packPlaces(zone.corners)).run();
-            !done)
-            return done;
+        ODO_TRY(insert.bind(storedWord(zoneRuleWords, zone.rule)).bind(packPlaces(zone.corners)).run());
     }
     return {};
 }
@@ -181,12 +161,9 @@ Result<TaskRecord> TaskRepository::add(const TaskRecord &given)
 {
     const TaskRecord task = withNormalNames(given);
     return transact(m_connection, [&]() -> Result<TaskRecord> {
-        if (auto valid = checkName(RecordKind::Task, task.name); !valid)
-            return tl::unexpected(valid.error());
-        if (auto valid = checkTask(task.task); !valid)
-            return tl::unexpected(valid.error());
-        if (auto isFree = checkNameIsFree(m_connection, RecordKind::Task, task.name); !isFree)
-            return tl::unexpected(isFree.error());
+        ODO_TRY(checkName(RecordKind::Task, task.name));
+        ODO_TRY(checkTask(task.task));
+        ODO_TRY(checkNameIsFree(m_connection, RecordKind::Task, task.name));
         Statement insert(
             m_connection,
             QStringLiteral("INSERT INTO task (name, template, path_points, path_closed, "
@@ -197,14 +174,11 @@ Result<TaskRecord> TaskRepository::add(const TaskRecord &given)
         insert.bind(task.task.path.closed ? 1 : 0).bind(task.task.limits.maxSpeedMps);
         insert.bind(task.task.limits.maxAccelMps2);
         insert.bindReference(task.archived ? task.archived->time_since_epoch().count() : 0);
-        if (auto done = insert.run(); !done)
-            return tl::unexpected(done.error());
+        ODO_TRY(insert.run());
         TaskRecord stored = task;
         stored.id = insert.insertedId();
-        if (auto added = addGates(m_connection, stored.id, task.task.gates); !added)
-            return tl::unexpected(added.error());
-        if (auto added = addZones(m_connection, stored.id, task.task.zones); !added)
-            return tl::unexpected(added.error());
+        ODO_TRY(addGates(m_connection, stored.id, task.task.gates));
+        ODO_TRY(addZones(m_connection, stored.id, task.task.zones));
         return stored;
     });
 }
@@ -224,21 +198,17 @@ Result<std::vector<TaskRecord>> TaskRepository::all() const
 
 Result<TaskRecord> TaskRepository::find(const std::string &name) const
 {
-    const auto id = idNamed(m_connection, RecordKind::Task, name);
-    if (!id)
-        return tl::unexpected(id.error());
-    if (*id == 0)
+    const auto id = ODO_TRY(idNamed(m_connection, RecordKind::Task, name));
+    if (id == 0)
         return noSuchName(m_connection, RecordKind::Task, name);
-    return get(*id);
+    return get(id);
 }
 
 Result<TaskRecord> TaskRepository::get(RecordId id) const
 {
     Statement select(m_connection, taskColumns + QStringLiteral("WHERE id=?"));
-    const auto found = select.bind(id).firstRow();
+    const auto found = ODO_TRY(select.bind(id).firstRow());
     if (!found)
-        return tl::unexpected(found.error());
-    if (!*found)
         return noSuchId(m_connection, RecordKind::Task, id);
     return readTask(m_connection, select);
 }
@@ -291,8 +261,7 @@ Result<void> removeRows(ProjectConnection &connection, RecordId task)
 {
     for (const char *sql : {"DELETE FROM scoring WHERE task_id=?", "DELETE FROM gate WHERE task_id=?",
                             "DELETE FROM zone WHERE task_id=?", "DELETE FROM task WHERE id=?"})
-        if (auto done = runFor(connection, sql, task); !done)
-            return done;
+        ODO_TRY(runFor(connection, sql, task));
     return {};
 }
 
@@ -353,10 +322,8 @@ Result<void> TaskRepository::rename(RecordId task, const std::string &given)
         const auto known = get(task);
         if (!known || known->name == name)
             return withoutValue(known);
-        if (auto valid = checkName(RecordKind::Task, name); !valid)
-            return valid;
-        if (auto isFree = checkNameIsFree(m_connection, RecordKind::Task, name); !isFree)
-            return isFree;
+        ODO_TRY(checkName(RecordKind::Task, name));
+        ODO_TRY(checkNameIsFree(m_connection, RecordKind::Task, name));
         return setName(m_connection, task, name);
     });
 }
@@ -377,8 +344,7 @@ Result<void> TaskRepository::moveAll(RecordId from, RecordId to)
     for (const char *table : {"trial", "scoring"}) {
         Statement update(m_connection,
                          QStringLiteral("UPDATE %1 SET task_id=? WHERE task_id=?").arg(QLatin1String(table)));
-        if (auto done = update.bind(to).bind(from).run(); !done)
-            return done;
+        ODO_TRY(update.bind(to).bind(from).run());
     }
     return {};
 }
@@ -389,22 +355,13 @@ Result<TaskRecord> TaskRepository::change(const TaskRecord &task)
         auto before = get(task.id);
         if (!before || isSameCourse(before->task, task.task))
             return before;
-        const auto version = versionName(m_connection, before->name);
-        if (!version)
-            return tl::unexpected(version.error());
-        if (auto named = setName(m_connection, before->id, *version); !named)
-            return tl::unexpected(named.error());
-        auto added = add({0, before->name, task.task, before->archived});
-        if (!added)
-            return added;
-        if (auto moved = moveAll(before->id, added->id); !moved)
-            return tl::unexpected(moved.error());
-        const auto known = uses();
-        if (!known)
-            return tl::unexpected(known.error());
-        if (!known->contains(before->id))
-            if (auto gone = removeRows(m_connection, before->id); !gone)
-                return tl::unexpected(gone.error());
+        const auto version = ODO_TRY(versionName(m_connection, before->name));
+        ODO_TRY(setName(m_connection, before->id, version));
+        auto added = ODO_TRY(add({0, before->name, task.task, before->archived}));
+        ODO_TRY(moveAll(before->id, added.id));
+        const auto known = ODO_TRY(uses());
+        if (!known.contains(before->id))
+            ODO_TRY(removeRows(m_connection, before->id));
         return added;
     });
 }
@@ -473,20 +430,16 @@ Result<void> TaskRepository::setScoring(RecordId task, const std::vector<Criteri
         const auto before = scoring(task);
         if (!known || !before)
             return tl::unexpected(known ? before.error() : known.error());
-        if (auto valid = checkScoring(criteria); !valid)
-            return valid;
+        ODO_TRY(checkScoring(criteria));
         if (*before == criteria)
             return {};
-        if (auto gone = runFor(m_connection, "DELETE FROM scoring WHERE task_id=?", task); !gone)
-            return gone;
+        ODO_TRY(runFor(m_connection, "DELETE FROM scoring WHERE task_id=?", task));
         std::int64_t position = 0;
         for (const Criterion &line : criteria) {
-            if (auto valid = checkName(RecordKind::Figure, line.metric); !valid)
-                return valid;
+            ODO_TRY(checkName(RecordKind::Figure, line.metric));
             Statement insert(m_connection, QStringLiteral("INSERT INTO scoring VALUES (?,?,?,?,?,?)"));
             insert.bind(task).bind(position++).bind(line.metric).bind(line.fullAt).bind(line.noneAt);
-            if (auto done = insert.bind(line.points).run(); !done)
-                return done;
+            ODO_TRY(insert.bind(line.points).run());
         }
         return {};
     });

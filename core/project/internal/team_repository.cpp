@@ -69,16 +69,14 @@ TeamRecord withNormalNames(TeamRecord team)
 
 Result<void> checkTeam(const TeamRecord &team)
 {
-    if (auto valid = checkName(RecordKind::Team, team.name); !valid)
-        return valid;
+    ODO_TRY(checkName(RecordKind::Team, team.name));
     const Message what = teamSubject(team.name);
     if (team.members.size() > mostMembers)
         return fail(ErrorCode::InvalidInput, what,
                     ODO_TEXT("project.too_many_members", "it has more than %1 members")(mostMembers),
                     ODO_TEXT("project.give_members", "give the names of the people in the team"));
     for (const std::string &member : team.members)
-        if (auto valid = checkName(RecordKind::Member, member); !valid)
-            return valid;
+        ODO_TRY(checkName(RecordKind::Member, member));
     if (std::set(team.robots.begin(), team.robots.end()).size() != team.robots.size())
         return fail(ErrorCode::InvalidInput, what,
                     ODO_TEXT("project.robot_twice", "a robot belongs to it twice"),
@@ -88,20 +86,17 @@ Result<void> checkTeam(const TeamRecord &team)
 
 Result<void> removeLists(ProjectConnection &connection, RecordId team)
 {
-    if (auto gone = runFor(connection, "DELETE FROM team_member WHERE team_id=?", team); !gone)
-        return gone;
+    ODO_TRY(runFor(connection, "DELETE FROM team_member WHERE team_id=?", team));
     return runFor(connection, "DELETE FROM team_robot WHERE team_id=?", team);
 }
 
 /// Replaces members and robots.
 Result<void> setLists(ProjectConnection &connection, RecordId id, const TeamRecord &team)
 {
-    if (auto gone = removeLists(connection, id); !gone)
-        return gone;
+    ODO_TRY(removeLists(connection, id));
     for (std::size_t i = 0; i < team.members.size(); ++i) {
         Statement insert(connection, QStringLiteral("INSERT INTO team_member VALUES (?,?,?)"));
-        if (auto done = insert.bind(id).bind(static_cast<std::int64_t>(i)).bind(team.members[i]).run(); !done)
-            return done;
+        ODO_TRY(insert.bind(id).bind(static_cast<std::int64_t>(i)).bind(team.members[i]).run());
     }
     for (std::size_t i = 0; i < team.robots.size(); ++i) {
         Statement known(connection, QStringLiteral("SELECT 1 FROM robot WHERE id=?"));
@@ -110,8 +105,7 @@ Result<void> setLists(ProjectConnection &connection, RecordId id, const TeamReco
             return found ? noSuchId(connection, RecordKind::Robot, team.robots[i])
                          : tl::unexpected(found.error());
         Statement insert(connection, QStringLiteral("INSERT INTO team_robot VALUES (?,?,?)"));
-        if (auto done = insert.bind(id).bind(static_cast<std::int64_t>(i)).bind(team.robots[i]).run(); !done)
-            return done;
+        ODO_TRY(insert.bind(id).bind(static_cast<std::int64_t>(i)).bind(team.robots[i]).run());
     }
     return {};
 }
@@ -124,21 +118,15 @@ Result<TeamRecord> TeamRepository::add(const TeamRecord &given)
 {
     const TeamRecord team = withNormalNames(given);
     return transact(m_connection, [&]() -> Result<TeamRecord> {
-        if (auto valid = checkTeam(team); !valid)
-            return tl::unexpected(valid.error());
-        if (auto isFree = checkNameIsFree(m_connection, RecordKind::Team, team.name); !isFree)
-            return tl::unexpected(isFree.error());
-        const auto classId = idOfName(m_connection, RecordKind::Class, team.className);
-        if (!classId)
-            return tl::unexpected(classId.error());
+        ODO_TRY(checkTeam(team));
+        ODO_TRY(checkNameIsFree(m_connection, RecordKind::Team, team.name));
+        const auto classId = ODO_TRY(idOfName(m_connection, RecordKind::Class, team.className));
         Statement insert(m_connection,
                          QStringLiteral("INSERT INTO team (name, class_id, pseudonym) VALUES (?,?,?)"));
-        if (auto done = insert.bind(team.name).bindReference(*classId).bind(team.pseudonym).run(); !done)
-            return tl::unexpected(done.error());
+        ODO_TRY(insert.bind(team.name).bindReference(classId).bind(team.pseudonym).run());
         TeamRecord stored = team;
         stored.id = insert.insertedId();
-        if (auto lists = setLists(m_connection, stored.id, team); !lists)
-            return tl::unexpected(lists.error());
+        ODO_TRY(setLists(m_connection, stored.id, team));
         return stored;
     });
 }
@@ -150,12 +138,10 @@ Result<std::vector<TeamRecord>> TeamRepository::all() const
 
 Result<TeamRecord> TeamRepository::find(const std::string &name) const
 {
-    const auto id = idNamed(m_connection, RecordKind::Team, name);
-    if (!id)
-        return tl::unexpected(id.error());
-    if (*id == 0)
+    const auto id = ODO_TRY(idNamed(m_connection, RecordKind::Team, name));
+    if (id == 0)
         return noSuchName(m_connection, RecordKind::Team, name);
-    return readTeams(m_connection, "WHERE team.id=?", &*id).map([](auto &&teams) {
+    return readTeams(m_connection, "WHERE team.id=?", &id).map([](auto &&teams) {
         return std::move(teams.front());
     });
 }
@@ -164,24 +150,17 @@ Result<void> TeamRepository::set(const TeamRecord &given)
 {
     const TeamRecord team = withNormalNames(given);
     return transact(m_connection, [&]() -> Result<void> {
-        if (auto valid = checkTeam(team); !valid)
-            return valid;
+        ODO_TRY(checkTeam(team));
         Statement known(m_connection, QStringLiteral("SELECT name FROM team WHERE id=?"));
         const auto found = known.bind(team.id).firstRow();
         if (!found || !*found)
             return found ? noSuchId(m_connection, RecordKind::Team, team.id) : tl::unexpected(found.error());
         if (known.name(0) != team.name)
-            if (auto isFree = checkNameIsFree(m_connection, RecordKind::Team, team.name); !isFree)
-                return isFree;
-        const auto classId = idOfName(m_connection, RecordKind::Class, team.className);
-        if (!classId)
-            return tl::unexpected(classId.error());
+            ODO_TRY(checkNameIsFree(m_connection, RecordKind::Team, team.name));
+        const auto classId = ODO_TRY(idOfName(m_connection, RecordKind::Class, team.className));
         Statement update(m_connection,
                          QStringLiteral("UPDATE team SET name=?, class_id=?, pseudonym=? WHERE id=?"));
-        if (auto done =
-                update.bind(team.name).bindReference(*classId).bind(team.pseudonym).bind(team.id).run();
-            !done)
-            return done;
+        ODO_TRY(update.bind(team.name).bindReference(classId).bind(team.pseudonym).bind(team.id).run());
         return setLists(m_connection, team.id, team);
     });
 }
@@ -203,8 +182,7 @@ Result<void> TeamRepository::remove(RecordId team)
                 trials == 1 ? Message(ODO_TEXT("project.team_has_trial", "a trial is its"))
                             : ODO_TEXT("project.team_has_trials", "%1 trials are its")(trials),
                 ODO_TEXT("project.delete_its_trials", "delete them for good first, or archive its class"));
-        if (auto gone = removeLists(m_connection, team); !gone)
-            return gone;
+        ODO_TRY(removeLists(m_connection, team));
         return runFor(m_connection, "DELETE FROM team WHERE id=?", team);
     });
 }

@@ -124,33 +124,26 @@ Result<std::vector<TrialRecord>> readTrials(const ProjectConnection &connection,
     });
     if (!read)
         return tl::unexpected(read.error());
-    if (auto added = addLists(connection, choice, trials); !added)
-        return tl::unexpected(added.error());
+    ODO_TRY(addLists(connection, choice, trials));
     return trials;
 }
 
 Result<RecordId> addRow(ProjectConnection &connection, const TrialRecord &trial)
 {
-    if (auto valid = checkName(RecordKind::Trial, trial.name); !valid)
-        return tl::unexpected(valid.error());
-    if (auto valid = checkText(notesOfTrial(), trial.notes); !valid)
-        return tl::unexpected(valid.error());
-    if (auto isFree = checkNameIsFree(connection, RecordKind::Trial, trial.name); !isFree)
-        return tl::unexpected(isFree.error());
-    const auto task = idOfName(connection, RecordKind::Task, trial.task);
-    if (!task)
-        return tl::unexpected(task.error());
+    ODO_TRY(checkName(RecordKind::Trial, trial.name));
+    ODO_TRY(checkText(notesOfTrial(), trial.notes));
+    ODO_TRY(checkNameIsFree(connection, RecordKind::Trial, trial.name));
+    const auto task = ODO_TRY(idOfName(connection, RecordKind::Task, trial.task));
     Statement insert(
         connection,
         QStringLiteral(
             "INSERT INTO trial (name, team_id, task_id, date_ms, notes, sync_method, "
             "sync_offset_s, sync_offset_sigma_s, sync_score, duration_s, sync_rate, sync_rate_sigma) "
             "VALUES (?,?,?,?,?,?,?,?,?,?,?,?)"));
-    insert.bind(trial.name).bindReference(trial.team).bindReference(*task);
+    insert.bind(trial.name).bindReference(trial.team).bindReference(task);
     insert.bind(static_cast<std::int64_t>(trial.date.time_since_epoch().count())).bind(trial.notes);
     insert.bind(trial.syncMethod).bind(trial.syncOffsetS).bind(trial.syncOffsetSigmaS).bind(trial.syncScore);
-    if (auto done = insert.bind(trial.durationS).bind(trial.syncRate).bind(trial.syncRateSigma).run(); !done)
-        return tl::unexpected(done.error());
+    ODO_TRY(insert.bind(trial.durationS).bind(trial.syncRate).bind(trial.syncRateSigma).run());
     return insert.insertedId();
 }
 
@@ -163,8 +156,7 @@ Result<void> addRobots(ProjectConnection &connection, RecordId trial, const std:
     for (std::size_t i = 0; i < robots.size(); ++i) {
         Statement insert(connection, QStringLiteral("INSERT INTO trial_robot VALUES (?,?,?)"));
         insert.bind(trial).bind(static_cast<std::int64_t>(i)).bind(robots[i]);
-        if (auto done = insert.run(); !done)
-            return done;
+        ODO_TRY(insert.run());
     }
     return {};
 }
@@ -181,19 +173,15 @@ Result<TrialRecord> TrialRepository::add(const TrialRecord &given,
     return transact(m_connection, [&]() -> Result<TrialRecord> {
         if (recordings.size() > mostViews)
             return tooManyViews(trialSubject(trial.name), recordings.size());
-        const auto id = addRow(m_connection, trial);
-        if (!id)
-            return tl::unexpected(id.error());
-        if (auto added = addRobots(m_connection, *id, trial.robots); !added)
-            return tl::unexpected(added.error());
+        const auto id = ODO_TRY(addRow(m_connection, trial));
+        ODO_TRY(addRobots(m_connection, id, trial.robots));
         for (std::size_t i = 0; i < recordings.size(); ++i) {
             RecordingRecord recording = recordings[i];
-            recording.trial = *id;
+            recording.trial = id;
             recording.position = static_cast<int>(i);
-            if (auto added = addRecording(m_connection, recording); !added)
-                return tl::unexpected(added.error());
+            ODO_TRY(addRecording(m_connection, recording));
         }
-        return get(*id);
+        return get(id);
     });
 }
 
@@ -214,10 +202,8 @@ Result<std::vector<TrialRecord>> TrialRepository::page(const TrialRecord *after,
     };
     if (after)
         oldest.bind(dateMs(after->date));
-    const auto found = oldest.bind(count).firstRow();
-    if (!found)
-        return tl::unexpected(found.error());
-    if (!*found || oldest.integer(1) == 0)
+    const auto found = ODO_TRY(oldest.bind(count).firstRow());
+    if (!found || oldest.integer(1) == 0)
         return std::vector<TrialRecord>();
     Choice choice{QStringLiteral("date_ms>=?"), {oldest.integer(0)}};
     if (after) {
@@ -246,12 +232,10 @@ Result<std::vector<TrialName>> TrialRepository::names() const
 
 Result<TrialRecord> TrialRepository::find(const std::string &name) const
 {
-    const auto id = idNamed(m_connection, RecordKind::Trial, name);
-    if (!id)
-        return tl::unexpected(id.error());
-    if (*id == 0)
+    const auto id = ODO_TRY(idNamed(m_connection, RecordKind::Trial, name));
+    if (id == 0)
         return noSuchName(m_connection, RecordKind::Trial, name);
-    return get(*id);
+    return get(id);
 }
 
 Result<TrialRecord> TrialRepository::get(RecordId id) const
@@ -267,10 +251,8 @@ Result<TrialRecord> TrialRepository::get(RecordId id) const
 Result<void> TrialRepository::setNotes(RecordId trial, const std::string &notes)
 {
     return transact(m_connection, [&]() -> Result<void> {
-        if (auto valid = checkText(notesOfTrial(), notes); !valid)
-            return valid;
-        if (auto known = get(trial); !known)
-            return tl::unexpected(known.error());
+        ODO_TRY(checkText(notesOfTrial(), notes));
+        ODO_TRY(get(trial));
         Statement update(m_connection, QStringLiteral("UPDATE trial SET notes=? WHERE id=?"));
         return update.bind(notes).bind(trial).run();
     });
@@ -280,8 +262,7 @@ Result<void> TrialRepository::setRobots(RecordId trial, const std::vector<Record
 {
     return transact(m_connection, [&]() -> Result<void> {
         Statement remove(m_connection, QStringLiteral("DELETE FROM trial_robot WHERE trial_id=?"));
-        if (auto done = remove.bind(trial).run(); !done)
-            return done;
+        ODO_TRY(remove.bind(trial).run());
         return addRobots(m_connection, trial, robots);
     });
 }
@@ -289,13 +270,10 @@ Result<void> TrialRepository::setRobots(RecordId trial, const std::vector<Record
 Result<void> TrialRepository::setTask(RecordId trial, const std::string &task)
 {
     return transact(m_connection, [&]() -> Result<void> {
-        if (auto known = get(trial); !known)
-            return tl::unexpected(known.error());
-        const auto id = idOfName(m_connection, RecordKind::Task, task);
-        if (!id)
-            return tl::unexpected(id.error());
+        ODO_TRY(get(trial));
+        const auto id = ODO_TRY(idOfName(m_connection, RecordKind::Task, task));
         Statement update(m_connection, QStringLiteral("UPDATE trial SET task_id=? WHERE id=?"));
-        return update.bindReference(*id).bind(trial).run();
+        return update.bindReference(id).bind(trial).run();
     });
 }
 
@@ -340,8 +318,7 @@ Result<void> TrialRepository::setFile(RecordId recording, const std::filesystem:
 Result<void> TrialRepository::setSync(const TrialRecord &trial)
 {
     return transact(m_connection, [&]() -> Result<void> {
-        if (auto known = get(trial.id); !known)
-            return tl::unexpected(known.error());
+        ODO_TRY(get(trial.id));
         Statement update(m_connection, QStringLiteral("UPDATE trial SET sync_method=?, sync_offset_s=?, "
                                                       "sync_offset_sigma_s=?, sync_score=?, sync_rate=?, "
                                                       "sync_rate_sigma=? WHERE id=?"));
@@ -351,8 +328,7 @@ Result<void> TrialRepository::setSync(const TrialRecord &trial)
             .bind(trial.syncScore)
             .bind(trial.syncRate)
             .bind(trial.syncRateSigma);
-        if (auto done = update.bind(trial.id).run(); !done)
-            return done;
+        ODO_TRY(update.bind(trial.id).run());
         Statement second(
             m_connection,
             QStringLiteral(
@@ -383,8 +359,7 @@ Result<void> stamp(ProjectConnection &connection, const char *sql, RecordId tria
 Result<void> TrialRepository::setStarred(RecordId trial, bool starred)
 {
     return transact(m_connection, [&]() -> Result<void> {
-        if (auto known = get(trial); !known)
-            return tl::unexpected(known.error());
+        ODO_TRY(get(trial));
         Statement update(m_connection, QStringLiteral("UPDATE trial SET starred=? WHERE id=?"));
         return update.bind(starred ? 1 : 0).bind(trial).run();
     });
@@ -393,18 +368,14 @@ Result<void> TrialRepository::setStarred(RecordId trial, bool starred)
 Result<void> TrialRepository::setTags(RecordId trial, const std::vector<std::string> &tags)
 {
     return transact(m_connection, [&]() -> Result<void> {
-        if (auto known = get(trial); !known)
-            return tl::unexpected(known.error());
-        if (auto removed = runFor(m_connection, "DELETE FROM trial_tag WHERE trial_id=?", trial); !removed)
-            return removed;
+        ODO_TRY(get(trial));
+        ODO_TRY(runFor(m_connection, "DELETE FROM trial_tag WHERE trial_id=?", trial));
         std::set<std::string> normalTags;
         std::ranges::transform(tags, std::inserter(normalTags, normalTags.end()), normalName);
         for (const std::string &tag : normalTags) {
-            if (auto valid = checkName(RecordKind::Tag, tag); !valid)
-                return valid;
+            ODO_TRY(checkName(RecordKind::Tag, tag));
             Statement insert(m_connection, QStringLiteral("INSERT INTO trial_tag VALUES (?,?)"));
-            if (auto done = insert.bind(trial).bind(tag).run(); !done)
-                return done;
+            ODO_TRY(insert.bind(trial).bind(tag).run());
         }
         return {};
     });
@@ -447,18 +418,14 @@ Result<std::int64_t> TrialRepository::binnedBytes() const
 Result<std::vector<std::string>> TrialRepository::removeForGood(RecordId trial)
 {
     return transact(m_connection, [&]() -> Result<std::vector<std::string>> {
-        const auto known = get(trial);
-        if (!known)
-            return tl::unexpected(known.error());
-        if (!known->binned)
-            return fail(ErrorCode::InvalidInput, trialSubject(known->name),
+        const auto known = ODO_TRY(get(trial));
+        if (!known.binned)
+            return fail(ErrorCode::InvalidInput, trialSubject(known.name),
                         ODO_TEXT("project.not_in_bin", "it is not in the bin"),
                         ODO_TEXT("project.put_into_bin_first", "put it into the bin first"));
-        const auto recordings = this->recordings(trial);
-        if (!recordings)
-            return tl::unexpected(recordings.error());
+        const auto recordings = ODO_TRY(this->recordings(trial));
         std::vector<std::string> files;
-        for (const RecordingRecord &recording : *recordings)
+        for (const RecordingRecord &recording : recordings)
             files.push_back(recording.path);
         // The triggers that keep raw measurements let those of a removed trial go.
         for (const char *sql :
@@ -493,8 +460,7 @@ Result<std::vector<std::string>> TrialRepository::removeForGood(RecordId trial)
               "DELETE FROM trial_tag WHERE trial_id=?",
               "DELETE FROM trial_robot WHERE trial_id=?",
               "DELETE FROM trial WHERE id=?"}) {
-            if (auto done = runFor(m_connection, sql, trial); !done)
-                return tl::unexpected(done.error());
+            ODO_TRY(runFor(m_connection, sql, trial));
         }
         return files;
     });

@@ -120,8 +120,7 @@ void copyPlane(const PlaneView &plane, std::uint8_t *to, int stride)
 Result<libav::CodecPtr> openEncoder(const FrameFormat &format, const VideoWriterOptions &options,
                                     bool globalHeader)
 {
-    if (auto fits = checkFormat(format, options.codec); !fits)
-        return tl::unexpected(fits.error());
+    ODO_TRY(checkFormat(format, options.codec));
     const AVCodec *codec = findEncoder(options.codec);
     if (!codec)
         return fail(ErrorCode::Internal, cannotEncode(),

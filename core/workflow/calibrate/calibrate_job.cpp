@@ -49,10 +49,8 @@ Result<void> CalibrationStorage::writePictures(const std::vector<BoardPicture> &
         if (picture == pictures.end())
             continue;
         const std::string name = m_camera + "_" + std::filesystem::path(used[i].view.source).stem().string();
-        auto written = m_media.write(name, picture->png);
-        if (!written)
-            return tl::unexpected(written.error());
-        m_record.files.back() = std::move(*written);
+        auto written = ODO_TRY(m_media.write(name, picture->png));
+        m_record.files.back() = std::move(written);
     }
     return {};
 }
@@ -62,15 +60,11 @@ Result<IntrinsicsRecord> CalibrationStorage::commit(Project &project)
     const auto stored =
         project.note(ODO_TEXT("workflow.calibrate_camera", "calibrate camera %1")(Named::camera(m_camera)),
                      [&]() -> Result<void> {
-                         const auto camera = findOrAddCamera(project, m_camera);
-                         if (!camera)
-                             return tl::unexpected(camera.error());
-                         m_record.camera = camera->id;
+                         const auto camera = ODO_TRY(findOrAddCamera(project, m_camera));
+                         m_record.camera = camera.id;
                          m_record.made = instantNow();
-                         auto added = project.cameras().addIntrinsics(m_record);
-                         if (!added)
-                             return tl::unexpected(added.error());
-                         m_record = std::move(*added);
+                         auto added = ODO_TRY(project.cameras().addIntrinsics(m_record));
+                         m_record = std::move(added);
                          return {};
                      });
     if (!stored)
@@ -92,10 +86,8 @@ CalibrateJob::CalibrateJob(CalibrateSettings settings) : m_settings(std::move(se
 Result<void> CalibrateJob::prepare(Project &project)
 {
     m_mediaFolder = project.mediaFolder();
-    for (const auto &file : m_settings.files) {
-        if (auto may = checkMayBeRead(file, quotedName(Named::file(file))); !may)
-            return may;
-    }
+    for (const auto &file : m_settings.files)
+        ODO_TRY(checkMayBeRead(file, quotedName(Named::file(file))));
     return {};
 }
 
@@ -105,8 +97,7 @@ Result<void> CalibrateJob::run(const JobControl &control)
         control.report(0.8 * double(i) / double(m_settings.files.size()),
                        ODO_TEXT("workflow.looking_for_board_in",
                                 "looking for the board in %1")(Named::file(m_settings.files[i].filename())));
-        if (auto searched = searchFile(m_settings.files[i], control); !searched)
-            return searched;
+        ODO_TRY(searchFile(m_settings.files[i], control));
     }
     if (m_views.empty()) {
         const Message why = m_rejected.empty()

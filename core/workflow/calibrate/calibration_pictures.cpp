@@ -38,13 +38,11 @@ Result<StoredPicture> CalibrationMedia::write(const std::string &name, const std
 {
     if (png.empty() || m_bytes + png.size() > mostBytes)
         return StoredPicture{};
-    auto file = writeMediaFile(
+    auto file = ODO_TRY(writeMediaFile(
         m_folder, name, ".png", {reinterpret_cast<const char *>(png.data()), png.size()},
-        ODO_TEXT("workflow.calibration_picture", "calibration picture '%1'")(Named::file(name)));
-    if (!file)
-        return tl::unexpected(file.error());
-    const std::string path = files::absolute(file->path()).string();
-    m_files.push_back(std::move(*file));
+        ODO_TEXT("workflow.calibration_picture", "calibration picture '%1'")(Named::file(name))));
+    const std::string path = files::absolute(file.path()).string();
+    m_files.push_back(std::move(file));
     m_bytes += png.size();
     Sha256 hash;
     hash.add(png.data(), png.size());
@@ -89,13 +87,11 @@ Result<Frame> pictureOf(const std::filesystem::path &file, std::int64_t frame)
             return missing(1);
         return readPicture(file);
     }
-    auto reader = VideoReader::open(file);
-    if (!reader)
-        return tl::unexpected(reader.error());
-    const std::size_t frames = (*reader)->info().frameTimes.size();
+    auto reader = ODO_TRY(VideoReader::open(file));
+    const std::size_t frames = reader->info().frameTimes.size();
     if (frame < 0 || frame >= static_cast<std::int64_t>(frames))
         return missing(frames);
-    auto found = (*reader)->frameAt(frame);
+    auto found = reader->frameAt(frame);
     return found ? wholeFrame(*found) : found;
 }
 
@@ -105,22 +101,16 @@ Result<void> visitPictures(const std::filesystem::path &file, int videoStep,
 {
     const std::string name = file.filename().string();
     if (isStillPicture(file)) {
-        const auto picture = readPicture(file);
-        if (!picture)
-            return tl::unexpected(picture.error());
-        visit(*picture, name);
+        const auto picture = ODO_TRY(readPicture(file));
+        visit(picture, name);
         return {};
     }
-    auto reader = VideoReader::open(file, cancel);
-    if (!reader)
-        return tl::unexpected(reader.error());
+    auto reader = ODO_TRY(VideoReader::open(file, cancel));
     for (;;) {
-        const auto frame = (*reader)->next();
+        const auto frame = ODO_TRY(reader->next());
         if (!frame)
-            return tl::unexpected(frame.error());
-        if (!*frame)
             return {};
-        if ((*frame)->index % videoStep == 0 && !visit(**frame, name + "@" + std::to_string((*frame)->index)))
+        if (frame->index % videoStep == 0 && !visit(*frame, name + "@" + std::to_string(frame->index)))
             return {};
     }
 }

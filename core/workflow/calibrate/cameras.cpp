@@ -22,25 +22,19 @@ Result<CameraRecord> findOrAddCamera(Project &project, const std::string &name)
 Result<IntrinsicsRecord> importIntrinsics(Project &project, const std::string &camera,
                                           const std::filesystem::path &file)
 {
-    auto intrinsics = readIntrinsics(file);
-    if (!intrinsics)
-        return tl::unexpected(intrinsics.error());
+    auto intrinsics = ODO_TRY(readIntrinsics(file));
     IntrinsicsRecord record;
     record.made = instantNow();
     const MessageArgument name = Named::file(file.filename());
     record.origin = ODO_TEXT("workflow.lens_imported_from", "imported from %1")(name);
-    record.calibration.intrinsics = std::move(*intrinsics);
+    record.calibration.intrinsics = std::move(intrinsics);
     const auto stored = project.note(
         ODO_TEXT("workflow.import_lens", "import the lens of camera %1 from %2")(Named::camera(camera), name),
         [&]() -> Result<void> {
-            const auto found = findOrAddCamera(project, camera);
-            if (!found)
-                return tl::unexpected(found.error());
-            record.camera = found->id;
-            auto added = project.cameras().addIntrinsics(record);
-            if (!added)
-                return tl::unexpected(added.error());
-            record = std::move(*added);
+            const auto found = ODO_TRY(findOrAddCamera(project, camera));
+            record.camera = found.id;
+            auto added = ODO_TRY(project.cameras().addIntrinsics(record));
+            record = std::move(added);
             return {};
         });
     if (!stored)
@@ -50,28 +44,22 @@ Result<IntrinsicsRecord> importIntrinsics(Project &project, const std::string &c
 
 Result<void> exportIntrinsics(Project &project, const std::string &camera, const OutputTarget &target)
 {
-    const auto found = project.cameras().find(camera);
-    if (!found)
-        return tl::unexpected(found.error());
-    const auto intrinsics = project.cameras().currentIntrinsics(found->id);
+    const auto found = ODO_TRY(project.cameras().find(camera));
+    const auto intrinsics = ODO_TRY(project.cameras().currentIntrinsics(found.id));
     if (!intrinsics)
-        return tl::unexpected(intrinsics.error());
-    if (!*intrinsics)
         return fail(
             ErrorCode::NotFound,
             ODO_TEXT("workflow.intrinsics_of_camera", "intrinsics of camera '%1'")(Named::camera(camera)),
             ODO_TEXT("workflow.never_calibrated", "it was never calibrated"),
             ODO_TEXT("workflow.run_calibrate", "run odograph calibrate, or odograph intrinsics import"));
-    return writeIntrinsics(target, camera, (*intrinsics)->calibration.intrinsics);
+    return writeIntrinsics(target, camera, intrinsics->calibration.intrinsics);
 }
 
 Result<RegistrationRecord> storeRegistration(Project &project, const std::string &camera,
                                              RegistrationRecord record)
 {
-    const auto owner = findOrAddCamera(project, camera);
-    if (!owner)
-        return tl::unexpected(owner.error());
-    record.camera = owner->id;
+    const auto owner = ODO_TRY(findOrAddCamera(project, camera));
+    record.camera = owner.id;
     record.made = instantNow();
     record.softwareVersion = ODOGRAPH_VERSION;
     return project.cameras().addRegistration(record);
@@ -84,38 +72,29 @@ Result<RegistrationRecord> storeFromOldMarkers(Project &project, const std::stri
     auto stored = storeRegistration(project, camera, std::move(record));
     if (!stored || !lastCheck)
         return stored;
-    if (auto added = project.cameras().addCheck(stored->id, *lastCheck); !added)
-        return tl::unexpected(added.error());
+    ODO_TRY(project.cameras().addCheck(stored->id, *lastCheck));
     return project.cameras().registration(stored->id);
 }
 
 Result<std::vector<RegisteredCamera>> camerasOnLayout(Project &project, RecordId layout)
 {
-    const auto cameras = project.cameras().all();
-    if (!cameras)
-        return tl::unexpected(cameras.error());
+    const auto cameras = ODO_TRY(project.cameras().all());
     std::vector<RegisteredCamera> registered;
-    for (const CameraRecord &camera : *cameras) {
-        auto registration = project.cameras().currentRegistration(camera.id);
-        if (!registration)
-            return tl::unexpected(registration.error());
-        if (*registration && (*registration)->layout == layout)
-            registered.push_back({camera, std::move(**registration)});
+    for (const CameraRecord &camera : cameras) {
+        auto registration = ODO_TRY(project.cameras().currentRegistration(camera.id));
+        if (registration && registration->layout == layout)
+            registered.push_back({camera, std::move(*registration)});
     }
     return registered;
 }
 
 Result<RegisteredCamera> registeredCamera(Project &project, const std::string &camera)
 {
-    const auto found = project.cameras().find(camera);
-    if (!found)
-        return tl::unexpected(found.error());
-    auto registration = project.cameras().currentRegistration(found->id);
+    const auto found = ODO_TRY(project.cameras().find(camera));
+    auto registration = ODO_TRY(project.cameras().currentRegistration(found.id));
     if (!registration)
-        return tl::unexpected(registration.error());
-    if (!*registration)
         return fail(ErrorCode::NotFound, cameraSubject(camera), notRegisteredToFloor(), registerItFirst());
-    return RegisteredCamera{*found, std::move(**registration)};
+    return RegisteredCamera{found, std::move(*registration)};
 }
 
 } // namespace odo

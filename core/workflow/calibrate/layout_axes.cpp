@@ -15,16 +15,12 @@ namespace {
 /// The layout, and those that lie in its axes since a camera was registered through one that stands on it.
 Result<std::vector<LayoutRecord>> layoutsOfWorld(Project &project, const LayoutRecord &first)
 {
-    const auto all = project.layouts().all();
-    if (!all)
-        return tl::unexpected(all.error());
+    const auto all = ODO_TRY(project.layouts().all());
     std::vector<LayoutRecord> world{first};
     for (std::size_t i = 0; i < world.size(); ++i) {
-        const auto cameras = camerasOnLayout(project, world[i].id);
-        if (!cameras)
-            return tl::unexpected(cameras.error());
-        for (const LayoutRecord &layout : *all) {
-            const bool isThrough = std::ranges::any_of(*cameras, [&](const RegisteredCamera &camera) {
+        const auto cameras = ODO_TRY(camerasOnLayout(project, world[i].id));
+        for (const LayoutRecord &layout : all) {
+            const bool isThrough = std::ranges::any_of(cameras, [&](const RegisteredCamera &camera) {
                 return isLayoutThrough(layout.layout.name, camera.camera.name);
             });
             if (isThrough && std::ranges::find(world, layout.id, &LayoutRecord::id) == world.end())
@@ -36,17 +32,14 @@ Result<std::vector<LayoutRecord>> layoutsOfWorld(Project &project, const LayoutR
 
 Result<void> carryCameras(Project &project, const LayoutRecord &layout, LayoutAxesOutcome &outcome)
 {
-    const auto cameras = camerasOnLayout(project, layout.id);
-    if (!cameras)
-        return tl::unexpected(cameras.error());
-    for (const RegisteredCamera &camera : *cameras) {
+    const auto cameras = ODO_TRY(camerasOnLayout(project, layout.id));
+    for (const RegisteredCamera &camera : cameras) {
         RegistrationRecord record = camera.registration;
         record.registration = transformed(record.registration, outcome.newFromOld);
         std::optional<RegistrationCheck> check = record.lastCheck;
         if (check)
             check->shiftM *= outcome.newFromOld.scale;
-        if (auto stored = storeFromOldMarkers(project, camera.camera.name, std::move(record), check); !stored)
-            return tl::unexpected(stored.error());
+        ODO_TRY(storeFromOldMarkers(project, camera.camera.name, std::move(record), check));
         outcome.cameras.push_back(camera.camera.name);
     }
     return {};
@@ -54,11 +47,9 @@ Result<void> carryCameras(Project &project, const LayoutRecord &layout, LayoutAx
 
 Result<std::vector<std::string>> tasksWithPlaces(Project &project)
 {
-    const auto tasks = project.tasks().all();
-    if (!tasks)
-        return tl::unexpected(tasks.error());
+    const auto tasks = ODO_TRY(project.tasks().all());
     std::vector<std::string> names;
-    for (const TaskRecord &record : *tasks)
+    for (const TaskRecord &record : tasks)
         if (!record.task.gates.empty() || !record.task.path.points.empty() || !record.task.zones.empty())
             names.push_back(record.name);
     return names;
@@ -69,30 +60,20 @@ Result<std::vector<std::string>> tasksWithPlaces(Project &project)
 Result<LayoutAxesOutcome> changeLayoutAxes(Project &project, const std::string &layout,
                                            const AxesChange &change)
 {
-    auto stored = project.layouts().find(layout);
-    if (!stored)
-        return tl::unexpected(stored.error());
-    const auto newFromOld = axesTransformOf(stored->layout, change);
-    if (!newFromOld)
-        return tl::unexpected(newFromOld.error());
-    auto tasks = tasksWithPlaces(project);
-    if (!tasks)
-        return tl::unexpected(tasks.error());
-    LayoutAxesOutcome outcome{std::move(*stored), *newFromOld, {}, std::move(*tasks)};
-    const auto world = layoutsOfWorld(project, outcome.layout);
-    if (!world)
-        return tl::unexpected(world.error());
+    auto stored = ODO_TRY(project.layouts().find(layout));
+    const auto newFromOld = ODO_TRY(axesTransformOf(stored.layout, change));
+    auto tasks = ODO_TRY(tasksWithPlaces(project));
+    LayoutAxesOutcome outcome{std::move(stored), newFromOld, {}, std::move(tasks)};
+    const auto world = ODO_TRY(layoutsOfWorld(project, outcome.layout));
     const auto done = project.change(
         ODO_TEXT("workflow.put_axes_elsewhere", "put the axes of layout %1 elsewhere")(Named::layout(layout)),
         [&]() -> Result<void> {
-            for (LayoutRecord each : *world) {
-                each.layout = transformed(each.layout, *newFromOld);
-                if (auto set = project.layouts().setPlaces(each); !set)
-                    return set;
-                if (auto carried = carryCameras(project, each, outcome); !carried)
-                    return carried;
+            for (LayoutRecord each : world) {
+                each.layout = transformed(each.layout, newFromOld);
+                ODO_TRY(project.layouts().setPlaces(each));
+                ODO_TRY(carryCameras(project, each, outcome));
             }
-            outcome.layout.layout = transformed(outcome.layout.layout, *newFromOld);
+            outcome.layout.layout = transformed(outcome.layout.layout, newFromOld);
             return {};
         });
     if (!done)

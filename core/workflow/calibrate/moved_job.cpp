@@ -42,19 +42,13 @@ MovedJob::MovedJob(MovedSettings settings) : m_settings(std::move(settings)) {}
 
 Result<void> MovedJob::prepare(Project &project)
 {
-    const auto registered = registeredCamera(project, m_settings.camera);
-    if (!registered)
-        return tl::unexpected(registered.error());
-    const RegistrationRecord &record = registered->registration;
-    auto view = floorViewOf(project, record);
-    if (!view)
-        return tl::unexpected(view.error());
-    auto layout = project.layouts().get(record.layout);
-    if (!layout)
-        return tl::unexpected(layout.error());
+    const auto registered = ODO_TRY(registeredCamera(project, m_settings.camera));
+    const RegistrationRecord &record = registered.registration;
+    auto view = ODO_TRY(floorViewOf(project, record));
+    auto layout = ODO_TRY(project.layouts().get(record.layout));
     m_registration = record.id;
-    m_view = std::move(*view);
-    m_layout = std::move(layout->layout);
+    m_view = std::move(view);
+    m_layout = std::move(layout.layout);
     m_stored = record.pixels;
     // Of one coordinate; the RMS of a registration is that of the whole distance.
     m_fitPx = record.registration.rmsPx / std::sqrt(2.0);
@@ -64,10 +58,8 @@ Result<void> MovedJob::prepare(Project &project)
 Result<Frame> MovedJob::picture(const JobControl &control) const
 {
     if (!m_settings.liveUri.empty()) {
-        auto camera = openCamera(m_settings.liveUri);
-        if (!camera)
-            return tl::unexpected(camera.error());
-        return settledPicture(**camera, control);
+        auto camera = ODO_TRY(openCamera(m_settings.liveUri));
+        return settledPicture(*camera, control);
     }
     std::optional<Frame> first;
     const auto visited = visitPictures(
@@ -88,24 +80,20 @@ Result<Frame> MovedJob::picture(const JobControl &control) const
 Result<void> MovedJob::run(const JobControl &control)
 {
     control.report(0, ODO_TEXT("workflow.looking_for_markers_again", "looking for the markers again"));
-    const auto frame = picture(control);
-    if (!frame)
-        return tl::unexpected(frame.error());
+    const auto frame = ODO_TRY(picture(control));
     const Message camera = cameraSubject(m_settings.camera);
     const Intrinsics &lens = m_view->camera().intrinsics();
-    if (frame->y.width != lens.widthPx || frame->y.height != lens.heightPx)
+    if (frame.y.width != lens.widthPx || frame.y.height != lens.heightPx)
         return fail(ErrorCode::InvalidInput, whetherMoved(camera),
                     ODO_TEXT("workflow.registered_at_another_size",
                              "the picture is %1, the camera was registered at %2")(
-                        sizeText(frame->y.width, frame->y.height), sizeText(lens.widthPx, lens.heightPx)),
+                        sizeText(frame.y.width, frame.y.height), sizeText(lens.widthPx, lens.heightPx)),
                     ODO_TEXT("workflow.give_picture_of_that_size", "give a picture of that size"));
-    auto check = checkMoved(m_settings.camera, *m_view, m_stored,
-                            findAgain(*frame, m_layout, m_stored, m_view->camera()), m_fitPx);
-    if (!check)
-        return tl::unexpected(check.error());
+    auto check = ODO_TRY(checkMoved(m_settings.camera, *m_view, m_stored,
+                                    findAgain(frame, m_layout, m_stored, m_view->camera()), m_fitPx));
     if (control.isCancelled())
         return cancelled(camera);
-    m_check = std::move(*check);
+    m_check = std::move(check);
     return {};
 }
 
@@ -119,12 +107,10 @@ Result<void> MovedJob::commit(Project &project)
 
 Result<void> keepNotTold(Project &project, const std::string &camera, const Error &error)
 {
-    const auto registered = registeredCamera(project, camera);
-    if (!registered)
-        return tl::unexpected(registered.error());
+    const auto registered = ODO_TRY(registeredCamera(project, camera));
     return project.note(checkWords(camera), [&] {
         return project.cameras().addCheck(
-            registered->registration.id,
+            registered.registration.id,
             {instantNow(), RegistrationCheck::Outcome::NotTold, 0, 0, wholeMessage(error)});
     });
 }

@@ -39,37 +39,29 @@ RegisterJob::RegisterJob(RegisterSettings settings) : m_settings(std::move(setti
 
 Result<void> RegisterJob::prepare(Project &project)
 {
-    const auto layout = project.layouts().find(m_settings.layout);
-    if (!layout)
-        return tl::unexpected(layout.error());
-    m_layout = layout->layout;
-    m_record.layout = layout->id;
+    const auto layout = ODO_TRY(project.layouts().find(m_settings.layout));
+    m_layout = layout.layout;
+    m_record.layout = layout.id;
     m_record.picture = m_settings.picture;
     m_mediaFolder = project.mediaFolder();
 
-    const auto cameras = project.cameras().all();
-    if (!cameras)
-        return tl::unexpected(cameras.error());
-    for (const CameraRecord &camera : *cameras) {
+    const auto cameras = ODO_TRY(project.cameras().all());
+    for (const CameraRecord &camera : cameras) {
         if (camera.name != m_settings.camera)
             continue;
-        const auto intrinsics = project.cameras().currentIntrinsics(camera.id);
-        if (!intrinsics)
-            return tl::unexpected(intrinsics.error());
-        if (*intrinsics) {
+        const auto intrinsics = ODO_TRY(project.cameras().currentIntrinsics(camera.id));
+        if (intrinsics) {
             m_intrinsicsKnown = true;
-            m_intrinsics = (*intrinsics)->calibration.intrinsics;
-            m_record.intrinsics = (*intrinsics)->id;
+            m_intrinsics = intrinsics->calibration.intrinsics;
+            m_record.intrinsics = intrinsics->id;
         }
-        const auto recording = project.trials().newestRecording(camera.id);
-        if (!recording)
-            return tl::unexpected(recording.error());
-        if (*recording && m_settings.pictureFile.empty() && m_settings.pixelsFile.empty() &&
+        const auto recording = ODO_TRY(project.trials().newestRecording(camera.id));
+        if (recording && m_settings.pictureFile.empty() && m_settings.pixelsFile.empty() &&
             m_settings.pixels.empty())
-            m_settings.pictureFile = project.resolve(**recording);
-        if (*recording && !m_intrinsicsKnown) {
-            m_intrinsics.widthPx = (*recording)->widthPx;
-            m_intrinsics.heightPx = (*recording)->heightPx;
+            m_settings.pictureFile = project.resolve(*recording);
+        if (recording && !m_intrinsicsKnown) {
+            m_intrinsics.widthPx = recording->widthPx;
+            m_intrinsics.heightPx = recording->heightPx;
         }
     }
     return {};
@@ -78,19 +70,13 @@ Result<void> RegisterJob::prepare(Project &project)
 Result<void> RegisterJob::run(const JobControl &control)
 {
     if (!m_settings.pixelsFile.empty()) {
-        auto pixels = readPixelsCsv(m_settings.pixelsFile);
-        if (!pixels)
-            return tl::unexpected(pixels.error());
-        m_settings.pixels = std::move(*pixels);
+        auto pixels = ODO_TRY(readPixelsCsv(m_settings.pixelsFile));
+        m_settings.pixels = std::move(pixels);
     }
-    if (m_settings.pixels.empty() || !m_settings.pictureFile.empty()) {
-        if (auto found = findInPictures(control); !found)
-            return found;
-    }
-    auto camera = cameraModel();
-    if (!camera)
-        return tl::unexpected(camera.error());
-    auto registration = registerFloor(m_layout, m_settings.pixels, *camera, m_intrinsicsKnown);
+    if (m_settings.pixels.empty() || !m_settings.pictureFile.empty())
+        ODO_TRY(findInPictures(control));
+    auto camera = ODO_TRY(cameraModel());
+    auto registration = registerFloor(m_layout, m_settings.pixels, camera, m_intrinsicsKnown);
     if (!registration) {
         Error error = registration.error();
         error.what = registrationOf(m_settings.camera);
@@ -107,10 +93,8 @@ Result<void> RegisterJob::keepPicture()
     if (!m_seenIn)
         return {};
     m_media = std::make_unique<CalibrationMedia>(m_mediaFolder);
-    auto written = m_media->writeFloor(m_settings.camera, *m_seenIn);
-    if (!written)
-        return tl::unexpected(written.error());
-    m_record.picture = std::move(*written);
+    auto written = ODO_TRY(m_media->writeFloor(m_settings.camera, *m_seenIn));
+    m_record.picture = std::move(written);
     return {};
 }
 
@@ -127,10 +111,8 @@ Result<void> RegisterJob::findInPictures(const JobControl &control)
     const bool wanted = m_settings.pixels.empty();
     MarkerSearch search{std::nullopt, m_intrinsicsKnown, m_settings.hints};
     if (m_intrinsicsKnown) {
-        auto camera = cameraModel();
-        if (!camera)
-            return tl::unexpected(camera.error());
-        search.camera = std::move(*camera);
+        auto camera = ODO_TRY(cameraModel());
+        search.camera = std::move(camera);
     }
     tl::unexpected<Error> lastProblem =
         fail(ErrorCode::Undetermined, what,
@@ -189,50 +171,34 @@ Result<RegistrationRecord> registerWithLensInForce(Project &project, const std::
     const Message what =
         ODO_TEXT("workflow.registration_with_lens_in_force",
                  "registration of camera '%1' with the lens in force")(Named::camera(camera));
-    const auto registered = registeredCamera(project, camera);
-    if (!registered)
-        return tl::unexpected(registered.error());
-    const auto intrinsics = project.cameras().currentIntrinsics(registered->camera.id);
-    if (!intrinsics)
-        return tl::unexpected(intrinsics.error());
-    if (!*intrinsics || (*intrinsics)->id == registered->registration.intrinsics)
+    const auto registered = ODO_TRY(registeredCamera(project, camera));
+    const auto intrinsics = ODO_TRY(project.cameras().currentIntrinsics(registered.camera.id));
+    if (!intrinsics || intrinsics->id == registered.registration.intrinsics)
         return fail(ErrorCode::InvalidInput, what,
                     ODO_TEXT("workflow.made_with_it_already", "it was made with it already"),
                     ODO_TEXT("workflow.calibrate_lens_first",
                              "calibrate the lens first, or put another calibration in force"));
-    const auto layout = project.layouts().get(registered->registration.layout);
-    if (!layout)
-        return tl::unexpected(layout.error());
-    const auto cameras = project.cameras().all();
-    if (!cameras)
-        return tl::unexpected(cameras.error());
-    if (std::ranges::any_of(*cameras, [&](const CameraRecord &each) {
-            return isLayoutThrough(layout->layout.name, each.name);
+    const auto layout = ODO_TRY(project.layouts().get(registered.registration.layout));
+    const auto cameras = ODO_TRY(project.cameras().all());
+    if (std::ranges::any_of(cameras, [&](const CameraRecord &each) {
+            return isLayoutThrough(layout.layout.name, each.name);
         }))
         return fail(
             ErrorCode::InvalidInput, what,
             ODO_TEXT("workflow.registered_through_another", "it was registered through another camera"),
             ODO_TEXT("workflow.register_through_it_again", "register it through that camera again"));
-    RegisterSettings settings{camera,
-                              layout->layout.name,
-                              {},
-                              {},
-                              registered->registration.pixels,
-                              registered->registration.picture};
+    RegisterSettings settings{
+        camera, layout.layout.name, {}, {}, registered.registration.pixels, registered.registration.picture};
     RegisterJob job(std::move(settings));
-    if (auto prepared = job.prepare(project); !prepared)
-        return tl::unexpected(prepared.error());
-    if (auto done = job.run({}); !done)
-        return tl::unexpected(done.error());
+    ODO_TRY(job.prepare(project));
+    ODO_TRY(job.run({}));
     std::optional<RegistrationRecord> record;
     const auto stored = project.note(
         ODO_TEXT("workflow.register_camera_again", "register camera %1 again")(Named::camera(camera)),
         [&]() -> Result<void> {
-            auto made =
-                storeFromOldMarkers(project, camera, job.record(), registered->registration.lastCheck);
-            if (!made)
-                return tl::unexpected(made.error());
-            record = std::move(*made);
+            auto made = ODO_TRY(
+                storeFromOldMarkers(project, camera, job.record(), registered.registration.lastCheck));
+            record = std::move(made);
             return {};
         });
     if (!stored)
@@ -243,10 +209,8 @@ Result<RegistrationRecord> registerWithLensInForce(Project &project, const std::
 Result<void> RegisterJob::commit(Project &project)
 {
     auto committed = project.note(registerChange(m_settings.camera), [&]() -> Result<void> {
-        const auto stored = storeRegistration(project, m_settings.camera, m_record);
-        if (!stored)
-            return tl::unexpected(stored.error());
-        m_record = *stored;
+        const auto stored = ODO_TRY(storeRegistration(project, m_settings.camera, m_record));
+        m_record = stored;
         return {};
     });
     if (committed && m_media)
@@ -286,50 +250,36 @@ Result<void> RegisterThroughJob::prepare(Project &project)
         return fail(ErrorCode::InvalidInput, subject(m_settings),
                     ODO_TEXT("workflow.through_itself", "a camera cannot be registered through itself"),
                     ODO_TEXT("workflow.name_another_camera", "name another camera that is registered"));
-    const auto through = project.cameras().find(m_settings.through);
-    if (!through)
-        return tl::unexpected(through.error());
-    const auto registration = project.cameras().currentRegistration(through->id);
+    const auto through = ODO_TRY(project.cameras().find(m_settings.through));
+    const auto registration = ODO_TRY(project.cameras().currentRegistration(through.id));
     if (!registration)
-        return tl::unexpected(registration.error());
-    if (!*registration)
         return fail(ErrorCode::NotFound, subject(m_settings),
                     ODO_TEXT("workflow.camera_not_registered",
                              "camera '%1' is not registered")(Named::camera(m_settings.through)),
                     registerItFirst());
-    auto view = floorViewOf(project, **registration);
-    if (!view)
-        return tl::unexpected(view.error());
-    m_through = std::move(*view);
-    m_throughRegistration = (*registration)->id;
+    auto view = ODO_TRY(floorViewOf(project, *registration));
+    m_through = std::move(view);
+    m_throughRegistration = registration->id;
     return findCamera(project);
 }
 
 Result<void> RegisterThroughJob::findCamera(Project &project)
 {
-    const auto camera = project.cameras().find(m_settings.camera);
-    if (!camera)
-        return tl::unexpected(camera.error());
-    const auto intrinsics = project.cameras().currentIntrinsics(camera->id);
-    if (!intrinsics)
-        return tl::unexpected(intrinsics.error());
-    if (*intrinsics) {
-        auto model = CameraModel::create((*intrinsics)->calibration.intrinsics);
-        if (!model)
-            return tl::unexpected(model.error());
-        m_camera = std::move(*model);
+    const auto camera = ODO_TRY(project.cameras().find(m_settings.camera));
+    const auto intrinsics = ODO_TRY(project.cameras().currentIntrinsics(camera.id));
+    if (intrinsics) {
+        auto model = ODO_TRY(CameraModel::create(intrinsics->calibration.intrinsics));
+        m_camera = std::move(model);
         m_intrinsicsKnown = true;
-        m_record.intrinsics = (*intrinsics)->id;
+        m_record.intrinsics = intrinsics->id;
         return {};
     }
-    const auto recording = project.trials().newestRecording(camera->id);
+    const auto recording = ODO_TRY(project.trials().newestRecording(camera.id));
     if (!recording)
-        return tl::unexpected(recording.error());
-    if (!*recording)
         return fail(ErrorCode::NotFound, subject(m_settings), pictureSizeNotKnown(),
                     ODO_TEXT("workflow.calibrate_or_import_trial",
                              "calibrate it, import its intrinsics, or import a trial with it first"));
-    m_camera = CameraModel::assumed((*recording)->widthPx, (*recording)->heightPx);
+    m_camera = CameraModel::assumed(recording->widthPx, recording->heightPx);
     return {};
 }
 
@@ -360,19 +310,14 @@ Result<void> RegisterThroughJob::commit(Project &project)
     return project.note(ODO_TEXT("workflow.register_camera_through", "register camera %1 through camera %2")(
                             Named::camera(m_settings.camera), Named::camera(m_settings.through)),
                         [&]() -> Result<void> {
-                            const auto layouts = project.layouts().all();
-                            if (!layouts)
-                                return tl::unexpected(layouts.error());
+                            const auto layouts = ODO_TRY(project.layouts().all());
                             m_layout.name =
-                                freeName(*layouts, m_settings.camera + throughWord + m_settings.through);
-                            const auto layout = project.layouts().add(m_layout);
-                            if (!layout)
-                                return tl::unexpected(layout.error());
-                            m_record.layout = layout->id;
-                            const auto stored = storeRegistration(project, m_settings.camera, m_record);
-                            if (!stored)
-                                return tl::unexpected(stored.error());
-                            m_record = *stored;
+                                freeName(layouts, m_settings.camera + throughWord + m_settings.through);
+                            const auto layout = ODO_TRY(project.layouts().add(m_layout));
+                            m_record.layout = layout.id;
+                            const auto stored =
+                                ODO_TRY(storeRegistration(project, m_settings.camera, m_record));
+                            m_record = stored;
                             return {};
                         });
 }
@@ -392,20 +337,14 @@ RegisterJointJob::RegisterJointJob(RegisterJointSettings settings) : m_settings(
 
 Result<void> RegisterJointJob::prepare(Project &project)
 {
-    const auto layout = project.layouts().find(m_settings.layout);
-    if (!layout)
-        return tl::unexpected(layout.error());
-    m_layout = layout->layout;
-    auto cameras = camerasOnLayout(project, layout->id);
-    if (!cameras)
-        return tl::unexpected(cameras.error());
-    for (RegisteredCamera &camera : *cameras) {
-        const auto view = floorViewOf(project, camera.registration);
-        if (!view)
-            return tl::unexpected(view.error());
+    const auto layout = ODO_TRY(project.layouts().find(m_settings.layout));
+    m_layout = layout.layout;
+    auto cameras = ODO_TRY(camerasOnLayout(project, layout.id));
+    for (RegisteredCamera &camera : cameras) {
+        const auto view = ODO_TRY(floorViewOf(project, camera.registration));
         m_names.push_back(camera.camera.name);
         m_cameras.push_back(
-            {camera.camera.name, view->camera(), view->worldFromCamera(), camera.registration.pixels});
+            {camera.camera.name, view.camera(), view.worldFromCamera(), camera.registration.pixels});
         m_records.push_back(std::move(camera.registration));
     }
     return {};
@@ -415,10 +354,8 @@ Result<void> RegisterJointJob::run(const JobControl &control)
 {
     control.report(
         0, ODO_TEXT("workflow.fitting_cameras_together", "fitting %1 cameras together")(m_cameras.size()));
-    auto joint = registerJointly(m_layout, m_cameras, m_settings.tapeSigmaM);
-    if (!joint)
-        return tl::unexpected(joint.error());
-    m_joint = std::move(*joint);
+    auto joint = ODO_TRY(registerJointly(m_layout, m_cameras, m_settings.tapeSigmaM));
+    m_joint = std::move(joint);
     return {};
 }
 
@@ -431,10 +368,8 @@ Result<void> RegisterJointJob::commit(Project &project)
             for (std::size_t i = 0; i < m_records.size(); ++i) {
                 m_records[i].registration = m_joint.registrations[i];
                 const auto stored =
-                    storeFromOldMarkers(project, m_names[i], m_records[i], m_records[i].lastCheck);
-                if (!stored)
-                    return tl::unexpected(stored.error());
-                m_records[i] = *stored;
+                    ODO_TRY(storeFromOldMarkers(project, m_names[i], m_records[i], m_records[i].lastCheck));
+                m_records[i] = stored;
             }
             return {};
         });

@@ -48,15 +48,13 @@ Revision revisionOf(Project &project, const IntrinsicsRecord &record)
 
 Result<Revision> revisionOf(Project &project, const RegistrationRecord &record)
 {
-    const auto layout = project.layouts().get(record.layout);
-    if (!layout)
-        return tl::unexpected(layout.error());
+    const auto layout = ODO_TRY(project.layouts().get(record.layout));
     Revision revision;
     revision.kind = Revision::Kind::Registration;
     revision.id = record.id;
     revision.made = record.made;
     revision.softwareVersion = record.softwareVersion;
-    const MessageArgument name = Named::layout(layout->layout.name);
+    const MessageArgument name = Named::layout(layout.layout.name);
     revision.origin =
         record.intrinsics == 0
             ? ODO_TEXT("workflow.by_layout_without_lens", "layout '%1', lens not calibrated")(name)
@@ -74,42 +72,28 @@ Result<Revision> revisionOf(Project &project, const RegistrationRecord &record)
 
 Result<std::vector<Revision>> revisionsOf(Project &project, const std::string &camera)
 {
-    const auto found = project.cameras().find(camera);
-    if (!found)
-        return tl::unexpected(found.error());
-    const auto intrinsics = project.cameras().allIntrinsics(found->id);
-    if (!intrinsics)
-        return tl::unexpected(intrinsics.error());
-    const auto registrations = project.cameras().allRegistrations(found->id);
-    if (!registrations)
-        return tl::unexpected(registrations.error());
-    const auto currentIntrinsics = project.cameras().currentIntrinsics(found->id);
-    if (!currentIntrinsics)
-        return tl::unexpected(currentIntrinsics.error());
-    const auto currentRegistration = project.cameras().currentRegistration(found->id);
-    if (!currentRegistration)
-        return tl::unexpected(currentRegistration.error());
-    const auto trials = project.analyses().trialsByRegistration();
-    if (!trials)
-        return tl::unexpected(trials.error());
+    const auto found = ODO_TRY(project.cameras().find(camera));
+    const auto intrinsics = ODO_TRY(project.cameras().allIntrinsics(found.id));
+    const auto registrations = ODO_TRY(project.cameras().allRegistrations(found.id));
+    const auto currentIntrinsics = ODO_TRY(project.cameras().currentIntrinsics(found.id));
+    const auto currentRegistration = ODO_TRY(project.cameras().currentRegistration(found.id));
+    const auto trials = ODO_TRY(project.analyses().trialsByRegistration());
 
     TrialsById byIntrinsics;
     std::vector<Revision> made;
-    for (const RegistrationRecord &record : *registrations) {
-        auto revision = revisionOf(project, record);
-        if (!revision)
-            return tl::unexpected(revision.error());
-        revision->isCurrent = (*currentRegistration)->id == record.id;
-        if (const auto its = trials->find(record.id); its != trials->end())
-            revision->trials = its->second;
-        for (const std::string &trial : revision->trials)
+    for (const RegistrationRecord &record : registrations) {
+        auto revision = ODO_TRY(revisionOf(project, record));
+        revision.isCurrent = currentRegistration->id == record.id;
+        if (const auto its = trials.find(record.id); its != trials.end())
+            revision.trials = its->second;
+        for (const std::string &trial : revision.trials)
             addName(byIntrinsics[record.intrinsics], trial);
-        made.push_back(std::move(*revision));
+        made.push_back(std::move(revision));
     }
     std::vector<Revision> all;
-    for (const IntrinsicsRecord &record : *intrinsics) {
+    for (const IntrinsicsRecord &record : intrinsics) {
         all.push_back(revisionOf(project, record));
-        all.back().isCurrent = (*currentIntrinsics)->id == record.id;
+        all.back().isCurrent = currentIntrinsics->id == record.id;
         all.back().trials = byIntrinsics[record.id];
     }
     all.insert(all.end(), std::make_move_iterator(made.begin()), std::make_move_iterator(made.end()));
@@ -118,11 +102,9 @@ Result<std::vector<Revision>> revisionsOf(Project &project, const std::string &c
 
 Result<void> chooseRevision(Project &project, const std::string &camera, Revision::Kind kind, RecordId id)
 {
-    const auto revisions = revisionsOf(project, camera);
-    if (!revisions)
-        return tl::unexpected(revisions.error());
+    const auto revisions = ODO_TRY(revisionsOf(project, camera));
     const bool isThere = std::ranges::any_of(
-        *revisions, [&](const Revision &each) { return each.kind == kind && each.id == id; });
+        revisions, [&](const Revision &each) { return each.kind == kind && each.id == id; });
     const bool isCalibration = kind == Revision::Kind::Calibration;
     if (!isThere)
         return fail(ErrorCode::NotFound,
@@ -144,22 +126,16 @@ Result<void> chooseRevision(Project &project, const std::string &camera, Revisio
 
 Result<std::vector<std::string>> outdatedTrials(Project &project)
 {
-    const auto cameras = project.cameras().all();
-    if (!cameras)
-        return tl::unexpected(cameras.error());
+    const auto cameras = ODO_TRY(project.cameras().all());
     std::set<RecordId> inForce;
-    for (const CameraRecord &camera : *cameras) {
-        const auto registration = project.cameras().currentRegistration(camera.id);
-        if (!registration)
-            return tl::unexpected(registration.error());
-        if (*registration)
-            inForce.insert((*registration)->id);
+    for (const CameraRecord &camera : cameras) {
+        const auto registration = ODO_TRY(project.cameras().currentRegistration(camera.id));
+        if (registration)
+            inForce.insert(registration->id);
     }
-    const auto trials = project.analyses().trialsByRegistration();
-    if (!trials)
-        return tl::unexpected(trials.error());
+    const auto trials = ODO_TRY(project.analyses().trialsByRegistration());
     std::set<std::string> outdated;
-    for (const auto &[registration, names] : *trials) {
+    for (const auto &[registration, names] : trials) {
         if (!inForce.contains(registration))
             outdated.insert(names.begin(), names.end());
     }
@@ -180,47 +156,41 @@ std::optional<std::int64_t> daysOfOld(Instant made, Instant now, std::chrono::da
 Result<std::vector<Message>> calibrationWarnings(Project &project, const CameraRecord &camera, Instant now,
                                                  std::chrono::days oldAfter)
 {
-    const auto intrinsics = project.cameras().currentIntrinsics(camera.id);
-    if (!intrinsics)
-        return tl::unexpected(intrinsics.error());
-    const auto registration = project.cameras().currentRegistration(camera.id);
-    if (!registration)
-        return tl::unexpected(registration.error());
-    const auto recording = project.trials().newestRecording(camera.id);
-    if (!recording)
-        return tl::unexpected(recording.error());
+    const auto intrinsics = ODO_TRY(project.cameras().currentIntrinsics(camera.id));
+    const auto registration = ODO_TRY(project.cameras().currentRegistration(camera.id));
+    const auto recording = ODO_TRY(project.trials().newestRecording(camera.id));
     std::vector<Message> warnings;
     const auto warn = [&warnings](Message what, Message advice) {
         warnings.push_back(joined({std::move(what), std::move(advice)}, Join::Colon));
     };
     const MessageArgument name = Named::camera(camera.name);
-    if (!*intrinsics) {
+    if (!intrinsics) {
         warn(ODO_TEXT("workflow.lens_never_calibrated",
                       "The lens of camera '%1' was never calibrated, its distortion is taken as none")(name),
              ODO_TEXT("workflow.calibrate_it", "calibrate it."));
     } else {
-        if (const auto days = daysOfOld((*intrinsics)->made, now, oldAfter))
+        if (const auto days = daysOfOld(intrinsics->made, now, oldAfter))
             warn(ODO_TEXT("workflow.old_calibration",
                           "The lens calibration of camera '%1' is %2 days old")(name, *days),
                  ODO_TEXT("workflow.calibrate_if_touched",
                           "if zoom, focus or the camera's settings were touched since, calibrate it again."));
-        const Intrinsics &lens = (*intrinsics)->calibration.intrinsics;
-        if (*recording && ((*recording)->widthPx != lens.widthPx || (*recording)->heightPx != lens.heightPx))
+        const Intrinsics &lens = intrinsics->calibration.intrinsics;
+        if (recording && (recording->widthPx != lens.widthPx || recording->heightPx != lens.heightPx))
             warn(ODO_TEXT("workflow.recorded_at_another_size",
                           "The newest recording of camera '%1' is %2, its lens was calibrated at %3")(
-                     name, sizeText((*recording)->widthPx, (*recording)->heightPx),
+                     name, sizeText(recording->widthPx, recording->heightPx),
                      sizeText(lens.widthPx, lens.heightPx)),
                  ODO_TEXT("workflow.calibrate_at_its_size", "calibrate it at the size it records."));
     }
-    if (!*registration)
+    if (!registration)
         return warnings;
-    if (const auto days = daysOfOld((*registration)->made, now, oldAfter))
+    if (const auto days = daysOfOld(registration->made, now, oldAfter))
         warn(ODO_TEXT("workflow.old_registration",
                       "The floor registration of camera '%1' is %2 days old")(name, *days),
              ODO_TEXT("workflow.check_or_register_again",
                       "check that the camera has not moved, or register it again."));
-    if (*intrinsics && (*registration)->intrinsics != (*intrinsics)->id)
-        warn((*registration)->intrinsics == 0
+    if (intrinsics && registration->intrinsics != intrinsics->id)
+        warn(registration->intrinsics == 0
                  ? ODO_TEXT("workflow.registered_before_calibration",
                             "The floor registration of camera '%1' was made before its lens was calibrated")(
                        name)

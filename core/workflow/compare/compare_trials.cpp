@@ -18,15 +18,13 @@ Message comparisonOf(const std::string &trial)
 
 Result<AnalysisRecord> analysisOf(Project &project, const TrialRecord &trial, const std::string &robot)
 {
-    const auto analyses = project.analyses().current(trial.id);
-    if (!analyses)
-        return tl::unexpected(analyses.error());
+    const auto analyses = ODO_TRY(project.analyses().current(trial.id));
     const Message what = comparisonOf(trial.name);
-    if (analyses->empty())
+    if (analyses.empty())
         return fail(ErrorCode::NotFound, what, notTrackedYet(), trackItFirst());
     std::vector<std::string> names;
-    for (const AnalysisRecord &analysis : *analyses) {
-        if (analysis.robotName == robot || (robot.empty() && analyses->size() == 1))
+    for (const AnalysisRecord &analysis : analyses) {
+        if (analysis.robotName == robot || (robot.empty() && analyses.size() == 1))
             return analysis;
         names.push_back(analysis.robotName);
     }
@@ -49,10 +47,8 @@ Result<std::optional<TaskRecord>> commonTask(Project &project, const std::vector
     }
     if (name.empty())
         return std::nullopt;
-    const auto task = project.tasks().find(name);
-    if (!task)
-        return tl::unexpected(task.error());
-    return *task;
+    const auto task = ODO_TRY(project.tasks().find(name));
+    return task;
 }
 
 bool sharesCalibration(const AnalysisRecord &a, const AnalysisRecord &b)
@@ -73,26 +69,20 @@ Result<ComparedTrials> readComparedTrials(Project &project, const CompareSetting
 {
     ComparedTrials read;
     for (const CompareSettings::Run &run : settings.runs) {
-        auto trial = project.trials().find(run.trial);
-        if (!trial)
-            return tl::unexpected(trial.error());
-        auto analysis = analysisOf(project, *trial, run.robot);
-        if (!analysis)
-            return tl::unexpected(analysis.error());
+        auto trial = ODO_TRY(project.trials().find(run.trial));
+        auto analysis = ODO_TRY(analysisOf(project, trial, run.robot));
         const bool isTwice = std::ranges::any_of(
-            read.runs, [&](const ComparedTrial &other) { return other.analysis.id == analysis->id; });
+            read.runs, [&](const ComparedTrial &other) { return other.analysis.id == analysis.id; });
         if (isTwice)
             return fail(ErrorCode::InvalidInput, comparisonOf(run.trial),
                         ODO_TEXT("workflow.compared_with_itself", "a run cannot be compared with itself"),
                         chooseAnotherOne());
-        read.runs.push_back({std::move(*trial), std::move(*analysis)});
+        read.runs.push_back({std::move(trial), std::move(analysis)});
     }
     if (read.runs.size() < 2)
         return takesTwoRuns();
-    auto task = commonTask(project, read.runs);
-    if (!task)
-        return tl::unexpected(task.error());
-    read.task = std::move(*task);
+    auto task = ODO_TRY(commonTask(project, read.runs));
+    read.task = std::move(task);
     const AnalysisRecord &first = read.runs.front().analysis;
     read.shareCalibration = read.shareTask = true;
     for (auto run = read.runs.begin() + 1; run != read.runs.end(); ++run) {
@@ -114,11 +104,9 @@ Result<TrialComparison> compareTrials(const ComparedTrials &trials, const Compar
     std::vector<ComparedRun> runs;
     for (const ComparedTrial &run : trials.runs)
         runs.push_back({nameAlone(runName(run)), &run.analysis.profile});
-    auto comparison = compareRuns(runs, options);
-    if (!comparison)
-        return tl::unexpected(comparison.error());
+    auto comparison = ODO_TRY(compareRuns(runs, options));
     TrialComparison result;
-    result.comparison = std::move(*comparison);
+    result.comparison = std::move(comparison);
     for (std::size_t run = 1; run < runs.size(); ++run)
         result.metrics.push_back(metricDifferences(*runs.front().profile, *runs[run].profile,
                                                    trials.shareCalibration, trials.shareTask));

@@ -12,18 +12,14 @@ namespace odo {
 
 Result<std::vector<TrialScore>> trialScores(Project &project, Instant from, Instant to)
 {
-    const auto scorings = project.tasks().scorings();
-    if (!scorings)
-        return tl::unexpected(scorings.error());
-    if (scorings->empty())
+    const auto scorings = ODO_TRY(project.tasks().scorings());
+    if (scorings.empty())
         return std::vector<TrialScore>();
-    const auto runs = project.analyses().scoredFigures(from, to);
-    if (!runs)
-        return tl::unexpected(runs.error());
+    const auto runs = ODO_TRY(project.analyses().scoredFigures(from, to));
     std::vector<TrialScore> scores;
-    for (const ScoredFigures &run : *runs) {
-        const auto scoring = scorings->find(run.task);
-        if (scoring == scorings->end())
+    for (const ScoredFigures &run : runs) {
+        const auto scoring = scorings.find(run.task);
+        if (scoring == scorings.end())
             continue;
         scores.push_back({run.trial, run.robot, run.task, {}});
         if (run.isByTask)
@@ -34,11 +30,9 @@ Result<std::vector<TrialScore>> trialScores(Project &project, Instant from, Inst
 
 Result<std::vector<TrialFigure>> scoreFigures(Project &project, Instant from, Instant to)
 {
-    const auto scores = trialScores(project, from, to);
-    if (!scores)
-        return tl::unexpected(scores.error());
+    const auto scores = ODO_TRY(trialScores(project, from, to));
     std::vector<TrialFigure> figures;
-    for (const TrialScore &run : *scores)
+    for (const TrialScore &run : scores)
         if (run.score)
             figures.push_back(
                 {run.trial, run.robot, {scoreMetric, "points", run.score->points, run.score->sigma}});
@@ -85,22 +79,16 @@ Result<std::map<std::string, ClassFigure>> classFigures(Project &project, const 
                                                         const std::string &task,
                                                         const std::vector<std::string> &metrics)
 {
-    const auto trials = project.trials().all();
-    if (!trials)
-        return tl::unexpected(trials.error());
-    const auto otherwise = project.analyses().trialsMeasuredOtherwise();
-    if (!otherwise)
-        return tl::unexpected(otherwise.error());
+    const auto trials = ODO_TRY(project.trials().all());
+    const auto otherwise = ODO_TRY(project.analyses().trialsMeasuredOtherwise());
     std::set<RecordId> counted;
-    for (const TrialRecord *trial : countedTrials(*trials, className, task, *otherwise).trials)
+    for (const TrialRecord *trial : countedTrials(trials, className, task, otherwise).trials)
         counted.insert(trial->id);
     std::map<std::string, ClassFigure> figures;
     for (const std::string &metric : metrics) {
-        const auto all = figuresOf(project, metric);
-        if (!all)
-            return tl::unexpected(all.error());
+        const auto all = ODO_TRY(figuresOf(project, metric));
         std::vector<double> values;
-        for (const TrialFigure &figure : *all)
+        for (const TrialFigure &figure : all)
             if (counted.contains(figure.trial))
                 values.push_back(figure.metric.value);
         if (!values.empty()) {

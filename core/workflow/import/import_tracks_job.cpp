@@ -87,23 +87,20 @@ Result<void> ImportTracksJob::checkTracks() const
                         ODO_TEXT("workflow.robot_given_two_tracks",
                                  "robot '%1' was given two tracks")(Named::robot(robot)),
                         ODO_TEXT("workflow.give_each_robot_one", "give each robot one"));
-        if (auto may = checkMayBeRead(file, quotedName(Named::file(file))); !may)
-            return may;
+        ODO_TRY(checkMayBeRead(file, quotedName(Named::file(file))));
     }
     return {};
 }
 
 Result<void> ImportTracksJob::prepare(Project &project)
 {
-    if (auto checked = checkTracks(); !checked)
-        return checked;
+    ODO_TRY(checkTracks());
     if (project.trials().find(m_settings.trial))
         return trialIsThere(importSubject(m_settings.trial));
     m_trial.name = m_settings.trial;
     m_trial.task = m_settings.task;
     m_trial.syncMethod = "none";
-    if (auto read = readTask(project); !read)
-        return read;
+    ODO_TRY(readTask(project));
     return readRobots(project);
 }
 
@@ -111,33 +108,29 @@ Result<void> ImportTracksJob::readTask(Project &project)
 {
     if (m_settings.task.empty())
         return {};
-    auto task = project.tasks().find(m_settings.task);
-    if (!task)
-        return tl::unexpected(task.error());
-    m_task = std::move(*task);
+    auto task = ODO_TRY(project.tasks().find(m_settings.task));
+    m_task = std::move(task);
     return {};
 }
 
 Result<void> ImportTracksJob::readRobots(Project &project)
 {
-    auto robots = project.robots().all();
-    if (!robots)
-        return tl::unexpected(robots.error());
+    auto robots = ODO_TRY(project.robots().all());
     for (const auto &track : m_settings.tracks) {
-        const auto known = std::ranges::find(*robots, track.first, &RobotRecord::name);
-        if (known != robots->end()) {
+        const auto known = std::ranges::find(robots, track.first, &RobotRecord::name);
+        if (known != robots.end()) {
             m_imported.push_back({*known, {}, {}});
             continue;
         }
         RobotRecord fresh;
         fresh.name = track.first;
-        fresh.colour = freshColour(*robots);
+        fresh.colour = freshColour(robots);
         m_warnings.push_back(
             joined({ODO_TEXT("workflow.robot_is_new", "robot '%1' is new")(Named::robot(fresh.name)),
                     ODO_TEXT("workflow.added_with_colour",
                              "it was added with the colour %1")(fresh.colour->toString())},
                    Join::Colon));
-        robots->push_back(fresh);
+        robots.push_back(fresh);
         m_imported.push_back({std::move(fresh), {}, {}});
     }
     return {};
@@ -146,15 +139,13 @@ Result<void> ImportTracksJob::readRobots(Project &project)
 Result<void> ImportTracksJob::run(const JobControl &control)
 {
     m_control = control;
-    if (auto read = readFiles(control); !read)
-        return read;
+    ODO_TRY(readFiles(control));
     setClock();
     for (std::size_t robot = 0; robot < m_imported.size(); ++robot) {
         control.report(
             0.5 + 0.5 * double(robot) / double(m_imported.size()),
             ODO_TEXT("workflow.analysing_robot", "analysing %1")(Named::robot(m_imported[robot].robot.name)));
-        if (auto analysed = analyse(robot); !analysed)
-            return analysed;
+        ODO_TRY(analyse(robot));
     }
     return {};
 }
@@ -163,25 +154,19 @@ Result<void> ImportTracksJob::readFiles(const JobControl &control)
 {
     for (std::size_t i = 0; i < m_settings.tracks.size(); ++i) {
         const auto &[robot, path] = m_settings.tracks[i];
-        auto file = readTrackFile(path, control);
-        if (!file)
-            return tl::unexpected(file.error());
+        auto file = ODO_TRY(readTrackFile(path, control));
         ImportedTrack &source = m_imported[i].source;
-        source.format = trackFormatWord(file->format);
-        auto track = trackOf(std::move(*file), robot, path);
-        if (!track)
-            return tl::unexpected(track.error());
-        const auto hash = fileSha256(path, control);
-        if (!hash)
-            return tl::unexpected(hash.error());
+        source.format = trackFormatWord(file.format);
+        auto track = ODO_TRY(trackOf(std::move(file), robot, path));
+        const auto hash = ODO_TRY(fileSha256(path, control));
         const std::string name = path.filename().string();
         // files may be called as nothing else may
         source.file = checkName(RecordKind::Track, name) ? name : fileNameOf(name);
-        source.sha256 = *hash;
+        source.sha256 = hash;
         std::error_code problem; // the file was just read; 0 where it went since
         const auto bytes = files::sizeOf(path, problem);
         source.bytes = problem ? 0 : static_cast<std::int64_t>(bytes);
-        m_read.push_back({std::move(track->name), std::move(track->positions)});
+        m_read.push_back({std::move(track.name), std::move(track.positions)});
     }
     return {};
 }
@@ -259,15 +244,13 @@ Result<void> ImportTracksJob::analyse(std::size_t robot)
     makeSamples(robot);
     auto &[record, source, analysis] = m_imported[robot];
     const SampleSource raw = samplesOf(robot);
-    const auto options = optionsForImported({}, raw);
-    if (!options)
-        return tl::unexpected(options.error());
+    const auto options = ODO_TRY(optionsForImported({}, raw));
     const double share = 0.5 / double(m_imported.size());
     const JobControl part{m_control.cancel, [&](double fraction, const Message &text) {
                               m_control.report(0.5 + share * (double(robot) + fraction), text);
                           }};
     auto analysed = analyseByTask([&](const AnalysisOptions &by) { return analyseImported(raw, by, part); },
-                                  *options, m_task);
+                                  options, m_task);
     if (m_control.isCancelled())
         return cancelled(importSubject(m_settings.trial));
     if (!analysed) {
@@ -292,37 +275,28 @@ Result<void> ImportTracksJob::commit(Project &project)
 Result<void> ImportTracksJob::store(Project &project)
 {
     if (!m_settings.team.empty()) {
-        const auto team = findOrAddTeam(project, m_settings.team);
-        if (!team)
-            return tl::unexpected(team.error());
-        m_trial.team = team->id;
+        const auto team = ODO_TRY(findOrAddTeam(project, m_settings.team));
+        m_trial.team = team.id;
     }
     for (Imported &one : m_imported) {
         if (one.robot.id == 0) {
-            auto made = project.robots().add(one.robot);
-            if (!made)
-                return tl::unexpected(made.error());
-            one.robot = std::move(*made);
+            auto made = ODO_TRY(project.robots().add(one.robot));
+            one.robot = std::move(made);
         }
         m_trial.robots.push_back(one.robot.id);
     }
     m_trial.date = m_settings.date.value_or(instantNow());
-    auto trial = project.trials().add(m_trial, {});
-    if (!trial)
-        return tl::unexpected(trial.error());
-    m_trial = std::move(*trial);
+    auto trial = ODO_TRY(project.trials().add(m_trial, {}));
+    m_trial = std::move(trial);
     for (std::size_t robot = 0; robot < m_imported.size(); ++robot) {
         Imported &one = m_imported[robot];
         one.source.trial = one.analysis.trial = m_trial.id;
         one.source.robot = one.analysis.robot = one.robot.id;
         one.source.imported = instantNow();
-        if (auto told = project.trials().addImportedTrack(one.source, samplesOf(robot)); !told)
-            return told;
+        ODO_TRY(project.trials().addImportedTrack(one.source, samplesOf(robot)));
         const std::vector<SampleFlags> flags = one.analysis.profile.flags;
-        auto stored = project.analyses().add(std::move(one.analysis), samplesOf(robot, flags));
-        if (!stored)
-            return tl::unexpected(stored.error());
-        one.analysis = std::move(*stored);
+        auto stored = ODO_TRY(project.analyses().add(std::move(one.analysis), samplesOf(robot, flags)));
+        one.analysis = std::move(stored);
     }
     return {};
 }

@@ -77,17 +77,15 @@ Result<std::vector<Result<FoundOffset>>> findClipOffsets(const std::vector<Regis
     const auto registered =
         std::count_if(views.begin(), views.end(), [](const RegisteredView &view) { return view.floorView; });
     const bool canTrack = views.front().floorView && registered > 1 && !robots.empty();
-    const auto tracked =
-        trackViews(views, canTrack ? robots : std::vector<RobotRecord>{}, control, WithLight::Measured);
-    if (!tracked)
-        return tl::unexpected(tracked.error());
+    const auto tracked = ODO_TRY(
+        trackViews(views, canTrack ? robots : std::vector<RobotRecord>{}, control, WithLight::Measured));
     std::vector<std::vector<MotionTrack>> tracks(views.size());
     if (canTrack)
-        tracks = tracksOf(views, robots, *tracked);
+        tracks = tracksOf(views, robots, tracked);
     std::vector<ClipEvidence> evidence;
     for (std::size_t v = 0; v < views.size(); ++v)
         evidence.push_back(
-            {std::move(tracks[v]), whyNoTracks(views[v], robots), lightCourseOf((*tracked)[v].light)});
+            {std::move(tracks[v]), whyNoTracks(views[v], robots), lightCourseOf(tracked[v].light)});
 
     std::vector<Result<FoundOffset>> found;
     for (std::size_t v = 1; v < views.size(); ++v)
@@ -127,8 +125,7 @@ Result<void> ImportTrialJob::prepare(Project &project)
             ODO_TEXT("workflow.unusual_frame_rate",
                      "its frame rate is not between 0.1 and 100,000 frames a second"),
             ODO_TEXT("workflow.give_camera_rate", "give the rate at which the camera took the frames"));
-    if (auto checked = checkSteps(); !checked)
-        return checked;
+    ODO_TRY(checkSteps());
     if (project.trials().find(m_settings.trial))
         return trialIsThere(what);
     std::set<std::string> names;
@@ -138,8 +135,7 @@ Result<void> ImportTrialJob::prepare(Project &project)
                         ODO_TEXT("workflow.camera_given_two_videos",
                                  "camera '%1' was given two videos")(Named::camera(camera)),
                         giveEachViewItsCamera());
-        if (auto may = checkMayBeRead(file, quotedName(Named::file(file))); !may)
-            return may;
+        ODO_TRY(checkMayBeRead(file, quotedName(Named::file(file))));
     }
     m_trial.name = m_settings.trial;
     m_trial.task = m_settings.task;
@@ -156,20 +152,16 @@ Result<void> ImportTrialJob::prepare(Project &project)
     m_mediaFolder = project.mediaFolder();
     m_folderWasThere = files::exists(m_mediaFolder);
 
-    const auto cameras = project.cameras().all();
-    if (!cameras)
-        return tl::unexpected(cameras.error());
+    const auto cameras = ODO_TRY(project.cameras().all());
     for (const auto &[name, file] : m_settings.videos) {
         RegisteredView view;
         view.file = file;
         view.recording.cameraName = name;
-        for (const CameraRecord &camera : *cameras) {
+        for (const CameraRecord &camera : cameras) {
             if (camera.name != name)
                 continue;
-            auto floorView = floorViewInForce(project, camera.id);
-            if (!floorView)
-                return tl::unexpected(floorView.error());
-            view.floorView = std::move(*floorView);
+            auto floorView = ODO_TRY(floorViewInForce(project, camera.id));
+            view.floorView = std::move(floorView);
         }
         m_views.push_back(std::move(view));
     }
@@ -178,28 +170,20 @@ Result<void> ImportTrialJob::prepare(Project &project)
 
 Result<void> ImportTrialJob::run(const JobControl &control)
 {
-    for (std::size_t view = 0; view < m_settings.videos.size(); ++view) {
-        if (auto read = readVideo(view, control.cancel); !read)
-            return read;
-    }
-    if (auto synchronised = synchronise(control); !synchronised)
-        return synchronised;
-    if (auto compared = compareViews(); !compared)
-        return compared;
-    for (std::size_t view = 0; view < m_settings.videos.size(); ++view) {
-        if (auto copied = copyVideo(view, control); !copied)
-            return copied;
-    }
+    for (std::size_t view = 0; view < m_settings.videos.size(); ++view)
+        ODO_TRY(readVideo(view, control.cancel));
+    ODO_TRY(synchronise(control));
+    ODO_TRY(compareViews());
+    for (std::size_t view = 0; view < m_settings.videos.size(); ++view)
+        ODO_TRY(copyVideo(view, control));
     return {};
 }
 
 Result<void> ImportTrialJob::readVideo(std::size_t view, const CancelToken &cancel)
 {
     const auto &[camera, file] = m_settings.videos[view];
-    const auto reader = VideoReader::open(file, cancel);
-    if (!reader)
-        return tl::unexpected(reader.error());
-    const VideoInfo &info = (*reader)->info();
+    const auto reader = ODO_TRY(VideoReader::open(file, cancel));
+    const VideoInfo &info = reader->info();
     for (const Message &warning : {info.warning, unevenRateWords(info.frameTimes)}) {
         if (!warning.isEmpty())
             m_warnings.push_back(
@@ -258,10 +242,8 @@ Result<void> ImportTrialJob::synchronise(const JobControl &control)
             m_recordings[view].startOffsetS = step.offsetS;
         }
     }
-    if (!toFind.empty()) {
-        if (auto found = findOffsets(toFind, control); !found)
-            return found;
-    }
+    if (!toFind.empty())
+        ODO_TRY(findOffsets(toFind, control));
     if (m_recordings.size() > 1) {
         m_trial.syncMethod = m_recordings[1].syncMethod;
         m_trial.syncOffsetS = m_recordings[1].startOffsetS;
@@ -278,12 +260,10 @@ Result<void> ImportTrialJob::findOffsets(const std::vector<std::size_t> &toFind,
     std::vector<RegisteredView> views{m_views.front()};
     for (const std::size_t view : toFind)
         views.push_back(m_views[view]);
-    const auto found = findClipOffsets(views, m_robots, control);
-    if (!found)
-        return tl::unexpected(found.error());
+    const auto found = ODO_TRY(findClipOffsets(views, m_robots, control));
     for (std::size_t i = 0; i < toFind.size(); ++i) {
         RecordingRecord &recording = m_recordings[toFind[i]];
-        const Result<FoundOffset> &offset = (*found)[i];
+        const Result<FoundOffset> &offset = found[i];
         const Message what = ODO_TEXT("workflow.synchronisation_of_view",
                                       "synchronisation of view '%1'")(Named::camera(recording.cameraName));
         if (!offset) {
@@ -346,13 +326,11 @@ Result<void> ImportTrialJob::compareViews()
 Result<void> ImportTrialJob::copyVideo(std::size_t view, const JobControl &control)
 {
     const auto &[camera, file] = m_settings.videos[view];
-    auto copy = copyIntoMedia(file, m_mediaFolder, m_settings.trial + "_" + camera, control);
-    if (!copy)
-        return tl::unexpected(copy.error());
-    m_recordings[view].path = files::absolute(copy->file.path()).string(); // stored relative to the project
-    m_recordings[view].sha256 = copy->sha256;
-    m_recordings[view].bytes = copy->bytes;
-    m_files.push_back(std::move(copy->file));
+    auto copy = ODO_TRY(copyIntoMedia(file, m_mediaFolder, m_settings.trial + "_" + camera, control));
+    m_recordings[view].path = files::absolute(copy.file.path()).string(); // stored relative to the project
+    m_recordings[view].sha256 = copy.sha256;
+    m_recordings[view].bytes = copy.bytes;
+    m_files.push_back(std::move(copy.file));
     return {};
 }
 
@@ -360,26 +338,20 @@ Result<void> ImportTrialJob::commit(Project &project)
 {
     auto committed = project.note(importChange(m_settings.trial), [&]() -> Result<void> {
         for (RecordingRecord &recording : m_recordings) {
-            const auto camera = findOrAddCamera(project, recording.cameraName);
-            if (!camera)
-                return tl::unexpected(camera.error());
-            recording.camera = camera->id;
+            const auto camera = ODO_TRY(findOrAddCamera(project, recording.cameraName));
+            recording.camera = camera.id;
         }
         if (!m_settings.team.empty()) {
-            const auto team = findOrAddTeam(project, m_settings.team);
-            if (!team)
-                return tl::unexpected(team.error());
-            m_trial.team = team->id;
+            const auto team = ODO_TRY(findOrAddTeam(project, m_settings.team));
+            m_trial.team = team.id;
         }
         if (!m_settings.robots.empty()) {
             for (const RobotRecord &robot : m_robots)
                 m_trial.robots.push_back(robot.id);
         }
         m_trial.date = m_settings.date.value_or(instantNow());
-        auto trial = project.trials().add(m_trial, m_recordings);
-        if (!trial)
-            return tl::unexpected(trial.error());
-        m_trial = std::move(*trial);
+        auto trial = ODO_TRY(project.trials().add(m_trial, m_recordings));
+        m_trial = std::move(trial);
         return {};
     });
     if (!committed)

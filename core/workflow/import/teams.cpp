@@ -39,21 +39,17 @@ Result<void> store(Project &project, const RosterEntry &entry, const std::map<st
 
 Result<RosterOutcome> importRoster(Project &project, const std::filesystem::path &file)
 {
-    const auto entries = readRosterCsv(file);
-    if (!entries)
-        return tl::unexpected(entries.error());
-    const auto teams = project.teams().all();
-    if (!teams)
-        return tl::unexpected(teams.error());
+    const auto entries = ODO_TRY(readRosterCsv(file));
+    const auto teams = ODO_TRY(project.teams().all());
     std::map<std::string, TeamRecord> known;
-    for (const TeamRecord &team : *teams)
+    for (const TeamRecord &team : teams)
         known.emplace(team.name, team);
     RosterOutcome outcome;
     const MessageArgument name = Named::file(file.filename());
     const auto done = project.change(
         ODO_TEXT("workflow.import_roster", "import the roster %1")(name), [&]() -> Result<void> {
             std::vector<Message> bad;
-            for (const RosterEntry &entry : *entries)
+            for (const RosterEntry &entry : entries)
                 if (const auto stored = store(project, entry, known, outcome); !stored)
                     bad.push_back(joined({ODO_TEXT("workflow.roster_line", "line %1")(entry.line),
                                           stored.error().what, stored.error().why},

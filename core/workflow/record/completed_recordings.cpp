@@ -55,10 +55,8 @@ bool hasNoPicture(const std::filesystem::path &file)
 
 Result<void> RecoverJob::prepare(Project &project)
 {
-    const auto trials = project.trials().all();
-    if (!trials)
-        return tl::unexpected(trials.error());
-    if (std::ranges::none_of(*trials, &TrialRecord::unfinished))
+    const auto trials = ODO_TRY(project.trials().all());
+    if (std::ranges::none_of(trials, &TrialRecord::unfinished))
         return {};
     // else it was moved away: an empty one in its place would be in the way
     if (files::isFolder(project.mediaFolder())) {
@@ -69,18 +67,14 @@ Result<void> RecoverJob::prepare(Project &project)
         m_lock = std::move(*lock);
     }
     m_mediaFolder = project.mediaFolder();
-    for (const TrialRecord &trial : *trials) {
+    for (const TrialRecord &trial : trials) {
         if (!trial.unfinished)
             continue;
         Unfinished unfinished{trial, {}, {}, {}, {}};
-        const auto recordings = project.trials().recordings(trial.id);
-        if (!recordings)
-            return tl::unexpected(recordings.error());
-        for (const RecordingRecord &record : *recordings) {
-            auto times = project.trials().rawTimes(record.id);
-            if (!times)
-                return tl::unexpected(times.error());
-            unfinished.views.push_back({record, project.resolve(record), std::move(*times)});
+        const auto recordings = ODO_TRY(project.trials().recordings(trial.id));
+        for (const RecordingRecord &record : recordings) {
+            auto times = ODO_TRY(project.trials().rawTimes(record.id));
+            unfinished.views.push_back({record, project.resolve(record), std::move(times)});
         }
         m_trials.push_back(std::move(unfinished));
     }
@@ -94,8 +88,7 @@ Result<void> RecoverJob::run(const JobControl &control)
                        ODO_TEXT("workflow.completing_recording", "completing a recording that was cut off"));
         if (control.isCancelled())
             return cancelled(ODO_TEXT("workflow.completing_recordings", "completing the recordings"));
-        if (auto recovered = recover(m_trials[i], control.cancel); !recovered)
-            return recovered;
+        ODO_TRY(recover(m_trials[i], control.cancel));
     }
     return {};
 }
@@ -127,19 +120,15 @@ Result<void> RecoverJob::recover(Unfinished &unfinished, const CancelToken &canc
         one.record.heightPx = info.format.height;
         ended.push_back(std::move(one));
     }
-    auto recordings = describeRecordings(ended);
-    if (!recordings)
-        return tl::unexpected(recordings.error());
-    unfinished.recordings = std::move(*recordings);
+    auto recordings = ODO_TRY(describeRecordings(ended));
+    unfinished.recordings = std::move(recordings);
     return {};
 }
 
 Result<void> RecoverJob::commit(Project &project)
 {
-    for (Unfinished &unfinished : m_trials) {
-        if (auto completed = complete(project, unfinished); !completed)
-            return completed;
-    }
+    for (Unfinished &unfinished : m_trials)
+        ODO_TRY(complete(project, unfinished));
     m_lock.reset();
     return {};
 }
@@ -194,26 +183,20 @@ void RecoverJob::removeEmpty(const Unfinished &unfinished)
 Result<std::vector<Message>> recoverTrials(Project &project, const JobControl &control)
 {
     RecoverJob job;
-    if (auto prepared = job.prepare(project); !prepared)
-        return tl::unexpected(prepared.error());
+    ODO_TRY(job.prepare(project));
     if (!job.isNeeded())
         return std::vector<Message>{};
-    if (auto done = job.run(control); !done)
-        return tl::unexpected(done.error());
-    if (auto done = job.commit(project); !done)
-        return tl::unexpected(done.error());
+    ODO_TRY(job.run(control));
+    ODO_TRY(job.commit(project));
     HashJob hashes;
-    if (auto done = runToEnd(hashes, project, control); !done)
-        return tl::unexpected(done.error());
+    ODO_TRY(runToEnd(hashes, project, control));
     return job.told();
 }
 
 Result<void> HashJob::prepare(Project &project)
 {
-    const auto recordings = project.trials().unhashed();
-    if (!recordings)
-        return tl::unexpected(recordings.error());
-    for (const RecordingRecord &recording : *recordings) {
+    const auto recordings = ODO_TRY(project.trials().unhashed());
+    for (const RecordingRecord &recording : recordings) {
         File file{recording.id, project.resolve(recording), recording.bytes, {}};
         std::error_code problem;
         const std::uintmax_t bytes = files::sizeOf(file.path, problem);
@@ -244,8 +227,7 @@ Result<void> HashJob::commit(Project &project)
         for (const File &file : m_files) {
             if (file.sha256.empty())
                 continue;
-            if (auto kept = project.trials().setHash(file.recording, file.sha256); !kept)
-                return kept;
+            ODO_TRY(project.trials().setHash(file.recording, file.sha256));
         }
         return {};
     });

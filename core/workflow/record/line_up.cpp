@@ -16,16 +16,12 @@ Result<TrialRecord> trialOf(Project &project, const NextRun &run)
     trial.name = run.trial;
     trial.task = run.task;
     if (!run.team.empty()) {
-        const auto team = project.teams().find(run.team);
-        if (!team)
-            return tl::unexpected(team.error());
-        trial.team = team->id;
+        const auto team = ODO_TRY(project.teams().find(run.team));
+        trial.team = team.id;
     }
     for (const std::string &name : run.robots) {
-        const auto robot = project.robots().find(name);
-        if (!robot)
-            return tl::unexpected(robot.error());
-        trial.robots.push_back(robot->id);
+        const auto robot = ODO_TRY(project.robots().find(name));
+        trial.robots.push_back(robot.id);
     }
     return trial;
 }
@@ -62,10 +58,8 @@ Result<LineUp> LineUp::read(Project &project, bool byPseudonym)
     for (const TrialName &trial : up.m_trials) {
         if (!known.insert(trial.teamName).second)
             continue;
-        auto newest = project.trials().get(trial.id);
-        if (!newest)
-            return tl::unexpected(newest.error());
-        up.m_newest.push_back(std::move(*newest));
+        auto newest = ODO_TRY(project.trials().get(trial.id));
+        up.m_newest.push_back(std::move(newest));
     }
     return up;
 }

@@ -127,8 +127,7 @@ std::vector<SslNumber> sslNumbers(const std::vector<RobotRecord> &robots)
 Result<std::unique_ptr<LiveBroadcast>> LiveBroadcast::create(const BroadcastTarget &target,
                                                              const std::vector<RobotRecord> &robots)
 {
-    if (const auto address = addressOf(target); !address)
-        return tl::unexpected(address.error());
+    ODO_TRY(addressOf(target));
     const int socket = ::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
     if (socket < 0)
         return fail(ErrorCode::Io, livePositionsTo(target),

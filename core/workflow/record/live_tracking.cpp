@@ -69,10 +69,8 @@ Result<std::unique_ptr<LiveTracker>> LiveTracker::create(const std::vector<LiveV
             break;
         if (needsBackground(targets))
             view.background.emplace();
-        auto tracker = RobotTracker::create(targets, {}, view.view.floorView);
-        if (!tracker)
-            return tl::unexpected(tracker.error());
-        view.tracker = std::move(*tracker);
+        auto tracker = ODO_TRY(RobotTracker::create(targets, {}, view.view.floorView));
+        view.tracker = std::move(tracker);
     }
     for (std::size_t v = 0; v < live->m_views.size(); ++v) {
         live->m_views[v].feed = std::move(feeds[v]);

@@ -38,10 +38,8 @@ Result<std::shared_ptr<LiveTrial>> LiveTrial::begin(Project &project, TrialRecor
                     ODO_TEXT("workflow.project_file_gone", "the project's file is no longer there"),
                     joined({putDiskBack(), ODO_TEXT("workflow.nothing_recorded", "nothing was recorded")},
                            Join::Semicolon));
-    auto lock = RecordingLock::take(project.mediaFolder());
-    if (!lock)
-        return tl::unexpected(lock.error());
-    std::shared_ptr<LiveTrial> live(new LiveTrial(session, std::move(*lock)));
+    auto lock = ODO_TRY(RecordingLock::take(project.mediaFolder()));
+    std::shared_ptr<LiveTrial> live(new LiveTrial(session, std::move(lock)));
     live->m_trial = std::move(trial);
     live->m_trial.date = instantNow();
     live->m_trial.syncMethod = "none";
@@ -62,18 +60,14 @@ Result<void> LiveTrial::addTo(Project &project, const std::vector<std::string> &
     std::vector<RecordingRecord> records;
     for (std::size_t i = 0; i < cameras.size(); ++i) {
         const bool isNew = !project.cameras().find(cameras[i]);
-        const auto camera = findOrAddCamera(project, cameras[i]);
-        if (!camera)
-            return tl::unexpected(camera.error());
+        const auto camera = ODO_TRY(findOrAddCamera(project, cameras[i]));
         if (isNew)
-            m_newCameras.push_back(camera->id);
+            m_newCameras.push_back(camera.id);
         const CameraDescription &description = m_session.description(i);
-        auto file = claimMediaFile(project.mediaFolder(), m_trial.name + "_" + cameras[i], ".mkv");
-        if (!file)
-            return tl::unexpected(file.error());
+        auto file = ODO_TRY(claimMediaFile(project.mediaFolder(), m_trial.name + "_" + cameras[i], ".mkv"));
         View view;
-        view.file = std::move(*file);
-        view.record.camera = camera->id;
+        view.file = std::move(file);
+        view.record.camera = camera.id;
         view.record.path = files::absolute(view.file.path()).string(); // stored relative to the project
         view.record.widthPx = description.widthPx;
         view.record.heightPx = description.heightPx;
@@ -81,15 +75,11 @@ Result<void> LiveTrial::addTo(Project &project, const std::vector<std::string> &
         records.push_back(view.record);
         m_views.push_back(std::move(view));
     }
-    auto begun = project.trials().begin(m_trial, records);
-    if (!begun)
-        return tl::unexpected(begun.error());
-    m_trial = std::move(*begun);
-    const auto stored = project.trials().recordings(m_trial.id);
-    if (!stored)
-        return tl::unexpected(stored.error());
+    auto begun = ODO_TRY(project.trials().begin(m_trial, records));
+    m_trial = std::move(begun);
+    const auto stored = ODO_TRY(project.trials().recordings(m_trial.id));
     for (std::size_t i = 0; i < m_views.size(); ++i)
-        m_views[i].record = (*stored)[i];
+        m_views[i].record = stored[i];
     return {};
 }
 
@@ -120,10 +110,8 @@ Result<void> LiveTrial::append(Project &project)
 /// Within a transaction.
 Result<void> LiveTrial::appendPending(Project &project) const
 {
-    for (const View &view : m_views) {
-        if (auto appended = project.trials().appendRawTimes(view.record.id, view.pending); !appended)
-            return appended;
-    }
+    for (const View &view : m_views)
+        ODO_TRY(project.trials().appendRawTimes(view.record.id, view.pending));
     return {};
 }
 
@@ -131,8 +119,7 @@ Result<void> LiveTrial::appendPending(Project &project) const
 Result<void> LiveTrial::store(Project &project)
 {
     auto stored = project.inTransaction([&]() -> Result<void> {
-        if (auto appended = appendPending(project); !appended)
-            return appended;
+        ODO_TRY(appendPending(project));
         Nanoseconds longest{0};
         for (const View &view : m_views)
             longest = std::max(longest, view.last - view.first);
@@ -194,8 +181,7 @@ Result<void> LiveTrial::commit(Project &project)
 {
     if (m_recordings.empty()) {
         const std::optional<Error> &problem = m_outcome.views.front().problem;
-        if (auto discarded = discard(project); !discarded)
-            return discarded;
+        ODO_TRY(discard(project));
         return fail(ErrorCode::Io, recordingSubject(m_trial.name),
                     problem ? problem->why
                             : ODO_TEXT("workflow.no_camera_gave_picture", "no camera gave a picture"),
@@ -205,8 +191,7 @@ Result<void> LiveTrial::commit(Project &project)
     }
     auto completed = project.note(ODO_TEXT("workflow.record", "record %1")(Named::trial(m_trial.name)),
                                   [&]() -> Result<void> {
-                                      if (auto appended = appendPending(project); !appended)
-                                          return appended;
+                                      ODO_TRY(appendPending(project));
                                       describeTrial(m_trial, m_recordings);
                                       return project.trials().complete(m_trial, m_recordings);
                                   });
@@ -217,10 +202,8 @@ Result<void> LiveTrial::commit(Project &project)
             m_views[i].file.remove();
     }
     m_lock.reset();
-    auto trial = project.trials().get(m_trial.id);
-    if (!trial)
-        return tl::unexpected(trial.error());
-    m_trial = std::move(*trial);
+    auto trial = ODO_TRY(project.trials().get(m_trial.id));
+    m_trial = std::move(trial);
     return {};
 }
 
@@ -230,12 +213,9 @@ Result<void> LiveTrial::discard(Project &project)
         m_session.stopRecording();
     m_recording = false;
     auto removed = project.inTransaction([&]() -> Result<void> {
-        if (auto done = project.trials().removeUnfinished(m_trial.id); !done)
-            return done;
-        for (const RecordId camera : m_newCameras) {
-            if (auto done = project.cameras().removeUnused(camera); !done)
-                return done;
-        }
+        ODO_TRY(project.trials().removeUnfinished(m_trial.id));
+        for (const RecordId camera : m_newCameras)
+            ODO_TRY(project.cameras().removeUnused(camera));
         return {};
     });
     if (!removed)

@@ -59,11 +59,9 @@ Result<std::vector<std::unique_ptr<CameraSource>>> openCameras(const RecordSetti
 {
     std::vector<std::unique_ptr<CameraSource>> cameras;
     for (const auto &[name, address] : settings.cameras) {
-        auto source = openCamera(address);
-        if (!source)
-            return tl::unexpected(source.error());
-        (*source)->showRobots(robots);
-        cameras.push_back(std::move(*source));
+        auto source = ODO_TRY(openCamera(address));
+        source->showRobots(robots);
+        cameras.push_back(std::move(source));
     }
     return cameras;
 }
@@ -120,10 +118,8 @@ Result<std::vector<LiveView>> liveViews(Project &project, const RecordSettings &
     for (const auto &[name, address] : settings.cameras) {
         LiveView view{name, {}};
         if (const auto camera = project.cameras().find(name)) {
-            auto floorView = floorViewInForce(project, camera->id);
-            if (!floorView)
-                return tl::unexpected(floorView.error());
-            view.floorView = std::move(*floorView);
+            auto floorView = ODO_TRY(floorViewInForce(project, camera->id));
+            view.floorView = std::move(floorView);
         }
         views.push_back(std::move(view));
     }
@@ -152,17 +148,13 @@ Result<SentRobots> robotsToSend(Project &project, Result<std::vector<RobotRecord
     SentRobots sent;
     if (!settings.broadcast)
         return sent;
-    auto views = liveViews(project, settings);
-    if (!views)
-        return tl::unexpected(views.error());
+    auto views = ODO_TRY(liveViews(project, settings));
     if (!robots)
         return tl::unexpected(robots.error());
-    auto broadcast = LiveBroadcast::create(*settings.broadcast, *robots);
-    if (!broadcast)
-        return tl::unexpected(broadcast.error());
-    sent.views = std::move(*views);
+    auto broadcast = ODO_TRY(LiveBroadcast::create(*settings.broadcast, *robots));
+    sent.views = std::move(views);
     sent.robots = std::move(*robots);
-    sent.broadcast = std::move(*broadcast);
+    sent.broadcast = std::move(broadcast);
     return sent;
 }
 
@@ -189,12 +181,10 @@ Result<void> rescueIfLost(const Project &project, LiveTrial &live)
 {
     if (project.isInPlace())
         return {};
-    const auto rescued = rescueProject(project);
-    if (!rescued)
-        return tl::unexpected(rescued.error());
+    const auto rescued = ODO_TRY(rescueProject(project));
     live.addWarning(ODO_TEXT("workflow.project_rescued",
                              "the project's file was deleted, renamed or replaced meanwhile; what was in it "
-                             "is rescued in '%1', which is the project from now on")(Named::file(*rescued)));
+                             "is rescued in '%1', which is the project from now on")(Named::file(rescued)));
     return {};
 }
 
@@ -224,8 +214,7 @@ Result<void> keepRecording(Project &project, LiveTrial &live, const CaptureSessi
         if (now - appended < appendEach)
             continue;
         appended = now;
-        if (auto kept = live.append(project); !kept)
-            return kept;
+        ODO_TRY(live.append(project));
     }
 }
 
@@ -234,45 +223,33 @@ Result<void> keepRecording(Project &project, LiveTrial &live, const CaptureSessi
 Result<std::shared_ptr<LiveTrial>> recordTrial(Project &project, const RecordSettings &settings,
                                                const JobControl &control)
 {
-    if (auto checked = checkSettings(project, settings); !checked)
-        return tl::unexpected(checked.error());
-    auto trial = trialOf(project, {.robots = settings.robots, .trial = settings.trial});
-    if (!trial)
-        return tl::unexpected(trial.error());
+    ODO_TRY(checkSettings(project, settings));
+    auto trial = ODO_TRY(trialOf(project, {.robots = settings.robots, .trial = settings.trial}));
     // none is an error only where they are sent
-    const auto robots = robotsToTrack(project, *trial, settings.robots);
-    auto sent = robotsToSend(project, robots, settings);
-    if (!sent)
-        return tl::unexpected(sent.error());
-    auto cameras = openCameras(settings, appearancesOf(robots.value_or(std::vector<RobotRecord>())));
-    if (!cameras)
-        return tl::unexpected(cameras.error());
+    const auto robots = robotsToTrack(project, trial, settings.robots);
+    auto sent = ODO_TRY(robotsToSend(project, robots, settings));
+    auto cameras = ODO_TRY(openCameras(settings, appearancesOf(robots.value_or(std::vector<RobotRecord>()))));
     const Nanoseconds preRoll = fromSeconds(settings.preRollS);
-    CaptureSession session(std::move(*cameras), {.preRoll = preRoll});
-    if (auto delivering = waitForPictures(session, settings, control); !delivering)
-        return tl::unexpected(delivering.error());
-    const auto sending = beginSending(std::move(*sent), session); // ends before the session does
+    CaptureSession session(std::move(cameras), {.preRoll = preRoll});
+    ODO_TRY(waitForPictures(session, settings, control));
+    const auto sending = beginSending(std::move(sent), session); // ends before the session does
     if (!sending)
         return tl::unexpected(sending.error());
-    if (auto warm = letRun(settings, control); !warm)
-        return tl::unexpected(warm.error());
+    ODO_TRY(letRun(settings, control));
     std::vector<std::string> names;
     for (const auto &[name, address] : settings.cameras)
         names.push_back(name);
     project.keepWritingWhenLost(); // it is rescued at the end
-    auto live = LiveTrial::begin(project, std::move(*trial), names, session, preRoll);
-    if (!live)
-        return live;
-    const auto kept = keepRecording(project, **live, session, settings, control);
+    auto live = ODO_TRY(LiveTrial::begin(project, std::move(trial), names, session, preRoll));
+    const auto kept = keepRecording(project, *live, session, settings, control);
     // Whoever stops it keeps what is recorded. Where the project could not be written to, the end tries once
     // more, with all that is missing.
-    if (auto ended = runToEnd(**live, project, {{}, control.progress}); !ended)
+    if (auto ended = runToEnd(*live, project, {{}, control.progress}); !ended)
         return tl::unexpected(kept ? ended.error() : kept.error());
     HashJob hashes; // what is left of them is made the next time
     if (auto done = runToEnd(hashes, project, control); !done && done.error().code != ErrorCode::Cancelled)
         return tl::unexpected(done.error());
-    if (auto rescued = rescueIfLost(project, **live); !rescued)
-        return tl::unexpected(rescued.error());
+    ODO_TRY(rescueIfLost(project, *live));
     return live;
 }
 

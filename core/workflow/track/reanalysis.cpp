@@ -84,35 +84,25 @@ OverruleJob::~OverruleJob() = default;
 
 Result<void> OverruleJob::prepare(Project &project)
 {
-    const auto trial = project.trials().find(m_request.trial);
-    if (!trial)
-        return tl::unexpected(trial.error());
-    const auto analyses = project.analyses().current(trial->id);
-    if (!analyses)
-        return tl::unexpected(analyses.error());
-    const auto analysis = chosenAnalysis(*analyses, m_request);
-    if (!analysis)
-        return tl::unexpected(analysis.error());
-    const auto sample = chosenSample(analysis->profile.samples, m_request);
-    if (!sample)
-        return tl::unexpected(sample.error());
-    const auto before = project.trials().overrules(trial->id, analysis->robot);
-    if (!before)
-        return tl::unexpected(before.error());
-    m_before = *before;
-    m_trial = trial->id;
-    m_robot = analysis->robot;
-    m_outcome.robot = analysis->robotName;
-    m_outcome.frame = sample->frame;
-    m_outcome.time = sample->time;
+    const auto trial = ODO_TRY(project.trials().find(m_request.trial));
+    const auto analyses = ODO_TRY(project.analyses().current(trial.id));
+    const auto analysis = ODO_TRY(chosenAnalysis(analyses, m_request));
+    const auto sample = ODO_TRY(chosenSample(analysis.profile.samples, m_request));
+    const auto before = ODO_TRY(project.trials().overrules(trial.id, analysis.robot));
+    m_before = before;
+    m_trial = trial.id;
+    m_robot = analysis.robot;
+    m_outcome.robot = analysis.robotName;
+    m_outcome.frame = sample.frame;
+    m_outcome.time = sample.time;
     if (m_request.word == OverruleRequest::Word::Clear) {
-        m_overrules = withoutOverrule(m_before, sample->frame);
+        m_overrules = withoutOverrule(m_before, sample.frame);
         if (m_overrules.size() == m_before.size())
             return fail(ErrorCode::NotFound, sampleSubject(m_request),
                         ODO_TEXT("workflow.nothing_said_there", "nothing was said by hand there"),
                         ODO_TEXT("workflow.see_flags_by_hand", "see the flags by_hand in odograph export"));
     } else {
-        m_overrules = withOverrule(m_before, {sample->frame, m_request.word == OverruleRequest::Word::Spike});
+        m_overrules = withOverrule(m_before, {sample.frame, m_request.word == OverruleRequest::Word::Spike});
     }
     TrackSettings settings;
     settings.robots = {m_outcome.robot};
@@ -143,16 +133,13 @@ Result<void> OverruleJob::commit(Project &project)
                                                                                        trial);
     };
     auto stored = project.change(words(), [&]() -> Result<void> {
-        const auto now = project.trials().overrules(m_trial, m_robot);
-        if (!now)
-            return tl::unexpected(now.error());
-        if (*now != m_before)
+        const auto now = ODO_TRY(project.trials().overrules(m_trial, m_robot));
+        if (now != m_before)
             return fail(ErrorCode::InvalidInput, sampleSubject(m_request),
                         ODO_TEXT("workflow.other_sample_judged",
                                  "another sample was judged by hand while this one was analysed"),
                         ODO_TEXT("workflow.say_it_again", "say it again for frame %1")(m_outcome.frame));
-        if (auto said = project.trials().setOverrules(m_trial, m_robot, m_overrules); !said)
-            return said;
+        ODO_TRY(project.trials().setOverrules(m_trial, m_robot, m_overrules));
         return m_analysis->commit(project);
     });
     if (!stored)
@@ -241,17 +228,13 @@ ReprocessJob::~ReprocessJob() = default;
 
 Result<void> ReprocessJob::prepare(Project &project)
 {
-    const auto trial = project.trials().find(m_trial);
-    if (!trial)
-        return tl::unexpected(trial.error());
-    auto analyses = project.analyses().current(trial->id);
-    if (!analyses)
-        return tl::unexpected(analyses.error());
-    if (analyses->empty())
+    const auto trial = ODO_TRY(project.trials().find(m_trial));
+    auto analyses = ODO_TRY(project.analyses().current(trial.id));
+    if (analyses.empty())
         return fail(ErrorCode::NotFound, trialSubject(m_trial), nothingToAnalyseAgain(), trackItFirst());
     TrackSettings settings;
     settings.again = true;
-    for (AnalysisRecord &analysis : *analyses) {
+    for (AnalysisRecord &analysis : analyses) {
         settings.robots.push_back(analysis.robotName);
         m_before.emplace_back(analysis.robotName, std::move(analysis.profile));
     }
@@ -261,8 +244,7 @@ Result<void> ReprocessJob::prepare(Project &project)
 
 Result<void> ReprocessJob::run(const JobControl &control)
 {
-    if (auto done = m_analysis->run(control); !done)
-        return done;
+    ODO_TRY(m_analysis->run(control));
     if (control.isCancelled())
         return cancelled(trialSubject(m_trial));
     const auto &after = m_analysis->outcome().robots;

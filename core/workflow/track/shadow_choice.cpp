@@ -97,15 +97,11 @@ Result<SettledViews> trackAndSettle(const std::vector<RegisteredView> &views,
 {
     double done = 0; // of the job
     const auto tracked = [&](double part, const auto &track) -> Result<SettledViews> {
-        auto seen = track(partOf(control, done, done + part));
-        if (!seen)
-            return tl::unexpected(seen.error());
+        auto seen = ODO_TRY(track(partOf(control, done, done + part)));
         done += part;
         control.report(done, ODO_TEXT("workflow.settling_names", "settling which robot is which"));
-        auto doubts = settleNames(views, robots, *seen, pointedOut);
-        if (!doubts)
-            return tl::unexpected(doubts.error());
-        return SettledViews{std::move(*seen), std::move(*doubts)};
+        auto doubts = ODO_TRY(settleNames(views, robots, seen, pointedOut));
+        return SettledViews{std::move(seen), std::move(doubts)};
     };
     auto best = tracked(firstPart, [&](const JobControl &part) { return trackViews(views, robots, part); });
     if (!best)

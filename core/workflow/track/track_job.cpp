@@ -79,9 +79,7 @@ Result<std::vector<PointedOutRobot>> pointedOutRobots(Project &project, const Tr
                                                       const std::vector<RobotRecord> &robots,
                                                       const std::vector<RobotPointer> &pointers)
 {
-    auto all = project.trials().pointedOut(trial.id);
-    if (!all)
-        return all;
+    auto all = ODO_TRY(project.trials().pointedOut(trial.id));
     for (const RobotPointer &pointer : pointers) {
         const auto robot = std::ranges::find(robots, pointer.robot, &RobotRecord::name);
         if (robot == robots.end())
@@ -90,16 +88,14 @@ Result<std::vector<PointedOutRobot>> pointedOutRobots(Project &project, const Tr
                                  "it is not tracked in trial '%1'")(Named::trial(trial.name)),
                         ODO_TEXT("workflow.name_its_robot", "name one of its robots"));
         if (pointer.view.empty()) {
-            std::erase_if(*all, [&](const PointedOutRobot &one) { return one.robot == robot->id; });
+            std::erase_if(all, [&](const PointedOutRobot &one) { return one.robot == robot->id; });
             continue;
         }
-        const auto told = resolved(pointer, *robot, views);
-        if (!told)
-            return tl::unexpected(told.error());
-        std::erase_if(*all, [&](const PointedOutRobot &one) {
-            return one.robot == told->robot && one.recording == told->recording;
+        const auto told = ODO_TRY(resolved(pointer, *robot, views));
+        std::erase_if(all, [&](const PointedOutRobot &one) {
+            return one.robot == told.robot && one.recording == told.recording;
         });
-        all->push_back(*told);
+        all.push_back(told);
     }
     return all;
 }
@@ -155,74 +151,51 @@ TrackJob::~TrackJob() = default;
 Result<void> TrackJob::prepare(Project &project)
 {
     Impl &d = *m_impl;
-    auto trial = project.trials().find(d.trialName);
-    if (!trial)
-        return tl::unexpected(trial.error());
-    d.trial = *trial;
+    auto trial = ODO_TRY(project.trials().find(d.trialName));
+    d.trial = trial;
     if (!d.trial.task.empty()) {
-        auto task = project.tasks().find(d.trial.task);
-        if (!task)
-            return tl::unexpected(task.error());
-        d.task = std::move(*task);
+        auto task = ODO_TRY(project.tasks().find(d.trial.task));
+        d.task = std::move(task);
     }
-    auto robots = robotsToTrack(project, d.trial, d.settings.robots);
-    if (!robots)
-        return tl::unexpected(robots.error());
-    d.robots = std::move(*robots);
-    auto views = registeredViews(project, d.trial);
-    if (!views)
-        return tl::unexpected(views.error());
-    d.views = std::move(*views);
-    if (auto read = d.readOptions(project); !read)
-        return read;
-    auto pointedOut = pointedOutRobots(project, d.trial, d.views, d.robots, d.settings.pointers);
-    if (!pointedOut)
-        return tl::unexpected(pointedOut.error());
-    d.pointedOut = std::move(*pointedOut);
-    const auto imported = importedTracksOf(project, d.trial);
-    if (!imported)
-        return tl::unexpected(imported.error());
-    if (!imported->empty())
+    auto robots = ODO_TRY(robotsToTrack(project, d.trial, d.settings.robots));
+    d.robots = std::move(robots);
+    auto views = ODO_TRY(registeredViews(project, d.trial));
+    d.views = std::move(views);
+    ODO_TRY(d.readOptions(project));
+    auto pointedOut = ODO_TRY(pointedOutRobots(project, d.trial, d.views, d.robots, d.settings.pointers));
+    d.pointedOut = std::move(pointedOut);
+    const auto imported = ODO_TRY(importedTracksOf(project, d.trial));
+    if (!imported.empty())
         return d.takeImported(project);
-    auto others = otherRobots(project, d.trial.id, d.views, d.robots);
-    if (!others)
-        return tl::unexpected(others.error());
-    d.others = std::move(*others);
+    auto others = ODO_TRY(otherRobots(project, d.trial.id, d.views, d.robots));
+    d.others = std::move(others);
     if (!d.settings.again)
         return {};
-    auto stored = storedObservations(project, d.trialName, d.views, d.robots);
-    if (!stored)
-        return tl::unexpected(stored.error());
-    d.stored = std::move(*stored);
+    auto stored = ODO_TRY(storedObservations(project, d.trialName, d.views, d.robots));
+    d.stored = std::move(stored);
     return {};
 }
 
 Result<void> TrackJob::Impl::readOptions(Project &project)
 {
-    const auto analyses = project.analyses().currentMetrics(trial.id);
-    if (!analyses)
-        return tl::unexpected(analyses.error());
+    const auto analyses = ODO_TRY(project.analyses().currentMetrics(trial.id));
     options.clear();
     doubts.clear();
     for (const RobotRecord &robot : robots) {
         AnalysisOptions its;
-        const auto newest = std::find_if(analyses->begin(), analyses->end(),
+        const auto newest = std::find_if(analyses.begin(), analyses.end(),
                                          [&](const AnalysisRecord &one) { return one.robot == robot.id; });
-        if (settings.again && newest != analyses->end())
+        if (settings.again && newest != analyses.end())
             its.smoother = newest->options.smoother;
         its.smoother = settings.smoother.value_or(its.smoother);
-        auto known = settings.again && newest != analyses->end()
-                         ? project.analyses().doubtfulNames(newest->id)
-                         : Result<std::vector<DoubtfulName>>();
-        if (!known)
-            return tl::unexpected(known.error());
-        doubts.push_back(std::move(*known));
+        auto known =
+            ODO_TRY(settings.again && newest != analyses.end() ? project.analyses().doubtfulNames(newest->id)
+                                                               : Result<std::vector<DoubtfulName>>());
+        doubts.push_back(std::move(known));
         const auto told = settings.overrules.find(robot.name);
-        auto overrules =
-            told != settings.overrules.end() ? told->second : project.trials().overrules(trial.id, robot.id);
-        if (!overrules)
-            return tl::unexpected(overrules.error());
-        its.overrules = std::move(*overrules);
+        auto overrules = ODO_TRY(
+            told != settings.overrules.end() ? told->second : project.trials().overrules(trial.id, robot.id));
+        its.overrules = std::move(overrules);
         options.push_back(std::move(its));
     }
     return {};
@@ -238,14 +211,12 @@ Result<void> TrackJob::Impl::takeImported(Project &project)
                             nameAlone(std::string("odograph track PROJECT TRIAL --again"))},
                            Join::Colon));
     for (const RobotRecord &robot : robots) {
-        auto its = project.trials().currentImportedTrack(trial.id, robot.id);
+        auto its = ODO_TRY(project.trials().currentImportedTrack(trial.id, robot.id));
         if (!its)
-            return tl::unexpected(its.error());
-        if (!*its)
             return fail(ErrorCode::NotFound, robotInTrialSubject(robot.name, trialName),
                         ODO_TEXT("workflow.no_track_imported", "no track of it was imported"),
                         ODO_TEXT("workflow.choose_robot_of_trial", "choose a robot of the trial"));
-        imported.push_back(std::move((*its)->samples));
+        imported.push_back(std::move(its->samples));
     }
     return {};
 }
@@ -263,8 +234,7 @@ Result<void> TrackJob::run(const JobControl &control)
         d.doubts = doubtfulNamesOf(tracked->doubts, d.robots);
     d.outcome.warnings = stepWarnings(d.trialName, d.views);
     control.report(0.97, ODO_TEXT("workflow.analysing", "analysing"));
-    if (auto analysed = d.analyseAll(tracked->views); !analysed)
-        return analysed;
+    ODO_TRY(d.analyseAll(tracked->views));
 
     std::int64_t pictures = 0;
     for (TrackedView &view : tracked->views) {
@@ -376,20 +346,13 @@ Result<void> TrackJob::commit(Project &project)
                                             ODO_TEXT("workflow.task_was_changed",
                                                      "its task was changed while it was measured"),
                                             ODO_TEXT("workflow.measure_it_again", "measure it again"));
-                            for (const ObservationSeries &series : d.observations) {
-                                if (auto stored = project.trials().addObservations(series); !stored)
-                                    return stored;
-                            }
-                            if (!d.settings.pointers.empty()) {
-                                if (auto stored = project.trials().setPointedOut(d.trial.id, d.pointedOut);
-                                    !stored)
-                                    return stored;
-                            }
+                            for (const ObservationSeries &series : d.observations)
+                                ODO_TRY(project.trials().addObservations(series));
+                            if (!d.settings.pointers.empty())
+                                ODO_TRY(project.trials().setPointedOut(d.trial.id, d.pointedOut));
                             for (TrackedRobot &robot : d.outcome.robots) {
-                                auto stored = project.analyses().add(std::move(robot.analysis));
-                                if (!stored)
-                                    return tl::unexpected(stored.error());
-                                robot.analysis = std::move(*stored);
+                                auto stored = ODO_TRY(project.analyses().add(std::move(robot.analysis)));
+                                robot.analysis = std::move(stored);
                             }
                             std::vector<RecordId> all = d.trial.robots;
                             for (const RobotRecord &robot : d.robots) {

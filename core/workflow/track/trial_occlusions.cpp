@@ -20,13 +20,9 @@ Result<std::optional<FloorView>> floorViewUsed(Project &project, std::size_t vie
     });
     if (user == analyses.end())
         return std::nullopt;
-    const auto registration = project.cameras().registration(user->registrations[view]);
-    if (!registration)
-        return tl::unexpected(registration.error());
-    auto floorView = floorViewOf(project, *registration);
-    if (!floorView)
-        return tl::unexpected(floorView.error());
-    return std::move(*floorView);
+    const auto registration = ODO_TRY(project.cameras().registration(user->registrations[view]));
+    auto floorView = ODO_TRY(floorViewOf(project, registration));
+    return std::move(floorView);
 }
 
 } // namespace
@@ -34,29 +30,23 @@ Result<std::optional<FloorView>> floorViewUsed(Project &project, std::size_t vie
 Result<std::vector<std::vector<Occlusion>>> trialOcclusions(Project &project, RecordId trial,
                                                             const std::vector<AnalysisRecord> &analyses)
 {
-    const auto recordings = project.trials().recordings(trial);
-    if (!recordings)
-        return tl::unexpected(recordings.error());
+    const auto recordings = ODO_TRY(project.trials().recordings(trial));
     std::vector<std::optional<FloorView>> floorViews;
     // of each view, a series for each analysis
-    std::vector<std::vector<ObservationSeries>> seen(recordings->size());
-    for (std::size_t v = 0; v < recordings->size(); ++v) {
-        auto floorView = floorViewUsed(project, v, analyses);
-        if (!floorView)
-            return tl::unexpected(floorView.error());
-        floorViews.push_back(std::move(*floorView));
+    std::vector<std::vector<ObservationSeries>> seen(recordings.size());
+    for (std::size_t v = 0; v < recordings.size(); ++v) {
+        auto floorView = ODO_TRY(floorViewUsed(project, v, analyses));
+        floorViews.push_back(std::move(floorView));
         for (const AnalysisRecord &analysis : analyses) {
-            auto series = project.trials().currentObservations((*recordings)[v].id, analysis.robot);
-            if (!series)
-                return tl::unexpected(series.error());
-            seen[v].push_back(std::move(*series).value_or(ObservationSeries()));
+            auto series = ODO_TRY(project.trials().currentObservations(recordings[v].id, analysis.robot));
+            seen[v].push_back(std::move(series).value_or(ObservationSeries()));
         }
     }
     std::vector<OcclusionView> views;
     std::vector<OcclusionRobot> robots;
-    for (std::size_t v = 0; v < recordings->size(); ++v)
-        views.push_back({(*recordings)[v].cameraName, floorViews[v] ? &*floorViews[v] : nullptr,
-                         clockOf((*recordings)[v])});
+    for (std::size_t v = 0; v < recordings.size(); ++v)
+        views.push_back(
+            {recordings[v].cameraName, floorViews[v] ? &*floorViews[v] : nullptr, clockOf(recordings[v])});
     for (std::size_t r = 0; r < analyses.size(); ++r) {
         OcclusionRobot &robot =
             robots.emplace_back(OcclusionRobot{analyses[r].robotName, &analyses[r].profile, {}});
@@ -79,18 +69,14 @@ Result<std::vector<StoredRobot>> otherRobots(Project &project, RecordId trial,
         return tl::unexpected(known.error());
     if (std::ranges::none_of(*known, isOther))
         return others;
-    auto analyses = project.analyses().current(trial);
-    if (!analyses)
-        return tl::unexpected(analyses.error());
-    for (AnalysisRecord &analysis : *analyses) {
+    auto analyses = ODO_TRY(project.analyses().current(trial));
+    for (AnalysisRecord &analysis : analyses) {
         if (!isOther(analysis))
             continue;
         StoredRobot &robot = others.emplace_back();
         for (const RegisteredView &view : views) {
-            auto series = project.trials().currentObservations(view.recording.id, analysis.robot);
-            if (!series)
-                return tl::unexpected(series.error());
-            robot.observations.push_back(std::move(*series).value_or(ObservationSeries()).observations);
+            auto series = ODO_TRY(project.trials().currentObservations(view.recording.id, analysis.robot));
+            robot.observations.push_back(std::move(series).value_or(ObservationSeries()).observations);
         }
         robot.analysis = std::move(analysis);
     }

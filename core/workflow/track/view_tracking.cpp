@@ -37,22 +37,18 @@ constexpr std::size_t learnedAhead = 4;
 Result<std::optional<Background>> learnBackground(const RegisteredView &view, const CancelToken &cancel,
                                                   const std::function<void()> &onPicture)
 {
-    auto stream = FrameStream::open(view.file, learnedAhead, cancel);
-    if (!stream)
-        return tl::unexpected(stream.error());
+    auto stream = ODO_TRY(FrameStream::open(view.file, learnedAhead, cancel));
     const std::int64_t step =
-        std::max<std::int64_t>(1, std::llround((*stream)->info().framesPerSecond / wantedPerSecond));
+        std::max<std::int64_t>(1, std::llround(stream->info().framesPerSecond / wantedPerSecond));
     BackgroundLearner learner;
     while (true) {
         if (cancel.isCancelled())
             return cancelled(trackingSubject());
-        auto frame = (*stream)->pop();
+        auto frame = ODO_TRY(stream->pop());
         if (!frame)
-            return tl::unexpected(frame.error());
-        if (!*frame)
             return learner.learned();
-        if ((*frame)->index % step == 0)
-            learner.add(**frame);
+        if (frame->index % step == 0)
+            learner.add(*frame);
         onPicture();
     }
 }
@@ -121,16 +117,12 @@ Result<TrackedView> trackView(const RegisteredView &view, const std::vector<Robo
                               const std::vector<TrackTarget> &targets, const JobControl &control,
                               SharedProgress &progress, WithLight light, std::optional<Background> background)
 {
-    const auto tracker = trackerFor(view, targets, control, progress, background);
-    if (!tracker)
-        return tl::unexpected(tracker.error());
-    auto reader = VideoReader::open(view.file, control.cancel);
-    if (!reader)
-        return tl::unexpected(reader.error());
+    const auto tracker = ODO_TRY(trackerFor(view, targets, control, progress, background));
+    auto reader = ODO_TRY(VideoReader::open(view.file, control.cancel));
     // Decoding only what the tracker will look at is so much cheaper that a thread that decodes ahead, and
     // cannot know it, would be slower.
-    const bool byRegion = *tracker && (*reader)->decodesRegions();
-    FrameStream stream(std::move(*reader), byRegion ? 0 : framesAhead);
+    const bool byRegion = tracker && reader->decodesRegions();
+    FrameStream stream(std::move(reader), byRegion ? 0 : framesAhead);
 
     TrackedView tracked;
     tracked.background = std::move(background);
@@ -146,24 +138,22 @@ Result<TrackedView> trackView(const RegisteredView &view, const std::vector<Robo
     for (std::size_t next = 0;;) {
         if (control.isCancelled())
             return cancelled(trackingSubject());
-        auto frame = stream.pop(byRegion && next < times.size() ? (*tracker)->neededRegion(times[next])
-                                                                : std::nullopt);
+        auto frame = ODO_TRY(
+            stream.pop(byRegion && next < times.size() ? tracker->neededRegion(times[next]) : std::nullopt));
         if (!frame)
-            return tl::unexpected(frame.error());
-        if (!*frame)
             break;
         // The times kept in the project are the truth, whatever becomes of the file.
-        const auto index = static_cast<std::size_t>((*frame)->index);
+        const auto index = static_cast<std::size_t>(frame->index);
         if (index < times.size())
-            (*frame)->time = times[index];
+            frame->time = times[index];
         next = index + 1;
         if (light == WithLight::Measured)
-            tracked.light.push_back(lightMeter.measure(**frame));
+            tracked.light.push_back(lightMeter.measure(*frame));
         const std::vector<Observation> observations =
-            *tracker ? (*tracker)->track(**frame) : std::vector<Observation>{};
+            tracker ? tracker->track(*frame) : std::vector<Observation>{};
         for (std::size_t r = 0; r < observations.size(); ++r)
             tracked.series[r].observations.push_back(observations[r]);
-        const std::vector<Observation> none, &others = *tracker ? (*tracker)->others() : none;
+        const std::vector<Observation> none, &others = tracker ? tracker->others() : none;
         tracked.others.resize(others.size());
         for (std::size_t i = 0; i < others.size(); ++i)
             tracked.others[i].push_back(others[i]);
@@ -172,8 +162,8 @@ Result<TrackedView> trackView(const RegisteredView &view, const std::vector<Robo
     }
     tracked.damagedFrames = stream.damagedFrames();
     tracked.decodeCpuTime = stream.decodeCpuTime();
-    if (*tracker)
-        tracked.sharesAlike = (*tracker)->sharesAlike();
+    if (tracker)
+        tracked.sharesAlike = tracker->sharesAlike();
     return tracked;
 }
 
@@ -258,19 +248,17 @@ Result<std::vector<TrackedView>> trackViews(const std::vector<RegisteredView> &v
     }
     if (partly.empty())
         return tracked;
-    auto whole = trackTargets(views, robots, targets, control, secondPass, WithLight::Ignored);
-    if (!whole)
-        return whole;
+    auto whole = ODO_TRY(trackTargets(views, robots, targets, control, secondPass, WithLight::Ignored));
     for (std::size_t v = 0; v < views.size(); ++v)
-        (*tracked)[v].background = std::move((*whole)[v].background);
+        (*tracked)[v].background = std::move(whole[v].background);
     for (const auto &[r, share] : partly) {
         // Where a board hides the robot for a while neither is explained, and its whole outline is hidden
         // more often.
-        const double explained = explainedShareOf(views, *whole, robots[r], r);
+        const double explained = explainedShareOf(views, whole, robots[r], r);
         if (explained < share + (explained >= mostlyExplained ? clearlyMore : farMore))
             continue;
         for (std::size_t v = 0; v < views.size(); ++v)
-            (*tracked)[v].series[r] = std::move((*whole)[v].series[r]);
+            (*tracked)[v].series[r] = std::move(whole[v].series[r]);
     }
     return tracked;
 }
@@ -366,12 +354,10 @@ Result<std::vector<TrackedView>> storedObservations(Project &project, const std:
         bool known = false;
         for (std::size_t v = 0; v < views.size(); ++v) {
             const RecordId recording = views[v].recording.id;
-            auto series = project.trials().currentObservations(recording, robot.id);
-            if (!series)
-                return tl::unexpected(series.error());
-            known |= series->has_value();
-            stored[v].series.push_back(*series ? std::move(**series)
-                                               : ObservationSeries{recording, robot.id, {}, {}});
+            auto series = ODO_TRY(project.trials().currentObservations(recording, robot.id));
+            known |= series.has_value();
+            stored[v].series.push_back(series ? std::move(*series)
+                                              : ObservationSeries{recording, robot.id, {}, {}});
             stored[v].frames = std::max(
                 stored[v].frames, static_cast<std::int64_t>(stored[v].series.back().observations.size()));
         }

@@ -126,8 +126,7 @@ void MarkActions::change(const MessageText &words, const MessageText &wordsOfMan
     const std::vector<TrialRecord> trials = m_trials; // the signal changes what is selected
     const Result<void> done = m_project.change(told, [&]() -> Result<void> {
         for (const TrialRecord &trial : trials)
-            if (auto marked = mark(m_project, trial, to); !marked)
-                return marked;
+            ODO_TRY(mark(m_project, trial, to));
         return {};
     });
     if (!done) {

@@ -101,10 +101,8 @@ void PickColourDialog::addFile(const std::filesystem::path &file)
 {
     const auto opened = std::make_shared<PickableVideo>(PickableVideo{textOf(file.filename()), file, {}, 0});
     const bool started = m_opening.start([opened](const JobControl &) -> Result<void> {
-        const auto reader = VideoReader::open(opened->file);
-        if (!reader)
-            return tl::unexpected(reader.error());
-        const VideoInfo &info = (*reader)->info();
+        const auto reader = ODO_TRY(VideoReader::open(opened->file));
+        const VideoInfo &info = reader->info();
         opened->size = {info.format.width, info.format.height};
         opened->frames = static_cast<qint64>(info.frameTimes.size());
         return {};

@@ -87,11 +87,8 @@ void ProjectWatch::writeBack()
         Q_EMIT savedChanged();
     });
     m_task->start([file = m_project.file()](const JobControl &) -> Result<void> {
-        const auto project = Project::openAgain(file, Project::Access::ReadWrite);
-        if (!project)
-            return tl::unexpected(project.error());
-        return (*project)->writeBack() ? Result<void>()
-                                       : cancelled(ODO_TEXT("ui.writing_back", "writing back"));
+        const auto project = ODO_TRY(Project::openAgain(file, Project::Access::ReadWrite));
+        return project->writeBack() ? Result<void>() : cancelled(ODO_TEXT("ui.writing_back", "writing back"));
     });
 }
 

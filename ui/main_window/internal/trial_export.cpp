@@ -75,17 +75,13 @@ int chooseRobot(const std::vector<AnalysisRecord> &analyses, QWidget &window)
 
 Result<QString> exportTrial(Project &project, const QString &trial, QWidget &window)
 {
-    const Result<TrialRecord> record = project.trials().find(trial.toStdString());
-    if (!record)
-        return tl::unexpected(record.error());
-    const Result<std::vector<AnalysisRecord>> analyses = project.analyses().current(record->id);
-    if (!analyses)
-        return tl::unexpected(analyses.error());
-    if (analyses->empty())
+    const TrialRecord record = ODO_TRY(project.trials().find(trial.toStdString()));
+    const std::vector<AnalysisRecord> analyses = ODO_TRY(project.analyses().current(record.id));
+    if (analyses.empty())
         return fail(ErrorCode::NotFound,
                     ODO_TEXT("ui.export_of", "export of %1")(Named::trial(trial.toStdString())),
                     notTrackedYet(), trackItFirst());
-    const int robot = chooseRobot(*analyses, window);
+    const int robot = chooseRobot(analyses, window);
     if (robot < 0)
         return QString();
     QList<OutputFormat> outputs;
@@ -97,9 +93,8 @@ Result<QString> exportTrial(Project &project, const QString &trial, QWidget &win
         askOutput(&window, TrialExportWords::tr("Export %1").arg(trial), folder.filePath(offered), outputs);
     if (!chosen)
         return QString();
-    const std::string text = formats().at(chosen->format).text(analyses->at(static_cast<std::size_t>(robot)));
-    if (const Result<void> written = writeOutput(chosen->target, text); !written)
-        return tl::unexpected(written.error());
+    const std::string text = formats().at(chosen->format).text(analyses.at(static_cast<std::size_t>(robot)));
+    ODO_TRY(writeOutput(chosen->target, text));
     return TrialExportWords::tr("%1 was exported to %2.").arg(trial, QDir::toNativeSeparators(chosen->file));
 }
 

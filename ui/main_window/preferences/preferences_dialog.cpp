@@ -292,10 +292,8 @@ void ReportsPage::showLogo()
     m_reading.start([file = m_settings.logoFile, picture](const JobControl &) -> Result<void> {
         if (file.isEmpty())
             return {};
-        const auto logo = readLogo(file.toStdString());
-        if (!logo)
-            return tl::unexpected(logo.error());
-        *picture = logo->scaled(most, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+        const auto logo = ODO_TRY(readLogo(file.toStdString()));
+        *picture = logo.scaled(most, Qt::KeepAspectRatio, Qt::SmoothTransformation);
         return {};
     });
 }

@@ -109,16 +109,12 @@ Result<std::vector<WantedCamera>> wantedCameras(Project &project, const std::vec
         if (uri.empty())
             continue;
         WantedCamera camera{name, uri, std::nullopt, {}};
-        const auto registration = registrationOf(project, name);
-        if (!registration)
-            return tl::unexpected(registration.error());
-        if (*registration) {
-            auto view = floorViewOf(project, **registration);
-            if (!view)
-                return tl::unexpected(view.error());
-            const Intrinsics &lens = view->camera().intrinsics();
+        const auto registration = ODO_TRY(registrationOf(project, name));
+        if (registration) {
+            auto view = ODO_TRY(floorViewOf(project, *registration));
+            const Intrinsics &lens = view.camera().intrinsics();
             camera.registeredPx = {lens.widthPx, lens.heightPx};
-            camera.floorView = std::move(*view);
+            camera.floorView = std::move(view);
         }
         wanted.push_back(std::move(camera));
     }
@@ -140,10 +136,8 @@ Result<TrialScenePtr> liveScene(Project &project, const std::vector<WantedCamera
         const auto registration = registrationOf(project, camera.name);
         if (!registration || !*registration)
             continue;
-        auto layout = project.layouts().get((*registration)->layout);
-        if (!layout)
-            return tl::unexpected(layout.error());
-        scene->layout = std::move(layout->layout);
+        auto layout = ODO_TRY(project.layouts().get((*registration)->layout));
+        scene->layout = std::move(layout.layout);
     }
     return scene;
 }

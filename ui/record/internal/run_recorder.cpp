@@ -125,20 +125,15 @@ void RunRecorder::work(Order order)
 /// Gives the warnings.
 Result<QStringList> RunRecorder::record(const Order &order, Project &project)
 {
-    auto trial = trialOf(project, order.run);
-    if (!trial)
-        return tl::unexpected(trial.error());
-    const auto live = LiveTrial::begin(project, std::move(*trial), order.cameras, *order.session,
-                                       std::max(Nanoseconds{0}, steadyNow() - order.from));
-    if (!live)
-        return tl::unexpected(live.error());
+    auto trial = ODO_TRY(trialOf(project, order.run));
+    const auto live = ODO_TRY(LiveTrial::begin(project, std::move(trial), order.cameras, *order.session,
+                                               std::max(Nanoseconds{0}, steadyNow() - order.from)));
     while (!isEndWanted()) {
-        if (const Result<void> stored = (*live)->append(project); !stored)
+        if (const Result<void> stored = live->append(project); !stored)
             tell(stored.error());
     }
-    if (const Result<void> done = runToEnd(**live, project, {}); !done)
-        return tl::unexpected(done.error());
-    return wordsOf((*live)->warnings());
+    ODO_TRY(runToEnd(*live, project, {}));
+    return wordsOf(live->warnings());
 }
 
 void RunRecorder::makeHashes(Project &project)

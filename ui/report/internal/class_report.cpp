@@ -29,13 +29,11 @@ namespace {
 
 Result<void> checkClass(Project &project, const std::string &name)
 {
-    const auto classes = project.classes().all();
-    if (!classes)
-        return tl::unexpected(classes.error());
-    if (std::ranges::find(*classes, name, &ClassRecord::name) != classes->end())
+    const auto classes = ODO_TRY(project.classes().all());
+    if (std::ranges::find(classes, name, &ClassRecord::name) != classes.end())
         return {};
     std::vector<std::string> names;
-    for (const ClassRecord &each : *classes)
+    for (const ClassRecord &each : classes)
         names.push_back(each.name);
     return fail(ErrorCode::NotFound, classSubject(name),
                 names.empty() ? Message(ODO_TEXT("ui.project_has_no_class", "the project has none"))
@@ -59,19 +57,13 @@ std::string usualTask(const std::vector<TrialRecord> &trials, const std::string 
 Result<std::string> usualMetric(Project &project, const std::string &task)
 {
     if (!task.empty()) {
-        const auto record = project.tasks().find(task);
-        if (!record)
-            return tl::unexpected(record.error());
-        const auto scoring = project.tasks().scoring(record->id);
-        if (!scoring)
-            return tl::unexpected(scoring.error());
-        if (!scoring->empty())
+        const auto record = ODO_TRY(project.tasks().find(task));
+        const auto scoring = ODO_TRY(project.tasks().scoring(record.id));
+        if (!scoring.empty())
             return std::string(scoreMetric);
     }
-    const auto names = project.analyses().metricNames();
-    if (!names)
-        return tl::unexpected(names.error());
-    const std::vector<std::string> telling = tellingNames(*names);
+    const auto names = ODO_TRY(project.analyses().metricNames());
+    const std::vector<std::string> telling = tellingNames(names);
     return telling.empty() ? std::string() : telling.front();
 }
 
@@ -79,35 +71,25 @@ Result<std::string> usualMetric(Project &project, const std::string &task)
 
 Result<ClassContentPtr> readClassContent(Project &project, const ClassReportSettings &settings)
 {
-    if (auto known = checkClass(project, settings.className); !known)
-        return tl::unexpected(known.error());
-    const auto all = project.trials().all();
-    if (!all)
-        return tl::unexpected(all.error());
+    ODO_TRY(checkClass(project, settings.className));
+    const auto all = ODO_TRY(project.trials().all());
     auto content = std::make_shared<ClassContent>();
     content->settings = settings;
     ClassReportSettings &chosen = content->settings;
     if (chosen.task.empty())
-        chosen.task = usualTask(*all, chosen.className);
+        chosen.task = usualTask(all, chosen.className);
     else if (const auto task = project.tasks().find(chosen.task); !task)
         return tl::unexpected(task.error());
     if (chosen.metric.empty()) {
-        auto metric = usualMetric(project, chosen.task);
-        if (!metric)
-            return tl::unexpected(metric.error());
-        chosen.metric = std::move(*metric);
+        auto metric = ODO_TRY(usualMetric(project, chosen.task));
+        chosen.metric = std::move(metric);
     }
-    const auto figures = figuresOf(project, chosen.metric);
-    if (!figures)
-        return tl::unexpected(figures.error());
-    const auto otherwise = project.analyses().trialsMeasuredOtherwise();
-    if (!otherwise)
-        return tl::unexpected(otherwise.error());
-    const CountedTrials counted = countedTrials(*all, chosen.className, chosen.task, *otherwise);
+    const auto figures = ODO_TRY(figuresOf(project, chosen.metric));
+    const auto otherwise = ODO_TRY(project.analyses().trialsMeasuredOtherwise());
+    const CountedTrials counted = countedTrials(all, chosen.className, chosen.task, otherwise);
     content->trials = int(counted.trials.size()) + counted.leftOut;
     content->leftOut = counted.leftOut;
-    content->standings =
-        standingsOf(counted.trials, *figures, {chosen.className, chosen.task, chosen.metric});
+    content->standings = standingsOf(counted.trials, figures, {chosen.className, chosen.task, chosen.metric});
     if (content->standings.teams.empty())
         return fail(
             ErrorCode::NotFound,

@@ -20,8 +20,7 @@ Result<void> give(const ReportPages &pages, const PageSink &sink, const JobContr
     for (const ReportPage &page : pages) {
         if (control.isCancelled())
             return cancelled(reportSubject());
-        if (auto taken = sink(page); !taken)
-            return taken;
+        ODO_TRY(sink(page));
     }
     return {};
 }
@@ -39,11 +38,8 @@ ReportMaker trialReports(std::vector<std::string> trials, const ReportOptions &o
             if (control.isCancelled())
                 return cancelled(reportSubject());
             control.report(double(i) / double(trials.size()), nameAlone(Named::trial(trials[i])));
-            const auto content = reader.read(trials[i], control.cancel);
-            if (!content)
-                return tl::unexpected(content.error());
-            if (auto given = give(trialPages(*content, options), sink, control); !given)
-                return given;
+            const auto content = ODO_TRY(reader.read(trials[i], control.cancel));
+            ODO_TRY(give(trialPages(content, options), sink, control));
         }
         return {};
     };
@@ -54,10 +50,8 @@ ReportMaker comparisonReport(CompareSettings settings, const ReportOptions &opti
     return [settings = std::move(settings), options](Project &project, const JobControl &control,
                                                      const PageSink &sink) -> Result<void> {
         control.report(0, {});
-        const auto scene = loadComparisonScene(project, settings);
-        if (!scene)
-            return tl::unexpected(scene.error());
-        return give(comparisonPages(*scene, options), sink, control);
+        const auto scene = ODO_TRY(loadComparisonScene(project, settings));
+        return give(comparisonPages(scene, options), sink, control);
     };
 }
 
@@ -66,12 +60,10 @@ ReportMaker classReport(ClassReportSettings settings, const ReportOptions &optio
     return [settings = std::move(settings), options](Project &project, const JobControl &control,
                                                      const PageSink &sink) -> Result<void> {
         control.report(0, nameAlone(Named::schoolClass(settings.className)));
-        const auto content = readClassContent(project, settings);
-        if (!content)
-            return tl::unexpected(content.error());
+        const auto content = ODO_TRY(readClassContent(project, settings));
         if (control.isCancelled())
             return cancelled(reportSubject());
-        return give(classPages(*content, options), sink, control);
+        return give(classPages(content, options), sink, control);
     };
 }
 
@@ -83,8 +75,7 @@ ReportMaker inTurn(std::vector<ReportMaker> makers)
             const JobControl part{control.cancel, [&](double fraction, const Message &text) {
                                       control.report((double(i) + fraction) / double(makers.size()), text);
                                   }};
-            if (auto made = makers[i](project, part, sink); !made)
-                return made;
+            ODO_TRY(makers[i](project, part, sink));
         }
         return {};
     };

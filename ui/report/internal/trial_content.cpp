@@ -110,12 +110,10 @@ Result<std::map<std::string, ClassFigure>> TrialContentReader::classFiguresOf(co
         return {};
     if (const auto known = m_classes.find(key); known != m_classes.end())
         return known->second;
-    auto names = m_project.analyses().metricNames();
-    if (!names)
-        return tl::unexpected(names.error());
+    auto names = ODO_TRY(m_project.analyses().metricNames());
     if (!scene.scoring.empty())
-        names->push_back(scoreMetric);
-    auto figures = classFigures(m_project, key.first, key.second, *names);
+        names.push_back(scoreMetric);
+    auto figures = classFigures(m_project, key.first, key.second, names);
     if (figures)
         m_classes[key] = *figures;
     return figures;
@@ -132,41 +130,31 @@ Result<std::vector<std::optional<double>>> TrialContentReader::lensesOf(const Tr
     for (std::size_t view = 0; view < std::min(lenses.size(), registrations.size()); ++view) {
         if (registrations[view] == 0)
             continue;
-        const auto registration = m_project.cameras().registration(registrations[view]);
-        if (!registration)
-            return tl::unexpected(registration.error());
-        if (registration->intrinsics == 0)
+        const auto registration = ODO_TRY(m_project.cameras().registration(registrations[view]));
+        if (registration.intrinsics == 0)
             continue;
-        const auto lens = m_project.cameras().intrinsics(registration->intrinsics);
-        if (!lens)
-            return tl::unexpected(lens.error());
-        if (lens->calibration.rmsPx > 0)
-            lenses[view] = lens->calibration.rmsPx;
+        const auto lens = ODO_TRY(m_project.cameras().intrinsics(registration.intrinsics));
+        if (lens.calibration.rmsPx > 0)
+            lenses[view] = lens.calibration.rmsPx;
     }
     return lenses;
 }
 
 Result<TrialContentPtr> TrialContentReader::read(const std::string &trial, const CancelToken &cancel)
 {
-    const auto scene = loadTrialScene(m_project, trial);
-    if (!scene)
-        return tl::unexpected(scene.error());
+    const auto scene = ODO_TRY(loadTrialScene(m_project, trial));
     auto content = std::make_shared<TrialContent>();
-    content->scene = *scene;
-    auto figures = classFiguresOf(**scene);
-    if (!figures)
-        return tl::unexpected(figures.error());
-    content->classFigures = std::move(*figures);
-    auto lenses = lensesOf(**scene);
-    if (!lenses)
-        return tl::unexpected(lenses.error());
-    content->lensRmsPx = std::move(*lenses);
-    content->stillTime = tellingMoment(**scene);
+    content->scene = scene;
+    auto figures = ODO_TRY(classFiguresOf(*scene));
+    content->classFigures = std::move(figures);
+    auto lenses = ODO_TRY(lensesOf(*scene));
+    content->lensRmsPx = std::move(lenses);
+    content->stillTime = tellingMoment(*scene);
     content->isAtTopSpeed = m_moment == StillMoment::TopSpeed;
-    const Readers readers = openVideos(**scene, cancel);
+    const Readers readers = openVideos(*scene, cancel);
     if (!content->isAtTopSpeed)
-        content->stillTime = keyFrameTime(**scene, readers, content->stillTime);
-    content->stills = takeStills(**scene, readers, content->stillTime, stillWidthPx);
+        content->stillTime = keyFrameTime(*scene, readers, content->stillTime);
+    content->stills = takeStills(*scene, readers, content->stillTime, stillWidthPx);
     if (cancel.isCancelled()) // its stills may be missing
         return cancelled(reportSubject());
     return content;

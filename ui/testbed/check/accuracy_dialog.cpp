@@ -445,10 +445,8 @@ void AccuracyDialog::findBestPlace()
     const PlaceSearch search{m_reach->value(), m_above->isChecked(), fromMillimetres(m_robotHeight->value())};
     m_search.start([found = m_found, like = *planned, layout = m_layout, others = std::move(others),
                     search](const JobControl &control) -> Result<void> {
-        auto best = bestPlace(like, layout, others, search, control);
-        if (!best)
-            return tl::unexpected(best.error());
-        *found = std::move(*best);
+        auto best = ODO_TRY(bestPlace(like, layout, others, search, control));
+        *found = std::move(best);
         return {};
     });
     m_summary->setText(tr("Looking for the best place…"));

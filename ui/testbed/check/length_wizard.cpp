@@ -119,10 +119,8 @@ void LengthWizard::takePicture()
     m_picture = std::make_shared<StillPicture>();
     m_task.start([picture = m_picture, origin = m_choice->origin(),
                   lens = camera().view.camera().intrinsics()](const JobControl &control) -> Result<void> {
-        auto taken = takeStillPicture(origin, {}, lens, control);
-        if (!taken)
-            return tl::unexpected(taken.error());
-        *picture = std::move(*taken);
+        auto taken = ODO_TRY(takeStillPicture(origin, {}, lens, control));
+        *picture = std::move(taken);
         return {};
     });
 }

@@ -86,10 +86,8 @@ void RevisionPicture::read()
         return;
     m_read = std::make_shared<Read>(Read{m_revision.picture, {}});
     m_task.start([read = m_read](const JobControl &) -> Result<void> {
-        const auto picture = readPicture(read->file);
-        if (!picture)
-            return tl::unexpected(picture.error());
-        read->image = toImage(toScreen(*picture, picture->format.width, picture->format.height));
+        const auto picture = ODO_TRY(readPicture(read->file));
+        read->image = toImage(toScreen(picture, picture.format.width, picture.format.height));
         return {};
     });
 }

@@ -84,10 +84,8 @@ void FloorWizard::beginMarkers()
     m_task.start([picture = m_picture, origin = m_source->origin(),
                   layout = m_layouts.at(std::size_t(m_source->layout())).layout,
                   lens = lensOf(m_cameras, camera())](const JobControl &control) -> Result<void> {
-        auto taken = takeStillPicture(origin, layout, lens, control);
-        if (!taken)
-            return tl::unexpected(taken.error());
-        *picture = std::move(*taken);
+        auto taken = ODO_TRY(takeStillPicture(origin, layout, lens, control));
+        *picture = std::move(taken);
         return {};
     });
 }

@@ -279,10 +279,8 @@ void LayoutDialog::tell(const Result<void> &outcome)
 
 Result<void> LayoutDialog::importCsv(const QString &file)
 {
-    auto read = readLayoutCsv(pathOf(file));
-    if (!read)
-        return tl::unexpected(read.error());
-    m_layout.markers = std::move(read->markers);
+    auto read = ODO_TRY(readLayoutCsv(pathOf(file)));
+    m_layout.markers = std::move(read.markers);
     showMarkers();
     return {};
 }

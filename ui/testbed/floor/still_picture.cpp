@@ -48,15 +48,10 @@ Result<void> lookIn(const Frame &frame, const MarkerLayout &layout, const std::o
 Result<StillPicture> fromCamera(const std::string &uri, const MarkerLayout &layout,
                                 const std::optional<Intrinsics> &lens, const JobControl &control)
 {
-    auto camera = openCamera(uri);
-    if (!camera)
-        return tl::unexpected(camera.error());
-    const auto frame = settledPicture(**camera, control);
-    if (!frame)
-        return tl::unexpected(frame.error());
+    auto camera = ODO_TRY(openCamera(uri));
+    const auto frame = ODO_TRY(settledPicture(*camera, control));
     StillPicture picture;
-    if (auto looked = lookIn(*frame, layout, lens, picture); !looked)
-        return tl::unexpected(looked.error());
+    ODO_TRY(lookIn(frame, layout, lens, picture));
     return picture;
 }
 

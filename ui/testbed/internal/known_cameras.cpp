@@ -18,25 +18,19 @@ namespace {
 
 Result<std::optional<std::filesystem::path>> newestFile(Project &project, RecordId camera)
 {
-    const auto recording = project.trials().newestRecording(camera);
-    if (!recording)
-        return tl::unexpected(recording.error());
-    return *recording ? std::optional(project.resolve(**recording)) : std::nullopt;
+    const auto recording = ODO_TRY(project.trials().newestRecording(camera));
+    return recording ? std::optional(project.resolve(*recording)) : std::nullopt;
 }
 
 } // namespace
 
 Result<std::vector<FloorCamera>> floorCameras(Project &project)
 {
-    const auto rows = loadCameraRows(project);
-    if (!rows)
-        return tl::unexpected(rows.error());
+    const auto rows = ODO_TRY(loadCameraRows(project));
     std::vector<FloorCamera> cameras;
-    for (const CameraRow &row : *rows) {
-        const auto recording = newestFile(project, row.camera.id);
-        if (!recording)
-            return tl::unexpected(recording.error());
-        cameras.push_back({QString::fromStdString(row.camera.name), row.intrinsics, *recording,
+    for (const CameraRow &row : rows) {
+        const auto recording = ODO_TRY(newestFile(project, row.camera.id));
+        cameras.push_back({QString::fromStdString(row.camera.name), row.intrinsics, recording,
                            cameraBadge(row.registration)});
     }
     return cameras;
@@ -44,23 +38,15 @@ Result<std::vector<FloorCamera>> floorCameras(Project &project)
 
 Result<std::vector<CheckCamera>> checkCameras(Project &project)
 {
-    const auto rows = loadCameraRows(project);
-    if (!rows)
-        return tl::unexpected(rows.error());
+    const auto rows = ODO_TRY(loadCameraRows(project));
     std::vector<CheckCamera> cameras;
-    for (const CameraRow &row : *rows) {
+    for (const CameraRow &row : rows) {
         if (!row.registration)
             continue;
-        const auto view = floorViewOf(project, *row.registration);
-        if (!view)
-            return tl::unexpected(view.error());
-        const auto layout = project.layouts().get(row.registration->layout);
-        if (!layout)
-            return tl::unexpected(layout.error());
-        const auto recording = newestFile(project, row.camera.id);
-        if (!recording)
-            return tl::unexpected(recording.error());
-        cameras.push_back({QString::fromStdString(row.camera.name), *view, layout->layout, *recording,
+        const auto view = ODO_TRY(floorViewOf(project, *row.registration));
+        const auto layout = ODO_TRY(project.layouts().get(row.registration->layout));
+        const auto recording = ODO_TRY(newestFile(project, row.camera.id));
+        cameras.push_back({QString::fromStdString(row.camera.name), view, layout.layout, recording,
                            row.camera.deviceUri, cameraBadge(row.registration)});
     }
     return cameras;
@@ -150,13 +136,11 @@ void addRegistration(QList<Fact> &facts, const RegistrationRecord &record)
 
 Result<TrialScenePtr> newestPicture(Project &project, const CameraRow &camera)
 {
-    const auto recording = project.trials().newestRecording(camera.camera.id);
+    const auto recording = ODO_TRY(project.trials().newestRecording(camera.camera.id));
     if (!recording)
-        return tl::unexpected(recording.error());
-    if (!*recording)
         return TrialScenePtr();
     auto scene = std::make_shared<TrialScene>();
-    SceneView view{camera.camera.name, **recording, project.resolve(**recording), {}, {}, Nanoseconds{0}};
+    SceneView view{camera.camera.name, *recording, project.resolve(*recording), {}, {}, Nanoseconds{0}};
     if (camera.registration) {
         const Result<FloorView> floorView = floorViewOf(project, *camera.registration);
         const Result<LayoutRecord> layout = project.layouts().get(camera.registration->layout);
@@ -166,10 +150,8 @@ Result<TrialScenePtr> newestPicture(Project &project, const CameraRow &camera)
         view.registration = camera.registration->registration;
         scene->layout = layout->layout;
     }
-    const Result<TrialRecord> trial = project.trials().get((*recording)->trial);
-    if (!trial)
-        return tl::unexpected(trial.error());
-    scene->trial = *trial;
+    const TrialRecord trial = ODO_TRY(project.trials().get(recording->trial));
+    scene->trial = trial;
     scene->views.push_back(std::move(view));
     return scene;
 }
@@ -205,12 +187,10 @@ Result<std::vector<SketchedCamera>> sketchedCameras(Project &project, const std:
     for (const CameraRow &row : cameras) {
         if (!row.registration || row.registration->layout != layout)
             continue;
-        const Result<FloorView> view = floorViewOf(project, *row.registration);
-        if (!view)
-            return tl::unexpected(view.error());
-        const Intrinsics &lens = view->camera().intrinsics();
-        const Eigen::Vector3d place = view->cameraInWorld();
-        const auto aim = view->floorFromPixel({lens.widthPx / 2.0, lens.heightPx / 2.0}, 0);
+        const FloorView view = ODO_TRY(floorViewOf(project, *row.registration));
+        const Intrinsics &lens = view.camera().intrinsics();
+        const Eigen::Vector3d place = view.cameraInWorld();
+        const auto aim = view.floorFromPixel({lens.widthPx / 2.0, lens.heightPx / 2.0}, 0);
         sketched.push_back(
             {QString::fromStdString(row.camera.name), place, aim.value_or(Eigen::Vector2d(place.head<2>()))});
     }

@@ -53,10 +53,8 @@ namespace {
 Result<std::shared_ptr<CameraSource>> openWithBoard(const QString &uri)
 {
     const QString address = uri.startsWith(QLatin1String("sim:")) ? uri + QLatin1String("?board") : uri;
-    auto camera = openCamera(address.toStdString());
-    if (!camera)
-        return tl::unexpected(camera.error());
-    return std::shared_ptr<CameraSource>(std::move(*camera));
+    auto camera = ODO_TRY(openCamera(address.toStdString()));
+    return std::shared_ptr<CameraSource>(std::move(camera));
 }
 
 /// The picture of a registration on its way into the project: written by the wizard's thread, read by this
@@ -68,10 +66,8 @@ public:
     KeepPicture keep()
     {
         return [this](const QString &camera, const Frame &frame) -> Result<void> {
-            auto written = m_media.writeFloor(camera.toStdString(), frame);
-            if (!written)
-                return tl::unexpected(written.error());
-            m_stored = std::move(*written);
+            auto written = ODO_TRY(m_media.writeFloor(camera.toStdString(), frame));
+            m_stored = std::move(written);
             return {};
         };
     }
@@ -206,10 +202,8 @@ void TestbedTools::registerCamera()
         RegistrationRecord registration = wizard.result();
         registration.picture = picture.stored();
         const auto record =
-            storeRegistration(m_project, wizard.camera().toStdString(), std::move(registration));
-        if (!record)
-            return tl::unexpected(record.error());
-        verdict = record->registration.verdict;
+            ODO_TRY(storeRegistration(m_project, wizard.camera().toStdString(), std::move(registration)));
+        verdict = record.registration.verdict;
         return {};
     });
     if (!stored)
@@ -262,8 +256,7 @@ void TestbedTools::registerTogether()
         QString::fromStdString(layout),
         [&](double tapeSigmaM) -> Result<std::shared_ptr<RegisterJointJob>> {
             auto job = std::make_shared<RegisterJointJob>(RegisterJointSettings{layout, tapeSigmaM});
-            if (const auto prepared = job->prepare(m_project); !prepared)
-                return tl::unexpected(prepared.error());
+            ODO_TRY(job->prepare(m_project));
             return job;
         },
         &m_window);

@@ -129,8 +129,7 @@ bool isBoard(TargetKind kind)
 
 Result<std::vector<TargetSheet>> layOutTarget(const TargetSpec &spec)
 {
-    if (const auto drawable = checkDrawable(spec); !drawable)
-        return tl::unexpected(drawable.error());
+    ODO_TRY(checkDrawable(spec));
     const bool board = isBoard(spec.kind);
     const double unitMm = toMillimetres(board ? spec.squareM : spec.markerM);
     if (!std::isfinite(unitMm) || unitMm <= 0)
@@ -321,18 +320,15 @@ Result<void> printTarget(QPagedPaintDevice &device, const TargetSpec &spec,
 
 Result<void> writeTargetPdf(const TargetSpec &spec, const OutputTarget &target)
 {
-    const auto sheets = layOutTarget(spec);
-    if (!sheets)
-        return tl::unexpected(sheets.error());
+    const auto sheets = ODO_TRY(layOutTarget(spec));
     QByteArray bytes;
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
     QPdfWriter pdf(&buffer);
     pdf.setResolution(printResolution);
     pdf.setCreator(QStringLiteral("Odograph"));
-    pdf.setTitle(title(spec, sheets->front()));
-    if (auto printed = printTarget(pdf, spec, *sheets); !printed)
-        return printed;
+    pdf.setTitle(title(spec, sheets.front()));
+    ODO_TRY(printTarget(pdf, spec, sheets));
     return writeOutput(target, {bytes.constData(), static_cast<std::size_t>(bytes.size())});
 }
 

@@ -358,13 +358,10 @@ bool TasksDialog::store(const TaskRecord &task, const std::vector<Criterion> &sc
                               : ODO_TEXT("ui.change_task", "change task %1")(Named::task(task.name)),
                  QString::fromStdString(task.name), [&]() -> Result<void> {
                      if (task.id != 0)
-                         if (auto renamed = m_project.tasks().rename(task.id, task.name); !renamed)
-                             return renamed;
+                         ODO_TRY(m_project.tasks().rename(task.id, task.name));
                      const auto stored =
-                         task.id == 0 ? m_project.tasks().add(task) : m_project.tasks().change(task);
-                     if (!stored)
-                         return tl::unexpected(stored.error());
-                     return m_project.tasks().setScoring(stored->id, scoring);
+                         ODO_TRY(task.id == 0 ? m_project.tasks().add(task) : m_project.tasks().change(task));
+                     return m_project.tasks().setScoring(stored.id, scoring);
                  });
 }
 

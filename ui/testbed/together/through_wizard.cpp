@@ -153,13 +153,9 @@ void ThroughWizard::takePictures()
                   throughOrigin = m_source->throughPicture().origin(),
                   throughLens = m_source->through().view.camera().intrinsics(),
                   layout = m_source->through().layout](const JobControl &control) -> Result<void> {
-        auto taken = takeStillPicture(origin, layout, lens, control);
-        if (!taken)
-            return tl::unexpected(taken.error());
-        auto throughTaken = takeStillPicture(throughOrigin, layout, throughLens, control);
-        if (!throughTaken)
-            return tl::unexpected(throughTaken.error());
-        *pictures = {std::move(*taken), std::move(*throughTaken)};
+        auto taken = ODO_TRY(takeStillPicture(origin, layout, lens, control));
+        auto throughTaken = ODO_TRY(takeStillPicture(throughOrigin, layout, throughLens, control));
+        *pictures = {std::move(taken), std::move(throughTaken)};
         return {};
     });
 }

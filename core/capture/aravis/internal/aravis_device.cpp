@@ -200,8 +200,7 @@ Result<std::unique_ptr<AravisDevice>> AravisDevice::open(const AravisPlace &plac
     if (place.onNetwork &&
         !arv_gv_device_is_controller(ARV_GV_DEVICE(arv_camera_get_device(device->camera()))))
         return inUse(wanted);
-    if (const auto set = device->setUp(wanted); !set)
-        return tl::unexpected(set.error());
+    ODO_TRY(device->setUp(wanted));
     return device;
 }
 

@@ -172,15 +172,11 @@ AravisWorker::Opened AravisWorker::takeUp()
     // seconds.
     const bool where = m_place && m_place->onNetwork && !isIpAddress(m_address.place);
     const auto there = where ? askGvcpCamera(m_place->openId, runningPatience) : std::nullopt;
-    auto place = there && there->serial == m_place->serial ? Result<AravisPlace>(*m_place) : findAgain();
-    if (!place)
-        return tl::unexpected(place.error());
-    auto device = AravisDevice::open(*place, m_address);
-    if (!device)
-        return device;
-    if (auto set = setAsBefore(**device); !set)
-        return tl::unexpected(set.error());
-    m_place = *place;
+    auto place =
+        ODO_TRY(there && there->serial == m_place->serial ? Result<AravisPlace>(*m_place) : findAgain());
+    auto device = ODO_TRY(AravisDevice::open(place, m_address));
+    ODO_TRY(setAsBefore(*device));
+    m_place = place;
     m_reading.reset();
     m_readings = 0;
     return device;

@@ -232,11 +232,9 @@ bool turnOff(const V4l2Device &device, const std::string &uri, const Control &co
 
 Result<std::vector<CameraControl>> v4l2Controls(const V4l2Device &device, const std::string &uri)
 {
-    auto controls = readControls(device, uri);
-    if (!controls)
-        return tl::unexpected(controls.error());
+    auto controls = ODO_TRY(readControls(device, uri));
     std::vector<CameraControl> shown;
-    for (Control &control : *controls)
+    for (Control &control : controls)
         shown.push_back(std::move(control.shown));
     return shown;
 }
@@ -244,12 +242,10 @@ Result<std::vector<CameraControl>> v4l2Controls(const V4l2Device &device, const 
 Result<void> setV4l2Control(const V4l2Device &device, const std::string &uri, const std::string &id,
                             double value)
 {
-    const auto controls = readControls(device, uri);
-    if (!controls)
-        return tl::unexpected(controls.error());
+    const auto controls = ODO_TRY(readControls(device, uri));
     const auto found =
-        std::ranges::find(*controls, id, [](const Control &control) { return control.shown.id; });
-    if (found == controls->end())
+        std::ranges::find(controls, id, [](const Control &control) { return control.shown.id; });
+    if (found == controls.end())
         return noSuchControl(uri, id);
     const CameraControl &shown = found->shown;
     if (shown.readOnly)

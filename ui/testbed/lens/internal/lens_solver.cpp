@@ -12,14 +12,12 @@ namespace {
 
 Result<LensAnswer> answerTo(const LensQuestion &question, const JobControl &control)
 {
-    auto calibration = question.reference
-                           ? recalibrate(*question.reference, question.chosen, control)
-                           : calibrateIntrinsics(question.views, question.size.width(),
-                                                 question.size.height(), question.model, control);
-    if (!calibration)
-        return tl::unexpected(calibration.error());
-    QImage picture = straightened(question.example, calibration->intrinsics);
-    return LensAnswer{std::move(*calibration), std::move(picture)};
+    auto calibration =
+        ODO_TRY(question.reference ? recalibrate(*question.reference, question.chosen, control)
+                                   : calibrateIntrinsics(question.views, question.size.width(),
+                                                         question.size.height(), question.model, control));
+    QImage picture = straightened(question.example, calibration.intrinsics);
+    return LensAnswer{std::move(calibration), std::move(picture)};
 }
 
 } // namespace
