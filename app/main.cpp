@@ -5,11 +5,10 @@
 #include "app/guarded_application.h"
 #include "app/workbench.h"
 #include "core/base/crash_report.h"
-#include "core/base/memory_pools.h"
+#include "core/base/error.h"
+#include "core/base/job_control.h"
 #include "core/base/plain_text.h"
 #include "core/base/shortage.h"
-#include "core/base/stop_signals.h"
-#include "core/base/subjects.h"
 #include "core/project/project_rescue.h"
 
 #include <QApplication>

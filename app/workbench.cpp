@@ -4,13 +4,13 @@
 #include "core/base/crash_report.h"
 #include "core/files/output_file.h"
 #include "core/project/project.h"
-#include "ui/main_window/appearance.h"
 #include "ui/main_window/language.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/paint_window.h"
 #include "ui/main_window/program_ends.h"
 #include "ui/main_window/workspace.h"
 #include "ui/models/trial_scene.h"
+#include "ui/views/widgets/theme.h"
 
 #include <QApplication>
 #include <QBuffer>

@@ -2,14 +2,13 @@
 #include "app/answers.h"
 #include "app/command_call.h"
 #include "app/commands/commands.h"
-#include "app/output_options.h"
 #include "core/base/units.h"
 #include "core/capture/camera_source.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/workflow/calibrate/calibrate_job.h"
 #include "core/workflow/calibrate/cameras.h"
-#include "ui/models/shared_messages.h"
+#include "ui/models/shown_message.h"
 #include "ui/testbed/targets/target_sheet.h"
 
 #include <QJsonArray>

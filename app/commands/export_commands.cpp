@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_call.h"
 #include "app/commands/commands.h"
-#include "app/output_options.h"
 #include "app/workbench.h"
 #include "core/exchange/track_export.h"
 #include "core/exchange/trial_json.h"

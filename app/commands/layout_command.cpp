@@ -2,13 +2,11 @@
 #include "app/answers.h"
 #include "app/command_call.h"
 #include "app/commands/commands.h"
-#include "app/output_options.h"
 #include "core/exchange/labelled_points.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/workflow/calibrate/cameras.h"
-#include "core/workflow/calibrate/layout_axes.h"
-#include "ui/models/shared_messages.h"
+#include "ui/models/shown_message.h"
 
 #include <cmath>
 

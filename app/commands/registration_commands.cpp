@@ -2,12 +2,12 @@
 #include "app/answers.h"
 #include "app/command_call.h"
 #include "app/commands/commands.h"
-#include "core/base/subjects.h"
+#include "core/base/error.h"
 #include "core/exchange/labelled_points.h"
 #include "core/project/repositories.h"
+#include "core/workflow/calibrate/cameras.h"
 #include "core/workflow/calibrate/moved_job.h"
 #include "core/workflow/calibrate/register_job.h"
-#include "core/workflow/calibrate/revisions.h"
 
 namespace odo {
 

@@ -2,7 +2,6 @@
 #include "app/answers.h"
 #include "app/command_call.h"
 #include "app/commands/commands.h"
-#include "app/output_options.h"
 #include "core/project/limits.h"
 #include "core/workflow/compare/compare_trials.h"
 #include "core/workflow/track/track_warnings.h"

@@ -5,10 +5,10 @@
 #include "core/exchange/task_file.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/tracking/picked_colour.h"
+#include "core/tracking/chroma.h"
 #include "core/workflow/calibrate/calibration_pictures.h"
 #include "core/workflow/shared_words.h"
-#include "ui/models/shared_messages.h"
+#include "ui/models/shown_message.h"
 
 #include <QJsonArray>
 #include <array>

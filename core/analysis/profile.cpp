@@ -2,6 +2,7 @@
 #include "core/analysis/profile.h"
 
 #include <array>
+#include <cmath>
 
 namespace odo {
 
@@ -33,6 +34,21 @@ std::string flagNames(SampleFlags flags)
         joined += names[bit];
     }
     return joined;
+}
+
+void NoiseLevel::add(const std::vector<Sample> &samples)
+{
+    for (const Sample &sample : samples) {
+        if (!sample.position)
+            continue;
+        m_variances += sample.covariance.trace();
+        m_count += 2;
+    }
+}
+
+double NoiseLevel::sigmaM() const
+{
+    return m_count > 0 ? std::sqrt(m_variances / m_count) : 0;
 }
 
 } // namespace odo

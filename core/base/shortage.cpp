@@ -254,3 +254,18 @@ void catchWhatNobodyCatches()
 }
 
 } // namespace odo
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
+namespace odo {
+
+void shareMemoryPools()
+{
+#ifdef __GLIBC__
+    mallopt(M_ARENA_MAX, 2);
+#endif
+}
+
+} // namespace odo

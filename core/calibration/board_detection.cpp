@@ -7,7 +7,7 @@
 #include "core/calibration/internal/luma_matrix.h"
 #include "core/calibration/internal/wording.h"
 #include "core/geometry/homography.h"
-#include "core/video/picture_writer.h"
+#include "core/video/picture.h"
 
 #include <algorithm>
 #include <cmath>

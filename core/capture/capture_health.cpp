@@ -2,7 +2,7 @@
 #include "core/capture/capture_health.h"
 
 #include "core/base/file_system.h"
-#include "core/capture/camera_errors.h"
+#include "core/capture/camera_source.h"
 
 #include <algorithm>
 #include <cmath>

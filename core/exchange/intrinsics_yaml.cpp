@@ -2,7 +2,6 @@
 #include "core/exchange/intrinsics_yaml.h"
 
 #include "core/base/units.h"
-#include "core/exchange/internal/input_words.h"
 #include "core/exchange/internal/yaml_document.h"
 #include "core/exchange/text_file.h"
 #include "core/files/output_file.h"

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/base/message.h"
 
 #include <filesystem>
 #include <functional>
@@ -90,5 +91,13 @@ Result<std::string> readTextFile(const std::filesystem::path &file, std::size_t 
 /// The shortest decimal text that reads back as the same number, with '.', without exponent, whatever the
 /// locale.
 std::string numberText(double value);
+
+/// What is said of files that others have written, the same words whatever they hold.
+Message separatedBySemicolons();
+Message notAFiniteNumber(std::string what); ///< the name of an entry, or what stands there
+Message entryIsMissing(std::string key);
+
+Message checkRightFile();                       ///< advice
+Message beginWithLine(const std::string &line); ///< advice
 
 } // namespace odo

@@ -2,9 +2,7 @@
 #include "core/exchange/track_file.h"
 
 #include "core/base/error.h"
-#include "core/base/subjects.h"
 #include "core/exchange/internal/delimited_text.h"
-#include "core/exchange/internal/input_words.h"
 #include "core/exchange/text_file.h"
 #include "core/files/file_words.h"
 

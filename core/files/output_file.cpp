@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/files/output_file.h"
 
+#include "core/base/error.h"
 #include "core/base/file_system.h"
-#include "core/base/subjects.h"
 #include "core/files/file_words.h"
 #include "core/files/protected_files.h"
 #include "core/files/temporary.h"

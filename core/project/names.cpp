@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/names.h"
 
+#include "core/base/error.h"
 #include "core/base/plain_text.h"
-#include "core/base/subjects.h"
 #include "core/files/file_words.h"
 #include "core/project/internal/connection.h"
 #include "core/project/internal/words.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/project_media.h"
 
+#include "core/base/error.h"
 #include "core/base/file_system.h"
-#include "core/base/subjects.h"
 #include "core/files/file_kind.h"
 #include "core/project/internal/opening_check.h"
 #include "core/project/project_locks.h"

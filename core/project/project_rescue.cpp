@@ -5,7 +5,6 @@
 #include "core/files/output_file.h"
 #include "core/files/temporary.h"
 #include "core/project/internal/connection.h"
-#include "core/project/internal/migrator.h"
 #include "core/project/internal/opening_check.h"
 #include "core/project/internal/schema.h"
 #include "core/project/internal/words.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/recording_rows.h"
 
+#include "core/base/error.h"
 #include "core/base/file_system.h"
 #include "core/base/sha256.h"
-#include "core/base/subjects.h"
 #include "core/files/file_words.h"
 #include "core/files/protected_files.h"
 #include "core/project/internal/analysis_digest.h"

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/scene.h"
 
-#include "core/simulation/internal/random_hash.h"
-
 #include <algorithm>
 #include <cassert>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/synchronisation/clip_evidence.h"
 
-#include "core/base/subjects.h"
+#include "core/base/error.h"
 
 #include <algorithm>
 #include <cmath>

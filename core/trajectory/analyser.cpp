@@ -6,9 +6,7 @@
 #include "core/trajectory/internal/height_estimation.h"
 #include "core/trajectory/internal/track_profile.h"
 #include "core/trajectory/internal/view_alignment.h"
-#include "core/trajectory/outline_doubt.h"
 #include "core/trajectory/solid_choice.h"
-#include "core/trajectory/view_clock.h"
 #include "core/trajectory/view_disagreement.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #include "core/trajectory/imported_track.h"
 
 #include "core/analysis/metrics.h"
-#include "core/analysis/noise_level.h"
+#include "core/analysis/profile.h"
 #include "core/analysis/task_metrics.h"
 #include "core/base/percentile.h"
 #include "core/trajectory/analyser.h"

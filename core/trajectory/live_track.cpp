@@ -2,9 +2,9 @@
 #include "core/trajectory/live_track.h"
 
 #include "core/analysis/gate_passages.h"
+#include "core/trajectory/analyser.h"
 #include "core/trajectory/internal/track_profile.h"
 #include "core/trajectory/internal/view_alignment.h"
-#include "core/trajectory/view_clock.h"
 
 #include <algorithm>
 

@@ -5,7 +5,7 @@
 #include "core/base/units.h"
 #include "core/geometry/floor_view.h"
 #include "core/tracking/observation.h"
-#include "core/trajectory/view_clock.h"
+#include "core/trajectory/analyser.h"
 
 #include <span>
 #include <string>

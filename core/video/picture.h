@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/error.h"
+#include "core/files/output_file.h"
 #include "core/video/frame.h"
 
 #include <cstdint>
+#include <filesystem>
 #include <memory>
+#include <vector>
 
 namespace odo {
 
@@ -23,5 +27,18 @@ ScreenPicture toScreen(const Frame &frame, int width, int height);
 /// 4:2:0 at limited range by BT.601, chroma centred. Width and height are even. Any thread.
 Frame fromScreen(const std::uint32_t *pixels, int width, int height, std::ptrdiff_t strideBytes,
                  Nanoseconds time);
+
+/// Writes a frame as a still picture in colour; the ending names the format (.png, .jpg). Errors: those of
+/// OutputFile.
+Result<void> writePicture(const Frame &frame, const OutputTarget &target);
+
+/// A frame in colour as a PNG.
+Result<std::vector<unsigned char>> colourPng(const Frame &frame);
+
+/// A frame's luma as a grey PNG, unchanged.
+Result<std::vector<unsigned char>> greyPng(const Frame &frame);
+
+/// The advice where a picture makes trouble that is not known better.
+Message useAnotherPicture();
 
 } // namespace odo

@@ -3,7 +3,6 @@
 
 #include "core/base/file_system.h"
 #include "core/video/internal/libav.h"
-#include "core/video/internal/video_words.h"
 
 #include <algorithm>
 #include <cerrno>

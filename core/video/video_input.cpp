@@ -4,7 +4,7 @@
 #include "core/base/file_system.h"
 #include "core/files/file_words.h"
 #include "core/files/protected_files.h"
-#include "core/video/internal/video_words.h"
+#include "core/video/internal/libav.h"
 
 #include <algorithm>
 #include <vector>

@@ -5,7 +5,6 @@
 #include "core/video/frame_times.h"
 #include "core/video/internal/libav.h"
 #include "core/video/internal/stream_format.h"
-#include "core/video/internal/video_words.h"
 #include "core/video/jpeg.h"
 #include "core/video/video_input.h"
 

@@ -4,8 +4,8 @@
 #include "core/base/error.h"
 #include "core/base/units.h"
 #include "core/files/output_file.h"
+#include "core/video/internal/libav.h"
 #include "core/video/internal/video_encoder.h"
-#include "core/video/internal/video_words.h"
 
 #include <cmath>
 #include <cstdio>

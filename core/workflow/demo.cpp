@@ -12,7 +12,7 @@
 #include "core/project/repositories.h"
 #include "core/simulation/demo_testbed.h"
 #include "core/simulation/renderer.h"
-#include "core/video/picture_writer.h"
+#include "core/video/picture.h"
 #include "core/workflow/calibrate/calibrate_job.h"
 #include "core/workflow/calibrate/register_job.h"
 #include "core/workflow/import/import_trial_job.h"

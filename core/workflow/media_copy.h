@@ -3,7 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/base/job_control.h"
-#include "core/files/claimed_file.h"
+#include "core/files/temporary.h"
 
 #include <cstdint>
 #include <filesystem>

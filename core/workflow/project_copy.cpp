@@ -3,7 +3,6 @@
 
 #include "core/base/error.h"
 #include "core/base/file_system.h"
-#include "core/base/subjects.h"
 #include "core/exchange/project_archive.h"
 #include "core/files/output_file.h"
 #include "core/files/temporary.h"

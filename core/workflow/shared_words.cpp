@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/shared_words.h"
 
-#include "core/base/subjects.h"
+#include "core/base/error.h"
 #include "core/files/file_words.h"
 
 namespace odo {

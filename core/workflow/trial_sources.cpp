@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/trial_sources.h"
 
-#include "core/base/subjects.h"
+#include "core/base/error.h"
 #include "core/calibration/lens_influence.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
@@ -30,8 +30,7 @@ Result<std::optional<FloorView>> floorViewInForce(Project &project, RecordId cam
     const auto registration = ODO_TRY(project.cameras().currentRegistration(camera));
     if (!registration)
         return std::nullopt;
-    auto floorView = ODO_TRY(floorViewOf(project, *registration));
-    return std::move(floorView);
+    return ODO_TRY(floorViewOf(project, *registration));
 }
 
 Result<std::vector<RegisteredView>> registeredViews(Project &project, const TrialRecord &trial)

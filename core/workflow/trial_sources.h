@@ -3,7 +3,7 @@
 
 #include "core/geometry/floor_view.h"
 #include "core/project/records.h"
-#include "core/trajectory/view_clock.h"
+#include "core/trajectory/analyser.h"
 
 #include <filesystem>
 #include <optional>

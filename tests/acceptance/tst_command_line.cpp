@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/demo_testbed.h"
 #include "core/simulation/renderer.h"
-#include "core/video/picture_writer.h"
+#include "core/video/picture.h"
 #include "tests/support/calling_test.h"
 #include "tests/support/registered_test.h"
 

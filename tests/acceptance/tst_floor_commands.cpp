@@ -2,7 +2,7 @@
 #include "core/exchange/intrinsics_yaml.h"
 #include "core/simulation/demo_testbed.h"
 #include "core/simulation/renderer.h"
-#include "core/video/picture_writer.h"
+#include "core/video/picture.h"
 #include "tests/support/calling_test.h"
 #include "tests/support/patience.h"
 #include "tests/support/registered_test.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/analysis/curve_columns.h"
+#include "core/analysis/quantity_curve.h"
 
 #include "tests/support/registered_test.h"
 

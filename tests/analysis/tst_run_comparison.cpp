@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Runs of known motion against one another: the time difference at each place in closed form, and its stated
 // σ against the scatter over noisy runs.
-#include "core/analysis/internal/run_alignment.h"
+#include "core/analysis/internal/path_following.h"
 #include "core/analysis/internal/run_comparison.h"
 #include "core/analysis/metrics.h"
 #include "core/analysis/run_differences.h"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Gathering pictures of a board: where it stands, what is missing, what does not count.
-#include "core/calibration/board_collector.h"
 #include "core/calibration/board_placement.h"
 #include "core/simulation/renderer.h"
 #include "tests/support/registered_test.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/capture/recording_outcome.h"
+#include "core/capture/capture_session.h"
 
 #include "tests/support/registered_test.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/capture/v4l2/internal/v4l2_pictures.h"
+#include "core/capture/v4l2/internal/v4l2_mode.h"
 #include "tests/support/registered_test.h"
 #include "tests/video/jpeg_pictures.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/files/claimed_file.h"
+#include "core/files/temporary.h"
 
 #include "tests/support/registered_test.h"
 

@@ -10,8 +10,7 @@
 #include "tests/ui/support/driven_window.h"
 #include "tests/ui/support/found_widgets.h"
 #include "ui/history/history_page.h"
-#include "ui/main_window/appearance.h"
-#include "ui/main_window/internal/import_trial_dialog.h"
+#include "ui/main_window/internal/import_dialogs.h"
 #include "ui/main_window/internal/window_bars.h"
 #include "ui/main_window/language.h"
 #include "ui/main_window/main_window.h"
@@ -25,8 +24,9 @@
 #include "ui/testbed/check/moved_dialog.h"
 #include "ui/testbed/floor/floor_wizard.h"
 #include "ui/testbed/lens/lens_wizard.h"
-#include "ui/views/widgets/path_field.h"
+#include "ui/views/widgets/form_fields.h"
 #include "ui/views/widgets/spike_list.h"
+#include "ui/views/widgets/theme.h"
 
 #include <QAction>
 #include <QApplication>

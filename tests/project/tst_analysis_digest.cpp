@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is changed by hand in a project is found: by the digests of its analyses, and by computing its metrics
 // again.
-#include "core/base/subjects.h"
+#include "core/base/error.h"
 #include "core/project/internal/connection.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Thousands of trials are checked quickly, and each file is read once, however many trials it belongs to.
-#include "core/base/subjects.h"
+#include "core/base/error.h"
 #include "core/project/internal/analysis_digest.h"
 #include "core/project/internal/connection.h"
 #include "core/project/project.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/internal/connection.h"
-#include "core/project/internal/migrator.h"
+#include "core/project/internal/opening_check.h"
 #include "tests/support/registered_test.h"
 
 #include <QDir>

@@ -3,7 +3,7 @@
 // lost.
 #include "core/project/internal/analysis_digest.h"
 #include "core/project/internal/connection.h"
-#include "core/project/internal/migrator.h"
+#include "core/project/internal/opening_check.h"
 #include "core/project/internal/schema.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"

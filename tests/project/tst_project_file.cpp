@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/base/subjects.h"
+#include "core/base/error.h"
 #include "core/project/internal/connection.h"
 #include "core/project/internal/schema.h"
-#include "core/project/internal/write_turn.h"
 #include "core/project/project.h"
+#include "core/project/project_locks.h"
 #include "core/project/recording_rows.h"
 #include "core/project/repositories.h"
 #include "tests/project/sample_records.h"

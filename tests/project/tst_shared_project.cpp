@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One project file and several that use it: threads of this process, other processes, and whoever moves the
 // file.
-#include "core/project/internal/write_turn.h"
 #include "core/project/project.h"
+#include "core/project/project_locks.h"
 #include "core/project/project_rescue.h"
 #include "core/project/repositories.h"
 #include "tests/support/program.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/tracking/light_meter.h"
+#include "core/tracking/background.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,6 @@
 #include "tests/tracking/textured_floor.h"
 
 #include "core/tracking/background.h"
-#include "core/tracking/light_meter.h"
 #include "tests/support/registered_test.h"
 
 #include <QTest>

@@ -3,7 +3,6 @@
 #include "core/simulation/renderer.h"
 #include "core/tracking/chroma.h"
 #include "core/tracking/colour_tracker.h"
-#include "core/tracking/picked_colour.h"
 #include "tests/support/registered_test.h"
 
 #include <QTest>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/geometry/polygon.h"
 #include "core/geometry/silhouette.h"
 #include "tests/trajectory/synthetic_trial.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/trajectory/synthetic_trial.h"
 
-#include "core/trajectory/internal/level_reach.h"
+#include "core/trajectory/internal/level_fit.h"
 #include "tests/support/registered_test.h"
 
 #include <QTest>

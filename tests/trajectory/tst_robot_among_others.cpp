@@ -2,7 +2,7 @@
 // Which of all that moves is the robot: by the floor, over all views together, or as a person says.
 #include "core/geometry/silhouette.h"
 #include "core/trajectory/name_assignment.h"
-#include "core/trajectory/outline_doubt.h"
+#include "core/trajectory/view_disagreement.h"
 #include "tests/support/registered_test.h"
 #include "tests/trajectory/synthetic_trial.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Files that say that they have enormous pictures: refused by what they say, without asking for the memory.
 #include "core/base/shortage.h"
+#include "core/video/picture.h"
 #include "core/video/picture_reader.h"
-#include "core/video/picture_writer.h"
 #include "core/video/video_reader.h"
 #include "tests/support/registered_test.h"
 #include "tests/video/coded_frames.h"

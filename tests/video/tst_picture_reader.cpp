@@ -2,7 +2,6 @@
 #include "core/video/picture_reader.h"
 
 #include "core/video/picture.h"
-#include "core/video/picture_writer.h"
 #include "tests/support/registered_test.h"
 #include "tests/video/coded_frames.h"
 #include "tests/video/jpeg_pictures.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/vm/vivid_cameras.h"
 
-#include "core/capture/v4l2/internal/v4l2_controls.h"
+#include "core/capture/v4l2/internal/v4l2_device.h"
 
 #include <QTest>
 #include <cstdlib>

@@ -3,7 +3,7 @@
 
 #include "core/simulation/renderer.h"
 #include "core/video/video_reader.h"
-#include "core/workflow/track/shadow_choice.h"
+#include "core/workflow/track/settled_views.h"
 
 #include <QTemporaryDir>
 #include <algorithm>

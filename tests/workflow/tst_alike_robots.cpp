@@ -2,7 +2,7 @@
 // Robots of exactly the same look among one another: each keeps its name, or the stretch is said to be
 // doubtful. ODOGRAPH_CROSSINGS: how many of two, of four and of six robots; by default a few of two.
 #include "core/simulation/demo_testbed.h"
-#include "core/workflow/track/robot_names.h"
+#include "core/workflow/track/settled_views.h"
 #include "tests/support/registered_test.h"
 #include "tests/workflow/measured_scene.h"
 

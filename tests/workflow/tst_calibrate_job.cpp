@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From pictures to a stored calibration: what is kept, what is refused, and in which words.
-#include "core/calibration/board_collector.h"
+#include "core/calibration/board_placement.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/simulation/renderer.h"
-#include "core/video/picture_writer.h"
+#include "core/video/picture.h"
 #include "core/workflow/calibrate/calibrate_job.h"
 #include "core/workflow/calibrate/cameras.h"
 #include "tests/support/registered_test.h"

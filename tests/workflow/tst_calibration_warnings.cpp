@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/workflow/calibrate/revisions.h"
+#include "core/workflow/calibrate/cameras.h"
 #include "tests/support/registered_test.h"
 #include "tests/support/said_error.h"
 

@@ -3,7 +3,7 @@
 // tracked again it has new ones.
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/workflow/track/robot_names.h"
+#include "core/workflow/track/settled_views.h"
 #include "core/workflow/track/track_job.h"
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/stored_example.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/steady_now.h"
-#include "core/workflow/record/live_broadcast.h"
+#include "core/workflow/record/live_tracking.h"
 #include "tests/support/datagram_receiver.h"
 #include "tests/support/protobuf_decoder.h"
 #include "tests/support/registered_test.h"

@@ -4,9 +4,9 @@
 #include "core/project/repositories.h"
 #include "core/simulation/demo_testbed.h"
 #include "core/simulation/renderer.h"
-#include "core/video/picture_writer.h"
+#include "core/video/picture.h"
+#include "core/workflow/calibrate/cameras.h"
 #include "core/workflow/calibrate/register_job.h"
-#include "core/workflow/calibrate/revisions.h"
 #include "tests/support/registered_test.h"
 
 #include <QFile>

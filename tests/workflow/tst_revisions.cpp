@@ -2,9 +2,9 @@
 // Revisions of a camera, trials that point to them, and what measuring again with others changes.
 #include "core/project/project.h"
 #include "core/project/repositories.h"
+#include "core/workflow/calibrate/cameras.h"
 #include "core/workflow/calibrate/moved_job.h"
 #include "core/workflow/calibrate/register_job.h"
-#include "core/workflow/calibrate/revisions.h"
 #include "core/workflow/track/reanalysis.h"
 #include "tests/support/contains.h"
 #include "tests/support/registered_test.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/demo_testbed.h"
-#include "core/workflow/track/shadow_choice.h"
+#include "core/workflow/track/settled_views.h"
 #include "tests/support/registered_test.h"
 #include "tests/workflow/measured_scene.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/files/claimed_file.h"
+#include "core/files/temporary.h"
 #include "core/project/project.h"
 #include "core/project/project_media.h"
 #include "core/project/repositories.h"

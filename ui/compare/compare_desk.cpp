@@ -7,11 +7,9 @@
 #include "ui/models/shown_message.h"
 #include "ui/models/timeline.h"
 #include "ui/models/trial_scene.h"
-#include "ui/views/charts/chart_bubbles.h"
 #include "ui/views/charts/chart_overlay.h"
 #include "ui/views/charts/chart_picture.h"
 #include "ui/views/charts/series_colours.h"
-#include "ui/views/charts/series_key.h"
 #include "ui/views/picture/camera_view.h"
 #include "ui/views/widgets/theme.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ui/models/comparison_scene.h"
-#include "ui/views/charts/axis_span.h"
+#include "ui/views/charts/chart_axis.h"
 #include "ui/views/charts/chart_view.h"
 #include "ui/views/curves/comparison_curves.h"
 #include "ui/views/widgets/card.h"

@@ -6,7 +6,6 @@
 #include "ui/compare/compare_desk.h"
 #include "ui/compare/internal/compare_column.h"
 #include "ui/compare/internal/compare_map.h"
-#include "ui/compare/internal/run_chooser.h"
 #include "ui/models/background_task.h"
 #include "ui/models/shown_message.h"
 #include "ui/models/shown_names.h"

@@ -2,14 +2,13 @@
 #include "ui/main_window/main_window.h"
 
 #include "core/analysis/run_differences.h"
-#include "core/base/subjects.h"
+#include "core/base/error.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "ui/compare/compare_desk.h"
 #include "ui/compare/compare_page.h"
 #include "ui/history/history_page.h"
 #include "ui/main_window/help/help_actions.h"
-#include "ui/main_window/help/lesson.h"
 #include "ui/main_window/internal/class_actions.h"
 #include "ui/main_window/internal/file_actions.h"
 #include "ui/main_window/internal/report_actions.h"
@@ -19,7 +18,7 @@
 #include "ui/main_window/preferences/command_keys.h"
 #include "ui/main_window/preferences/preferences_dialog.h"
 #include "ui/main_window/workspace.h"
-#include "ui/models/shared_messages.h"
+#include "ui/models/shown_message.h"
 #include "ui/models/shown_names.h"
 #include "ui/record/record_page.h"
 #include "ui/review/corrections.h"
@@ -27,7 +26,7 @@
 #include "ui/review/review_page.h"
 #include "ui/testbed/testbed_page.h"
 #include "ui/views/widgets/command_keys.h"
-#include "ui/views/widgets/path_field.h"
+#include "ui/views/widgets/form_fields.h"
 
 #include <QCloseEvent>
 #include <QHBoxLayout>

@@ -3,10 +3,10 @@
 
 #include "core/base/crash_report.h"
 #include "core/base/file_system.h"
-#include "core/base/stop_signals.h"
+#include "core/base/job_control.h"
 #include "ui/main_window/main_window.h"
+#include "ui/views/widgets/form_fields.h"
 #include "ui/views/widgets/labels.h"
-#include "ui/views/widgets/path_field.h"
 
 #include <QDialogButtonBox>
 #include <QDir>

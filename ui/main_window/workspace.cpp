@@ -13,7 +13,6 @@
 #include "core/workflow/record/completed_recordings.h"
 #include "ui/main_window/internal/project_watch.h"
 #include "ui/models/background_task.h"
-#include "ui/models/shared_messages.h"
 #include "ui/models/shown_message.h"
 
 #include <QDateTime>

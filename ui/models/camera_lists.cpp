@@ -4,7 +4,7 @@
 #include "core/project/project.h"
 #include "core/project/records.h"
 #include "core/project/repositories.h"
-#include "core/workflow/calibrate/revisions.h"
+#include "core/workflow/calibrate/cameras.h"
 #include "ui/models/figure_text.h"
 #include "ui/models/shown_message.h"
 

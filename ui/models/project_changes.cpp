@@ -3,7 +3,6 @@
 
 #include "core/project/project.h"
 #include "core/project/project_words.h"
-#include "ui/models/shared_messages.h"
 #include "ui/models/shown_message.h"
 
 #include <QCoreApplication>

@@ -3,7 +3,7 @@
 
 #include "core/analysis/profile.h"
 #include "core/analysis/scoring.h"
-#include "core/workflow/compare/standings.h"
+#include "core/workflow/compare/trial_figures.h"
 #include "ui/models/explanation.h"
 #include "ui/models/figure_text.h"
 #include "ui/models/internal/row_table_model.h"

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/base/message.h"
 
 #include <QString>
 
@@ -26,5 +27,18 @@ QString errorInWords(const Error &error);
 
 /// The same on one line, as Error::message() has it: "what: why; what to do".
 QString errorLine(const Error &error);
+
+/// What several windows say, or a window and the command line.
+
+Message pictureSubject(); ///< "the picture"
+Message anotherJobRuns();
+Message waitOrCancel(); ///< what to do while a job runs
+Message noProjectIsOpen();
+
+/// What a change does, for Project::change.
+Message addCameraWords(const std::string &name);
+Message addRobotWords(std::string robot);
+Message addTaskWords(std::string task);
+Message addLayoutWords(std::string layout);
 
 } // namespace odo

@@ -3,7 +3,7 @@
 
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/trajectory/view_clock.h"
+#include "core/trajectory/analyser.h"
 #include "core/workflow/trial_sources.h"
 
 #include <algorithm>

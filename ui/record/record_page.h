@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/workflow/record/run_control.h"
-#include "ui/record/internal/chosen_cameras.h"
+#include "ui/record/internal/running_cameras.h"
 #include "ui/record/sent_positions.h"
 
 #include <QTimer>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/workflow/record/live_broadcast.h"
+#include "core/workflow/record/live_tracking.h"
 
 #include <QStringList>
 #include <optional>

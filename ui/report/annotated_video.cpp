@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/annotated_video.h"
 
+#include "core/base/error.h"
 #include "core/base/file_system.h"
-#include "core/base/subjects.h"
 #include "core/files/file_words.h"
 #include "core/project/project.h"
 #include "core/video/frame_stream.h"

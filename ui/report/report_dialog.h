@@ -2,8 +2,7 @@
 #pragma once
 
 #include "ui/models/background_task.h"
-#include "ui/report/internal/report_maker.h"
-#include "ui/report/report_settings.h"
+#include "ui/report/report_maker.h"
 
 #include <QDialog>
 #include <QImage>

@@ -4,8 +4,8 @@
 #include "core/base/error.h"
 #include "core/files/output_file.h"
 #include "core/workflow/job.h"
-#include "ui/report/internal/report_maker.h"
-#include "ui/report/internal/report_page.h"
+#include "ui/report/internal/report_painting.h"
+#include "ui/report/report_maker.h"
 
 #include <QFile>
 #include <filesystem>

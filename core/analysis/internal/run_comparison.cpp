@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/analysis/internal/run_comparison.h"
 
-#include "core/analysis/internal/run_alignment.h"
+#include "core/analysis/internal/path_following.h"
 #include "core/analysis/quantity_curve.h"
-#include "core/base/subjects.h"
+#include "core/base/error.h"
 
 #include <algorithm>
 #include <cmath>

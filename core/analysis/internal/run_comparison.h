@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/analysis/internal/run_alignment.h"
+#include "core/analysis/internal/path_following.h"
 #include "core/base/error.h"
 
 #include <optional>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/aravis/aravis_address.h"
 
-#include "core/capture/camera_errors.h"
 #include "core/capture/camera_source.h"
 
 #include <cmath>

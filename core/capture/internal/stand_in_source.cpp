@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/internal/stand_in_source.h"
 
+#include "core/base/error.h"
 #include "core/base/steady_now.h"
-#include "core/base/subjects.h"
 #include "core/simulation/demo_testbed.h"
 #include "core/video/video_reader.h"
 

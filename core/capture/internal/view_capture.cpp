@@ -4,7 +4,7 @@
 #include "core/base/percentile.h"
 #include "core/base/shortage.h"
 #include "core/base/steady_now.h"
-#include "core/capture/camera_errors.h"
+#include "core/capture/camera_source.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include "core/base/bounded_queue.h"
 #include "core/capture/capture_health.h"
-#include "core/capture/internal/view_coder.h"
+#include "core/capture/internal/view_writer.h"
 #include "core/capture/synchroniser.h"
 
 #include <deque>

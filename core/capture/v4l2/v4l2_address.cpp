@@ -2,7 +2,6 @@
 #include "core/capture/v4l2/v4l2_address.h"
 
 #include "core/base/file_system.h"
-#include "core/capture/camera_errors.h"
 #include "core/capture/camera_source.h"
 
 #include <algorithm>

@@ -2,11 +2,9 @@
 #include "core/capture/v4l2/v4l2_source.h"
 
 #include "core/base/steady_now.h"
-#include "core/capture/camera_errors.h"
 #include "core/capture/camera_source.h"
-#include "core/capture/v4l2/internal/v4l2_controls.h"
+#include "core/capture/v4l2/internal/v4l2_device.h"
 #include "core/capture/v4l2/internal/v4l2_mode.h"
-#include "core/capture/v4l2/internal/v4l2_pictures.h"
 #include "core/capture/v4l2/internal/v4l2_stream.h"
 #include "core/capture/v4l2/internal/v4l2_sysfs.h"
 #include "core/capture/v4l2/v4l2_address.h"

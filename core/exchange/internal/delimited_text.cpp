@@ -2,7 +2,6 @@
 #include "core/exchange/internal/delimited_text.h"
 
 #include "core/base/units.h"
-#include "core/exchange/internal/input_words.h"
 #include "core/exchange/text_file.h"
 #include "core/files/file_words.h"
 

@@ -3,7 +3,7 @@
 
 #include "core/analysis/metrics.h"
 #include "core/analysis/task_metrics.h"
-#include "core/base/subjects.h"
+#include "core/base/error.h"
 #include "core/geometry/floor_view.h"
 #include "core/project/internal/analysis_digest.h"
 #include "core/project/internal/connection.h"

@@ -4,7 +4,6 @@
 #include "core/project/internal/connection.h"
 #include "core/project/internal/series_blobs.h"
 #include "core/project/internal/series_rows.h"
-#include "core/project/internal/stored_words.h"
 #include "core/project/internal/words.h"
 #include "core/project/names.h"
 #include "core/project/repositories.h"

@@ -3,7 +3,7 @@
 
 #include "core/project/internal/connection.h"
 #include "core/project/internal/series_blobs.h"
-#include "core/project/internal/stored_words.h"
+#include "core/project/internal/words.h"
 #include "core/project/names.h"
 #include "core/project/recording_rows.h"
 

@@ -2,7 +2,7 @@
 #include "core/project/internal/change_journal.h"
 
 #include "core/project/internal/connection.h"
-#include "core/project/internal/stored_words.h"
+#include "core/project/internal/words.h"
 #include "core/project/names.h"
 #include "core/project/project_words.h"
 #include "core/project/records.h"

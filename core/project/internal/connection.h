@@ -3,7 +3,7 @@
 
 #include "core/base/error.h"
 #include "core/files/protected_files.h"
-#include "core/project/internal/write_turn.h"
+#include "core/project/project_locks.h"
 #include "core/project/records.h"
 #include "core/project/write_ahead_log.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/analysis/task.h"
-#include "core/base/subjects.h"
+#include "core/base/error.h"
 #include "core/calibration/marker_layout.h"
 #include "core/project/internal/connection.h"
 #include "core/project/internal/words.h"

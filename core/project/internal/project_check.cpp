@@ -5,7 +5,6 @@
 #include "core/base/file_system.h"
 #include "core/base/job_control.h"
 #include "core/base/shortage.h"
-#include "core/base/subjects.h"
 #include "core/base/units.h"
 #include "core/files/file_words.h"
 #include "core/files/protected_files.h"

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/analysis/task.h"
-#include "core/base/subjects.h"
+#include "core/base/error.h"
 #include "core/project/internal/connection.h"
-#include "core/project/internal/stored_words.h"
 #include "core/project/internal/words.h"
 #include "core/project/names.h"
 #include "core/project/repositories.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/project/internal/migrator.h"
+#include "core/project/internal/opening_check.h"
 
 #include <cstdint>
 #include <vector>

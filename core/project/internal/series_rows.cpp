@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/project/internal/series_rows.h"
 
-#include "core/analysis/noise_level.h"
+#include "core/analysis/profile.h"
 #include "core/project/internal/connection.h"
 #include "core/project/internal/series_blobs.h"
 #include "core/project/internal/words.h"

@@ -3,10 +3,8 @@
 
 #include "core/analysis/task.h"
 #include "core/base/error.h"
-#include "core/base/subjects.h"
 #include "core/project/internal/connection.h"
 #include "core/project/internal/series_blobs.h"
-#include "core/project/internal/stored_words.h"
 #include "core/project/internal/words.h"
 #include "core/project/names.h"
 #include "core/project/records.h"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/error.h"
-#include "core/base/subjects.h"
 #include "core/project/internal/connection.h"
 #include "core/project/internal/words.h"
 #include "core/project/names.h"

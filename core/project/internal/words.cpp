@@ -2,7 +2,6 @@
 #include "core/project/internal/words.h"
 
 #include "core/project/internal/series_blobs.h"
-#include "core/project/internal/stored_words.h"
 
 #include <cstring>
 #include <utility>

@@ -2,7 +2,7 @@
 #include "core/simulation/internal/floor_painter.h"
 
 #include "core/simulation/internal/polygon_layer.h"
-#include "core/simulation/internal/random_hash.h"
+#include "core/simulation/scene.h"
 #include "core/simulation/tag_pattern.h"
 
 #include <cmath>

@@ -2,7 +2,7 @@
 #include "core/simulation/internal/robot_body.h"
 
 #include "core/geometry/floor_view.h"
-#include "core/geometry/polygon.h"
+#include "core/geometry/silhouette.h"
 #include "core/simulation/internal/polygon_layer.h"
 #include "core/simulation/scene.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/internal/sensor.h"
 
-#include "core/simulation/internal/random_hash.h"
+#include "core/simulation/scene.h"
 
 #include <cmath>
 #include <numbers>

@@ -17,7 +17,7 @@ struct TimedPosition
 };
 
 /// How the second view's clock lies against the first view's: what the second view stamps u was taken at
-/// offset + u / (1 + rate) of the first view's clock (core/trajectory/view_clock.h).
+/// offset + u / (1 + rate) of the first view's clock (core/trajectory/analyser.h).
 struct ClipOffset
 {
     double offsetS = 0; ///< how much later the second view's first frame was taken than the first view's

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/synchronisation/internal/clip_synchronisation.h"
-#include "core/tracking/light_meter.h"
+#include "core/tracking/background.h"
 
 #include <vector>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/internal/compared_window.h"
 
-#include "core/tracking/internal/background_noise.h"
 #include "core/tracking/internal/difference_windows.h"
 #include "core/tracking/internal/fetch_early.h"
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/tracking/internal/background_noise.h"
+#include "core/tracking/background.h"
 #include "core/tracking/internal/bit_mask.h"
 #include "core/tracking/internal/difference_windows.h"
-#include "core/tracking/light_meter.h"
 #include "core/video/frame.h"
 
 #include <algorithm>
@@ -77,7 +76,7 @@ struct ComparedRow
     /// chroma about neutral in units of 1 / ChromaEnlarger::unit
     const std::int16_t *u = nullptr, *v = nullptr;
     const std::int16_t *uBehind = nullptr, *vBehind = nullptr; ///< of the background in the frame's light
-    /// of the noise (core/tracking/internal/background_noise.h)
+    /// of the noise (core/tracking/internal/difference_windows.h)
     const std::int16_t *lumaInverse = nullptr, *chromaInverse = nullptr;
 
     /// Where luma or chroma differ by more than the place varies, and where by so much that even a few pixels

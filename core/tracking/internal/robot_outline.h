@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/tracking/internal/blob_finder.h"
 #include "core/tracking/internal/outline_fit.h"
-#include "core/tracking/internal/region_measure.h"
 #include "core/tracking/internal/tracked_frame.h"
 
 #include <array>

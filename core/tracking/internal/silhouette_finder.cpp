@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tracking/internal/silhouette_finder.h"
 
-#include "core/geometry/polygon.h"
 #include "core/geometry/silhouette.h"
-#include "core/tracking/internal/background_noise.h"
 #include "core/tracking/internal/bit_mask.h"
 #include "core/tracking/internal/compared_window.h"
 #include "core/tracking/internal/difference_windows.h"
-#include "core/tracking/internal/floor_shade.h"
 #include "core/tracking/internal/region_edge.h"
 
 #include <algorithm>

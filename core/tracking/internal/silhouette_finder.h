@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/geometry/polygon.h"
+#include "core/geometry/silhouette.h"
 #include "core/tracking/background.h"
 #include "core/tracking/chroma.h"
 

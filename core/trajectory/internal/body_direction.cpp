@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/internal/body_direction.h"
 
+#include "core/trajectory/analyser.h"
 #include "core/trajectory/internal/kalman_smoother.h"
-#include "core/trajectory/view_clock.h"
 
 #include <algorithm>
 #include <cmath>

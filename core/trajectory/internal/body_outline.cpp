@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/internal/body_outline.h"
 
-#include "core/trajectory/internal/level_reach.h"
-#include "core/trajectory/view_clock.h"
+#include "core/trajectory/analyser.h"
+#include "core/trajectory/internal/level_fit.h"
 
 #include <algorithm>
 #include <ceres/tiny_solver.h>

@@ -2,8 +2,8 @@
 #include "core/trajectory/internal/floor_positions.h"
 
 #include "core/base/percentile.h"
+#include "core/trajectory/analyser.h"
 #include "core/trajectory/internal/body_outline.h"
-#include "core/trajectory/view_clock.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/internal/level_fit.h"
 
-#include "core/trajectory/internal/level_reach.h"
-#include "core/trajectory/view_clock.h"
-
-#include <ceres/ceres.h>
+#include "core/trajectory/analyser.h"
 
 #include <algorithm>
 #include <array>
+#include <ceres/ceres.h>
 #include <cmath>
 #include <numbers>
 #include <numeric>

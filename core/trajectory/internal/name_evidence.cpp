@@ -5,7 +5,7 @@
 #include "core/base/units.h"
 #include "core/geometry/silhouette.h"
 #include "core/tracking/chroma.h"
-#include "core/trajectory/view_clock.h"
+#include "core/trajectory/analyser.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

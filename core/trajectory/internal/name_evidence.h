@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/tracking/observation.h"
+#include "core/trajectory/analyser.h"
 #include "core/trajectory/name_assignment.h"
-#include "core/trajectory/view_clock.h"
 
 #include <Eigen/Core>
 #include <cstddef>

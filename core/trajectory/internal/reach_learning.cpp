@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trajectory/internal/reach_learning.h"
 
-#include "core/trajectory/internal/level_reach.h"
+#include "core/trajectory/internal/level_fit.h"
 
 #include <Eigen/Cholesky>
 

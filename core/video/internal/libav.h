@@ -1,6 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/message.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <new>
+#include <string>
 extern "C" {
 #include <libavcodec/avcodec.h>
 #include <libavcodec/bsf.h>
@@ -9,12 +16,8 @@ extern "C" {
 #include <libavutil/opt.h>
 }
 
-#include <cstdint>
-#include <memory>
-#include <new>
-#include <string>
-
 /// Owners for the things of libav. Private to core/video: no public header includes this one.
+
 namespace odo::libav {
 
 /// Of a picture that is read. libapriltag ends the program at a side of 32,768 pixels, OpenCV remaps none of
@@ -80,3 +83,14 @@ std::string errorText(int error);
 void quieten();
 
 } // namespace odo::libav
+
+namespace odo {
+
+/// What is said at several places of this folder.
+Message cannotOpenVideo(const std::filesystem::path &file);
+Message dataAreDamaged();
+Message writingFailedBefore();
+Message copyFromCamera();
+Message convertToH264();
+
+} // namespace odo

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/video/internal/stream_format.h"
 
-#include "core/video/internal/video_words.h"
+#include "core/video/internal/libav.h"
 #include "core/video/jpeg.h"
 
 #include <algorithm>

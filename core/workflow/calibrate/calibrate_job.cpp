@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/calibrate/calibrate_job.h"
 
-#include "core/base/subjects.h"
+#include "core/base/error.h"
 #include "core/calibration/intrinsic_calibration.h"
 #include "core/files/protected_files.h"
 #include "core/project/project.h"
 #include "core/project/records.h"
 #include "core/project/repositories.h"
-#include "core/video/picture_writer.h"
+#include "core/video/picture.h"
 #include "core/workflow/calibrate/calibration_pictures.h"
 #include "core/workflow/calibrate/cameras.h"
 

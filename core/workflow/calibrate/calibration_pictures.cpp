@@ -3,8 +3,8 @@
 
 #include "core/base/file_system.h"
 #include "core/base/sha256.h"
+#include "core/video/picture.h"
 #include "core/video/picture_reader.h"
-#include "core/video/picture_writer.h"
 #include "core/video/video_reader.h"
 #include "core/workflow/media_copy.h"
 #include "core/workflow/shared_words.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/job_control.h"
-#include "core/files/claimed_file.h"
+#include "core/files/temporary.h"
 #include "core/project/records.h"
 #include "core/video/frame.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/calibrate/moved_job.h"
 
-#include "core/base/subjects.h"
+#include "core/base/error.h"
 #include "core/capture/camera_source.h"
 #include "core/project/project.h"
 #include "core/project/records.h"

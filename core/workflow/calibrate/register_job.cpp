@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/calibrate/register_job.h"
 
-#include "core/base/subjects.h"
+#include "core/base/error.h"
 #include "core/calibration/marker_detection.h"
 #include "core/exchange/labelled_points.h"
 #include "core/project/project.h"

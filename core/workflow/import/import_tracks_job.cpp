@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/import/import_tracks_job.h"
 
-#include "core/analysis/noise_level.h"
+#include "core/analysis/profile.h"
+#include "core/base/error.h"
 #include "core/base/file_system.h"
-#include "core/base/subjects.h"
 #include "core/exchange/file_name.h"
 #include "core/exchange/track_export.h"
 #include "core/files/protected_files.h"
@@ -15,7 +15,6 @@
 #include "core/trajectory/imported_track.h"
 #include "core/workflow/import/teams.h"
 #include "core/workflow/shared_words.h"
-#include "core/workflow/track/task_analysis.h"
 #include "core/workflow/track/view_tracking.h"
 
 #include <algorithm>

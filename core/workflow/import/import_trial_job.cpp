@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/import/import_trial_job.h"
 
+#include "core/base/error.h"
 #include "core/base/file_system.h"
 #include "core/base/job_control.h"
-#include "core/base/subjects.h"
 #include "core/files/protected_files.h"
 #include "core/project/limits.h"
 #include "core/project/project.h"
@@ -17,7 +17,7 @@
 #include "core/workflow/import/teams.h"
 #include "core/workflow/media_copy.h"
 #include "core/workflow/shared_words.h"
-#include "core/workflow/track/robot_names.h"
+#include "core/workflow/track/settled_views.h"
 #include "core/workflow/trial_sources.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/files/claimed_file.h"
+#include "core/files/temporary.h"
 #include "core/project/records.h"
 #include "core/workflow/job.h"
 #include "core/workflow/trial_sources.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/record/completed_recordings.h"
 
+#include "core/base/error.h"
 #include "core/base/file_system.h"
-#include "core/base/subjects.h"
-#include "core/capture/recording_outcome.h"
+#include "core/capture/capture_session.h"
 #include "core/files/file_words.h"
 #include "core/project/project.h"
 #include "core/project/project_media.h"

@@ -4,10 +4,18 @@
 #include "core/base/percentile.h"
 #include "core/base/shortage.h"
 #include "core/base/steady_now.h"
+#include "core/workflow/shared_words.h"
 #include "core/workflow/track/view_tracking.h"
 
 #include <algorithm>
+#include <arpa/inet.h>
+#include <charconv>
+#include <chrono>
 #include <cmath>
+#include <net/if.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
 namespace odo {
 
@@ -191,6 +199,210 @@ std::vector<LiveRun> LiveTracker::endRun()
         }
     }
     return runs;
+}
+
+namespace {
+
+constexpr std::size_t momentsAhead = 64;
+constexpr double measuredConfidence = 1, foretoldConfidence = 0.5;
+constexpr double slowestWithHeading = 3; // standard deviations of the speed
+
+std::string shown(const BroadcastTarget &target)
+{
+    return target.address + ":" + std::to_string(target.port);
+}
+
+Message addressSubject(const std::string &address)
+{
+    return ODO_TEXT("workflow.address_of_live_positions", "address '%1' of live positions")(address);
+}
+
+Message livePositionsTo(const BroadcastTarget &target)
+{
+    return ODO_TEXT("workflow.live_positions_to", "live positions to %1")(shown(target));
+}
+
+/// 0 at red, 120 at green; nullopt of a grey.
+std::optional<double> hueOf(RgbColour colour)
+{
+    const double r = colour.red, g = colour.green, b = colour.blue;
+    const double most = std::max({r, g, b}), spread = most - std::min({r, g, b});
+    if (spread <= 0)
+        return std::nullopt;
+    const double sixths = most == r   ? std::fmod((g - b) / spread + 6, 6)
+                          : most == g ? (b - r) / spread + 2
+                                      : (r - g) / spread + 4;
+    return 60 * sixths;
+}
+
+Result<in_addr> addressOf(const BroadcastTarget &target)
+{
+    in_addr address{};
+    if (inet_pton(AF_INET, target.address.c_str(), &address) != 1 || target.port == 0)
+        return fail(ErrorCode::InvalidInput, addressSubject(shown(target)),
+                    ODO_TEXT("workflow.no_address_with_port", "it is no IPv4 address with a port"),
+                    ODO_TEXT("workflow.write_address", "write it like 224.5.23.2:10006"));
+    return address;
+}
+
+/// Multicast leaves by this interface, is heard on this machine too, and goes no further than the network
+/// here.
+Result<void> setMulticast(int socket, const BroadcastTarget &target)
+{
+    ip_mreqn interface {
+    };
+    interface.imr_ifindex = static_cast<int>(if_nametoindex(target.interface.c_str()));
+    const unsigned char hops = 1, heardHere = 1;
+    if (interface.imr_ifindex == 0)
+        return fail(ErrorCode::InvalidInput,
+                    ODO_TEXT("workflow.interface_of_live_positions",
+                             "interface '%1' of live positions")(target.interface),
+                    ODO_TEXT("workflow.no_such_interface", "this machine has none of that name"),
+                    ODO_TEXT("workflow.choose_interface",
+                             "choose one that `ip link` names, or lo to stay on this machine"));
+    if (setsockopt(socket, IPPROTO_IP, IP_MULTICAST_IF, &interface, sizeof interface) != 0 ||
+        setsockopt(socket, IPPROTO_IP, IP_MULTICAST_TTL, &hops, sizeof hops) != 0 ||
+        setsockopt(socket, IPPROTO_IP, IP_MULTICAST_LOOP, &heardHere, sizeof heardHere) != 0)
+        return fail(ErrorCode::Io, livePositionsTo(target),
+                    ODO_TEXT("workflow.no_multicast", "interface '%1' takes no multicast")(target.interface),
+                    chooseAnotherOne());
+    return {};
+}
+
+} // namespace
+
+Result<BroadcastTarget> parseBroadcastTarget(const std::string &text, BroadcastTarget target)
+{
+    const std::size_t colon = text.find(':');
+    if (!text.empty())
+        target.address = text.substr(0, colon);
+    if (colon != std::string::npos) {
+        const char *begin = text.data() + colon + 1, *end = text.data() + text.size();
+        const auto [stop, problem] = std::from_chars(begin, end, target.port);
+        if (problem != std::errc() || stop != end)
+            target.port = 0;
+    }
+    if (const auto address = addressOf(target); !address) {
+        Error error = address.error();
+        error.what = addressSubject(text);
+        return tl::unexpected(error);
+    }
+    return target;
+}
+
+bool isMulticastGroup(const std::string &address)
+{
+    in_addr parsed{};
+    return inet_pton(AF_INET, address.c_str(), &parsed) == 1 && IN_MULTICAST(ntohl(parsed.s_addr));
+}
+
+std::vector<SslNumber> sslNumbers(const std::vector<RobotRecord> &robots)
+{
+    std::vector<SslNumber> numbers;
+    std::uint32_t yellow = 0, blue = 0;
+    for (const RobotRecord &robot : robots) {
+        const auto hue = robot.colour ? hueOf(*robot.colour) : std::nullopt;
+        const bool isBlue = hue && *hue > 150 && *hue < 330;
+        numbers.push_back({!isBlue, isBlue ? blue++ : yellow++});
+    }
+    return numbers;
+}
+
+Result<std::unique_ptr<LiveBroadcast>> LiveBroadcast::create(const BroadcastTarget &target,
+                                                             const std::vector<RobotRecord> &robots)
+{
+    ODO_TRY(addressOf(target));
+    const int socket = ::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
+    if (socket < 0)
+        return fail(ErrorCode::Io, livePositionsTo(target),
+                    ODO_TEXT("workflow.no_socket", "this machine gives no socket"), closeOtherPrograms());
+    if (isMulticastGroup(target.address)) {
+        if (auto set = setMulticast(socket, target); !set) {
+            close(socket);
+            return tl::unexpected(set.error());
+        }
+    }
+    std::unique_ptr<LiveBroadcast> broadcast(new LiveBroadcast(socket, target, robots));
+    auto thread = startThread(livePositionsTo(target), [&live = *broadcast] { live.sendAll(); });
+    if (!thread)
+        return tl::unexpected(thread.error());
+    broadcast->m_thread = std::move(*thread);
+    return broadcast;
+}
+
+LiveBroadcast::LiveBroadcast(int socket, const BroadcastTarget &target,
+                             const std::vector<RobotRecord> &robots)
+    : m_socket(socket), m_target(target), m_robots(robots), m_numbers(sslNumbers(robots)),
+      m_yaws(robots.size()), m_moments(momentsAhead)
+{
+}
+
+LiveBroadcast::~LiveBroadcast()
+{
+    m_moments.close();
+    if (m_thread.joinable())
+        m_thread.join();
+    close(m_socket);
+}
+
+void LiveBroadcast::take(const LiveMoment &moment)
+{
+    m_moments.pushOrDrop(moment);
+}
+
+LiveBroadcast::Figures LiveBroadcast::figures() const
+{
+    return {m_sent, m_failed, m_moments.dropped()};
+}
+
+/// All robots of one moment go into one packet: a tracker tells them one after the other, the last one last.
+void LiveBroadcast::sendAll()
+{
+    SslFrame frame;
+    Nanoseconds at{0};
+    while (const auto moment = m_moments.pop()) {
+        if (moment->position.sample.time != at && !frame.robots.empty())
+            send(frame, at); // the last one of the moment before was dropped
+        at = moment->position.sample.time;
+        addTo(frame, *moment);
+        if (moment->robot + 1 == m_robots.size() && !frame.robots.empty())
+            send(frame, at);
+    }
+    if (!frame.robots.empty())
+        send(frame, at);
+}
+
+void LiveBroadcast::addTo(SslFrame &frame, const LiveMoment &moment)
+{
+    const ProfilePoint &point = moment.position.point;
+    if (moment.robot >= m_robots.size() || !point.valid || !point.position.allFinite())
+        return;
+    auto &yaw = m_yaws[moment.robot];
+    if (point.speedMps > slowestWithHeading * point.sigmaSpeedMps)
+        yaw = std::atan2(point.velocity.y(), point.velocity.x());
+    const bool isMeasured = moment.position.sample.position && !moment.position.isSpike;
+    frame.robots.push_back({m_numbers[moment.robot].isYellow, m_numbers[moment.robot].id,
+                            isMeasured ? measuredConfidence : foretoldConfidence, point.position.x(),
+                            point.position.y(), yaw, m_robots[moment.robot].heightM});
+}
+
+/// Empties the frame.
+void LiveBroadcast::send(SslFrame &frame, Nanoseconds captured)
+{
+    const double nowS =
+        std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+    frame.number = m_frame++;
+    frame.sentS = nowS;
+    frame.capturedS = nowS - toSeconds(steadyNow() - captured);
+    sockaddr_in to{};
+    to.sin_family = AF_INET;
+    to.sin_port = htons(m_target.port);
+    inet_pton(AF_INET, m_target.address.c_str(), &to.sin_addr);
+    const std::string packet = sslVisionPacket(frame);
+    const auto sent =
+        sendto(m_socket, packet.data(), packet.size(), 0, reinterpret_cast<const sockaddr *>(&to), sizeof to);
+    ++(sent == static_cast<ssize_t>(packet.size()) ? m_sent : m_failed);
+    frame.robots.clear();
 }
 
 } // namespace odo

@@ -2,7 +2,7 @@
 #include "core/workflow/record/live_trial.h"
 
 #include "core/base/file_system.h"
-#include "core/capture/recording_outcome.h"
+#include "core/capture/capture_session.h"
 #include "core/project/project.h"
 #include "core/project/records.h"
 #include "core/project/repositories.h"

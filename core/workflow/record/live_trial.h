@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/capture/capture_session.h"
-#include "core/files/claimed_file.h"
+#include "core/files/temporary.h"
 #include "core/project/project_locks.h"
 #include "core/project/records.h"
 #include "core/workflow/job.h"

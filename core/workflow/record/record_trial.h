@@ -3,7 +3,7 @@
 
 #include "core/project/records.h"
 #include "core/simulation/robot_appearance.h"
-#include "core/workflow/record/live_broadcast.h"
+#include "core/workflow/record/live_tracking.h"
 #include "core/workflow/record/live_trial.h"
 
 #include <functional>

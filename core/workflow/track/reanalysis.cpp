@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/track/reanalysis.h"
 
-#include "core/base/subjects.h"
+#include "core/base/error.h"
 #include "core/project/project.h"
 #include "core/project/project_words.h"
 #include "core/project/repositories.h"

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/track/track_job.h"
 
-#include "core/base/subjects.h"
+#include "core/base/error.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/tracking/colour_tracker.h"
 #include "core/trajectory/imported_track.h"
-#include "core/workflow/track/robot_names.h"
-#include "core/workflow/track/shadow_choice.h"
-#include "core/workflow/track/task_analysis.h"
+#include "core/workflow/track/settled_views.h"
 #include "core/workflow/track/track_warnings.h"
 #include "core/workflow/track/trial_occlusions.h"
 #include "core/workflow/track/view_tracking.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workflow/track/track_warnings.h"
 
+#include "core/base/error.h"
 #include "core/base/percentile.h"
-#include "core/base/subjects.h"
 #include "core/trajectory/occlusions.h"
 #include "core/trajectory/view_disagreement.h"
 

@@ -21,8 +21,7 @@ Result<std::optional<FloorView>> floorViewUsed(Project &project, std::size_t vie
     if (user == analyses.end())
         return std::nullopt;
     const auto registration = ODO_TRY(project.cameras().registration(user->registrations[view]));
-    auto floorView = ODO_TRY(floorViewOf(project, registration));
-    return std::move(floorView);
+    return ODO_TRY(floorViewOf(project, registration));
 }
 
 } // namespace

@@ -4,9 +4,10 @@
 #include "core/base/job_control.h"
 #include "core/project/records.h"
 #include "core/tracking/background.h"
-#include "core/tracking/light_meter.h"
 #include "core/workflow/trial_sources.h"
 
+#include <functional>
+#include <optional>
 #include <vector>
 
 namespace odo {
@@ -68,5 +69,22 @@ AnalysisRecord newAnalysis(const TrialRecord &trial, const RobotRecord &robot,
 Result<std::vector<TrackedView>> storedObservations(Project &project, const std::string &trialName,
                                                     const std::vector<RegisteredView> &views,
                                                     const std::vector<RobotRecord> &robots);
+
+/// A profile with the options that it was made with in the end.
+struct TaskAnalysis
+{
+    Profile profile;
+    AnalysisOptions options;
+    /// empty, or why the task's limits were left out: "what: why; do this" from the why on
+    Message doubt;
+};
+
+/// Makes a profile with the options it is given.
+using MakeProfile = std::function<Result<Profile>(const AnalysisOptions &)>;
+
+/// An analysis by a task, if there is one. Limits that refuse more than a fifth of what was measured are none
+/// of this robot's: then it is made once more without them, and says so. As pure as `make`.
+Result<TaskAnalysis> analyseByTask(const MakeProfile &make, const AnalysisOptions &options,
+                                   const std::optional<TaskRecord> &task);
 
 } // namespace odo

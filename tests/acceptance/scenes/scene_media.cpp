@@ -4,7 +4,7 @@
 #include "core/exchange/labelled_points.h"
 #include "core/files/output_file.h"
 #include "core/simulation/renderer.h"
-#include "core/video/picture_writer.h"
+#include "core/video/picture.h"
 #include "tests/acceptance/scenes/scene_recipe.h"
 
 #include <fstream>

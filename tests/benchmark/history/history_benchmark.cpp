@@ -6,9 +6,9 @@
 #include "tests/ui/support/busy_watch.h"
 #include "tests/ui/support/year_project.h"
 #include "ui/history/history_page.h"
-#include "ui/main_window/appearance.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/workspace.h"
+#include "ui/views/widgets/theme.h"
 
 #include <QApplication>
 #include <QCommandLineParser>

@@ -3,7 +3,7 @@
 
 #include "core/base/steady_now.h"
 #include "core/capture/internal/stand_in_source.h"
-#include "core/capture/v4l2/internal/v4l2_pictures.h"
+#include "core/capture/v4l2/internal/v4l2_mode.h"
 #include "core/simulation/renderer.h"
 #include "core/video/jpeg.h"
 #include "tests/support/said_error.h"

@@ -7,8 +7,8 @@
 #include "core/video/video_reader.h"
 #include "tests/benchmark/cpu_clock.h"
 #include "tests/support/said_error.h"
-#include "ui/record/internal/chosen_cameras.h"
 #include "ui/record/internal/live_board.h"
+#include "ui/record/internal/running_cameras.h"
 
 #include <QElapsedTimer>
 #include <QEvent>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How well the times of GigE pictures are known: cameras whose clocks are an hour apart, run 100 ppm fast and
 // slow, and whose pictures come up to 5 ms late at random. The truth is written in the pictures.
-#include "core/capture/recording_outcome.h"
+#include "core/capture/capture_session.h"
 #include "core/capture/synchroniser.h"
 #include "tests/capture/aravis/frame_taker.h"
 #include "tests/support/registered_test.h"

@@ -7,13 +7,13 @@
 #include "tests/ui/support/stored_example.h"
 #include "ui/compare/compare_desk.h"
 #include "ui/compare/compare_page.h"
+#include "ui/compare/internal/compare_column.h"
 #include "ui/compare/internal/compare_map.h"
-#include "ui/compare/internal/run_chooser.h"
 #include "ui/models/comparison_scene.h"
 #include "ui/models/timeline.h"
-#include "ui/views/map/comparison_painting.h"
+#include "ui/views/map/trial_map.h"
 #include "ui/views/widgets/empty_state.h"
-#include "ui/views/widgets/figure_grid.h"
+#include "ui/views/widgets/fact_list.h"
 
 #include <QAbstractItemModelTester>
 #include <QAction>

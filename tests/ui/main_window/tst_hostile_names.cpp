@@ -7,8 +7,8 @@
 #include "tests/ui/support/driven_window.h"
 #include "tests/ui/support/stored_example.h"
 #include "ui/history/history_page.h"
-#include "ui/main_window/appearance.h"
 #include "ui/main_window/main_window.h"
+#include "ui/views/widgets/theme.h"
 
 #include <QAbstractItemView>
 #include <QApplication>

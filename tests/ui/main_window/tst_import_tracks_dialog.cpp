@@ -5,13 +5,13 @@
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/person.h"
 #include "tests/ui/support/stored_example.h"
-#include "ui/main_window/internal/import_tracks_dialog.h"
+#include "ui/main_window/internal/import_dialogs.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/workspace.h"
 #include "ui/models/trial_scene.h"
 #include "ui/review/internal/trial_facts.h"
 #include "ui/review/review_page.h"
-#include "ui/views/widgets/path_field.h"
+#include "ui/views/widgets/form_fields.h"
 
 #include <QAction>
 #include <QApplication>

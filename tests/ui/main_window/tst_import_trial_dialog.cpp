@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/found_widgets.h"
-#include "ui/main_window/internal/import_trial_dialog.h"
-#include "ui/views/widgets/path_field.h"
+#include "ui/main_window/internal/import_dialogs.h"
+#include "ui/views/widgets/form_fields.h"
 #include "ui/views/widgets/theme.h"
 
 #include <QApplication>

@@ -3,8 +3,8 @@
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/driven_window.h"
 #include "tests/ui/support/stored_example.h"
-#include "ui/main_window/appearance.h"
 #include "ui/main_window/main_window.h"
+#include "ui/views/widgets/theme.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>

@@ -6,7 +6,6 @@
 #include "tests/ui/support/stored_example.h"
 #include "ui/compare/compare_page.h"
 #include "ui/history/history_page.h"
-#include "ui/main_window/appearance.h"
 #include "ui/main_window/internal/window_bars.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/paint_window.h"
@@ -17,6 +16,7 @@
 #include "ui/review/review_page.h"
 #include "ui/testbed/testbed_page.h"
 #include "ui/views/widgets/card.h"
+#include "ui/views/widgets/theme.h"
 
 #include <QAbstractButton>
 #include <QAccessible>

@@ -4,10 +4,10 @@
 #include "tests/ui/support/driven_window.h"
 #include "tests/ui/support/pseudo_words.h"
 #include "tests/ui/support/stored_example.h"
-#include "ui/main_window/appearance.h"
 #include "ui/main_window/language.h"
 #include "ui/main_window/main_window.h"
 #include "ui/models/camera_lists.h"
+#include "ui/views/widgets/theme.h"
 
 #include <QAction>
 #include <QApplication>

@@ -12,13 +12,13 @@
 #include "tests/ui/support/person.h"
 #include "ui/compare/compare_page.h"
 #include "ui/history/history_page.h"
-#include "ui/main_window/internal/import_trial_dialog.h"
+#include "ui/main_window/internal/import_dialogs.h"
 #include "ui/main_window/internal/window_bars.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/workspace.h"
 #include "ui/models/timeline.h"
 #include "ui/review/review_page.h"
-#include "ui/views/widgets/path_field.h"
+#include "ui/views/widgets/form_fields.h"
 
 #include <QAction>
 #include <QApplication>

@@ -3,20 +3,20 @@
 #include "core/project/repositories.h"
 #include "core/simulation/demo_testbed.h"
 #include "core/simulation/renderer.h"
-#include "core/video/picture_writer.h"
+#include "core/video/picture.h"
 #include "core/workflow/calibrate/cameras.h"
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/driven_window.h"
 #include "tests/ui/support/found_widgets.h"
 #include "tests/ui/support/person.h"
 #include "tests/ui/support/project_content.h"
-#include "ui/main_window/internal/import_trial_dialog.h"
+#include "ui/main_window/internal/import_dialogs.h"
 #include "ui/main_window/internal/window_bars.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/workspace.h"
 #include "ui/testbed/floor/floor_wizard.h"
 #include "ui/testbed/lens/lens_wizard.h"
-#include "ui/views/widgets/path_field.h"
+#include "ui/views/widgets/form_fields.h"
 
 #include <QAction>
 #include <QApplication>

@@ -8,10 +8,10 @@
 #include "tests/ui/support/driven_window.h"
 #include "tests/ui/support/year_project.h"
 #include "ui/history/history_page.h"
-#include "ui/main_window/appearance.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/workspace.h"
 #include "ui/review/review_page.h"
+#include "ui/views/widgets/theme.h"
 
 #include <QAction>
 #include <QApplication>

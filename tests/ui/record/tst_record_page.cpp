@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/project/internal/write_turn.h"
 #include "core/project/project.h"
 #include "core/project/project_locks.h"
 #include "core/project/repositories.h"

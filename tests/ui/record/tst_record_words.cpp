@@ -2,7 +2,7 @@
 #include "tests/support/registered_test.h"
 #include "tests/support/said_error.h"
 #include "ui/record/internal/camera_choice.h"
-#include "ui/record/internal/health_words.h"
+#include "ui/record/internal/health_watch.h"
 
 #include <QTest>
 

@@ -4,7 +4,7 @@
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/printed_text.h"
 #include "tests/ui/support/stored_example.h"
-#include "ui/report/internal/comparison_report.h"
+#include "ui/report/report_maker.h"
 #include "ui/report/report_output.h"
 
 #include <QApplication>

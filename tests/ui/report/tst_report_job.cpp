@@ -6,8 +6,8 @@
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/printed_text.h"
 #include "tests/ui/support/stored_example.h"
+#include "ui/report/report_maker.h"
 #include "ui/report/report_output.h"
-#include "ui/report/report_settings.h"
 
 #include <QApplication>
 #include <QFile>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/printed_text.h"
-#include "ui/report/internal/report_page.h"
 #include "ui/report/internal/report_painting.h"
 
 #include <QApplication>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/report/internal/report_page.h"
+#include "ui/report/internal/report_painting.h"
 
 #include <QList>
 #include <QRectF>

@@ -7,7 +7,7 @@
 #include "ui/models/timeline.h"
 #include "ui/views/charts/profile_chart.h"
 #include "ui/views/map/floor_map.h"
-#include "ui/views/widgets/path_field.h"
+#include "ui/views/widgets/form_fields.h"
 #include "ui/views/widgets/theme.h"
 
 #include <QApplication>

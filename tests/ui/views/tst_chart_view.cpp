@@ -5,10 +5,10 @@
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/example_scene.h"
 #include "ui/models/timeline.h"
-#include "ui/views/charts/chart_drawing.h"
+#include "ui/views/charts/chart_picture.h"
 #include "ui/views/charts/chart_span.h"
 #include "ui/views/charts/profile_chart.h"
-#include "ui/views/charts/series_key.h"
+#include "ui/views/charts/series_colours.h"
 #include "ui/views/widgets/theme.h"
 
 #include <QAbstractButton>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/example_scene.h"
-#include "ui/views/charts/axis_ticks.h"
-#include "ui/views/curves/profile_curve.h"
+#include "ui/views/charts/chart_axis.h"
+#include "ui/views/charts/trial_curves.h"
 #include "ui/views/widgets/theme.h"
 
 #include <QApplication>

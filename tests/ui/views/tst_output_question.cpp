@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/views/widgets/path_field.h"
+#include "ui/views/widgets/form_fields.h"
 
 #include "core/files/protected_files.h"
 #include "tests/support/registered_test.h"

@@ -2,7 +2,6 @@
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/example_scene.h"
 #include "ui/views/charts/series_colours.h"
-#include "ui/views/charts/series_key.h"
 #include "ui/views/widgets/theme.h"
 
 #include <QApplication>

@@ -6,7 +6,7 @@
 #include "ui/views/charts/timeline_bar.h"
 #include "ui/views/map/floor_map.h"
 #include "ui/views/picture/camera_view.h"
-#include "ui/views/widgets/figure_grid.h"
+#include "ui/views/widgets/fact_list.h"
 #include "ui/views/widgets/spike_list.h"
 #include "ui/views/widgets/theme.h"
 

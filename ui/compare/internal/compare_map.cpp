@@ -4,7 +4,6 @@
 #include "ui/models/timeline.h"
 #include "ui/models/trial_scene.h"
 #include "ui/views/charts/chart_overlay.h"
-#include "ui/views/map/comparison_painting.h"
 #include "ui/views/map/map_painting.h"
 #include "ui/views/map/trial_map.h"
 #include "ui/views/widgets/theme.h"

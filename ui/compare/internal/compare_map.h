@@ -3,7 +3,6 @@
 
 #include "ui/models/comparison_scene.h"
 #include "ui/views/map/floor_picture.h"
-#include "ui/views/map/map_canvas.h"
 #include "ui/views/map/map_painting.h"
 
 #include <optional>

@@ -9,9 +9,9 @@
 #include "ui/models/background_task.h"
 #include "ui/models/figure_text.h"
 #include "ui/models/results.h"
-#include "ui/views/charts/axis_span.h"
+#include "ui/views/charts/chart_axis.h"
 #include "ui/views/charts/chart_picture.h"
-#include "ui/views/curves/trend_curves.h"
+#include "ui/views/curves/comparison_curves.h"
 #include "ui/views/widgets/card.h"
 #include "ui/views/widgets/table_list.h"
 

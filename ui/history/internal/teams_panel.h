@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/error.h"
-#include "core/workflow/compare/standings.h"
+#include "core/workflow/compare/trial_figures.h"
 #include "ui/views/charts/chart_view.h"
 
 #include <QWidget>

@@ -3,31 +3,80 @@
 
 #include "core/exchange/file_name.h"
 #include "core/project/project.h"
+#include "core/project/records.h"
 #include "core/workflow/empty_bin.h"
 #include "core/workflow/export_job.h"
 #include "core/workflow/import/teams.h"
 #include "core/workflow/job.h"
 #include "core/workflow/track/reanalysis.h"
-#include "ui/history/changes_dialog.h"
 #include "ui/history/classes_dialog.h"
 #include "ui/main_window/internal/robots_dialog.h"
 #include "ui/main_window/internal/trial_export.h"
 #include "ui/main_window/workspace.h"
-#include "ui/models/shared_messages.h"
+#include "ui/models/project_changes.h"
 #include "ui/models/shown_message.h"
 #include "ui/testbed/tasks/tasks_dialog.h"
 #include "ui/views/widgets/command_keys.h"
-#include "ui/views/widgets/path_field.h"
+#include "ui/views/widgets/form_fields.h"
+#include "ui/views/widgets/table_list.h"
 #include "ui/views/widgets/theme.h"
 
 #include <QAction>
+#include <QDialog>
+#include <QDialogButtonBox>
 #include <QFileDialog>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QStandardPaths>
+#include <QTableView>
+#include <QVBoxLayout>
 #include <QWidget>
 #include <ranges>
+#include <vector>
 
 namespace odo {
+
+/// What was changed in the project and when, to be looked through; it cannot be altered.
+class ChangesDialog : public QDialog
+{
+    Q_OBJECT
+public:
+    explicit ChangesDialog(std::vector<ChangeEntry> changes, QWidget *parent = nullptr);
+};
+
+ChangesDialog::ChangesDialog(std::vector<ChangeEntry> changes, QWidget *parent) : QDialog(parent)
+{
+    setWindowTitle(tr("Changes of the project"));
+    auto *intro = new QLabel(
+        changes.empty() ? tr("Nothing has been changed yet.")
+                        : tr("What was changed, in this window and by the command line, the newest first. "
+                             "Recordings, imports and tracking are told too; they cannot be undone."));
+    intro->setWordWrap(true);
+    auto *model = new ChangeModel(std::move(changes), this);
+    auto *search = new QLineEdit;
+    search->setPlaceholderText(tr("Search the changes…"));
+    search->setAccessibleName(tr("Search the changes"));
+    search->setClearButtonEnabled(true);
+    connect(search, &QLineEdit::textChanged, model, &ChangeModel::setText);
+    auto *table = new QTableView;
+    table->setModel(model);
+    table->setAccessibleName(tr("Changes"));
+    showAsList(*table);
+    table->horizontalHeader()->setResizeContentsPrecision(0);
+    table->horizontalHeader()->setStretchLastSection(true);
+    table->resizeColumnsToContents();
+    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(16, 12, 16, 12);
+    layout->addWidget(intro);
+    layout->addWidget(search);
+    layout->addWidget(table, 1);
+    layout->addWidget(buttons);
+    resize(720, 480);
+}
 
 ClassActions::ClassActions(Workspace &workspace, QWidget &window)
     : QObject(&window), m_workspace(workspace), m_window(window), m_tasks(new QAction(tr("&Tasks…"), this)),
@@ -298,3 +347,5 @@ void TrialBatch::end()
 }
 
 } // namespace odo
+
+#include "class_actions.moc"

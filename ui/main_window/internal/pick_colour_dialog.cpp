@@ -6,7 +6,7 @@
 #include "core/video/video_reader.h"
 #include "core/workflow/calibrate/calibration_pictures.h"
 #include "ui/models/shown_message.h"
-#include "ui/views/widgets/path_field.h"
+#include "ui/views/widgets/form_fields.h"
 #include "ui/views/widgets/theme.h"
 
 #include <QComboBox>

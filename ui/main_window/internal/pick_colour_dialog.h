@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/tracking/picked_colour.h"
+#include "core/tracking/chroma.h"
 #include "ui/models/background_task.h"
 #include "ui/views/picture/frame_fetcher.h"
 

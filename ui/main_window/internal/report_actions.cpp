@@ -13,7 +13,7 @@
 #include "ui/report/report_dialog.h"
 #include "ui/report/report_output.h"
 #include "ui/views/widgets/command_keys.h"
-#include "ui/views/widgets/path_field.h"
+#include "ui/views/widgets/form_fields.h"
 #include "ui/views/widgets/theme.h"
 
 #include <QAction>

@@ -6,7 +6,6 @@
 #include "core/project/repositories.h"
 #include "ui/main_window/internal/pick_colour_dialog.h"
 #include "ui/models/figure_text.h"
-#include "ui/models/shared_messages.h"
 #include "ui/models/shown_message.h"
 #include "ui/views/charts/series_colours.h"
 #include "ui/views/map/map_painting.h"

@@ -7,7 +7,7 @@
 #include "ui/main_window/workspace.h"
 #include "ui/models/shown_message.h"
 #include "ui/views/widgets/command_keys.h"
-#include "ui/views/widgets/path_field.h"
+#include "ui/views/widgets/form_fields.h"
 
 #include <QAction>
 #include <QDir>

@@ -7,7 +7,7 @@
 #include "core/project/project.h"
 #include "core/project/repositories.h"
 #include "core/workflow/shared_words.h"
-#include "ui/views/widgets/path_field.h"
+#include "ui/views/widgets/form_fields.h"
 
 #include <QComboBox>
 #include <QCoreApplication>

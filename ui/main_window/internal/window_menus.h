@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/base/error.h"
-#include "ui/main_window/appearance.h"
 #include "ui/main_window/project_pages.h"
+#include "ui/views/widgets/theme.h"
 
 #include <QList>
 #include <QMenu>

@@ -6,8 +6,8 @@
 #include "ui/models/figure_text.h"
 #include "ui/models/shown_message.h"
 #include "ui/record/sent_positions.h"
-#include "ui/report/report_settings.h"
-#include "ui/views/widgets/path_field.h"
+#include "ui/report/report_maker.h"
+#include "ui/views/widgets/form_fields.h"
 #include "ui/views/widgets/theme.h"
 
 #include <QCheckBox>

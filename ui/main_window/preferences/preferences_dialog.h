@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/main_window/appearance.h"
 #include "ui/models/background_task.h"
-#include "ui/report/report_settings.h"
+#include "ui/report/report_maker.h"
+#include "ui/views/widgets/theme.h"
 
 #include <QDialog>
 #include <QWidget>

@@ -2,7 +2,7 @@
 #include "ui/record/internal/live_board.h"
 
 #include "core/base/steady_now.h"
-#include "ui/record/internal/health_words.h"
+#include "ui/record/internal/health_watch.h"
 #include "ui/record/internal/live_picture_area.h"
 #include "ui/views/charts/series_colours.h"
 #include "ui/views/map/map_painting.h"

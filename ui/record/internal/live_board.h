@@ -4,9 +4,8 @@
 #include "core/capture/capture_health.h"
 #include "core/trajectory/live_track.h"
 #include "ui/models/trial_scene.h"
-#include "ui/record/internal/health_words.h"
+#include "ui/record/internal/health_watch.h"
 #include "ui/record/internal/running_cameras.h"
-#include "ui/views/map/map_canvas.h"
 #include "ui/views/map/map_painting.h"
 
 #include <QWidget>

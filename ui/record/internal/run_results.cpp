@@ -5,7 +5,7 @@
 #include "ui/models/figure_text.h"
 #include "ui/models/results.h"
 #include "ui/models/shown_message.h"
-#include "ui/views/widgets/figure_grid.h"
+#include "ui/views/widgets/fact_list.h"
 #include "ui/views/widgets/theme.h"
 
 #include <QLabel>

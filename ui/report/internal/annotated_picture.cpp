@@ -3,10 +3,10 @@
 
 #include "ui/models/figure_text.h"
 #include "ui/models/shown_names.h"
-#include "ui/views/charts/chart_drawing.h"
 #include "ui/views/charts/chart_overlay.h"
+#include "ui/views/charts/chart_picture.h"
 #include "ui/views/charts/profile_chart.h"
-#include "ui/views/curves/profile_curve.h"
+#include "ui/views/charts/trial_curves.h"
 #include "ui/views/map/trial_map.h"
 #include "ui/views/picture/camera_view.h"
 #include "ui/views/picture/picture_overlay.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/report/internal/class_report.h"
 
+#include "core/base/error.h"
 #include "core/base/percentile.h"
-#include "core/base/subjects.h"
 #include "core/project/class_repository.h"
 #include "core/project/project.h"
 #include "core/project/repositories.h"
@@ -11,9 +11,9 @@
 #include "ui/models/results.h"
 #include "ui/models/shown_names.h"
 #include "ui/report/internal/report_painting.h"
-#include "ui/views/charts/axis_ticks.h"
-#include "ui/views/charts/chart_drawing.h"
-#include "ui/views/curves/trend_curves.h"
+#include "ui/views/charts/chart_axis.h"
+#include "ui/views/charts/chart_picture.h"
+#include "ui/views/curves/comparison_curves.h"
 #include "ui/views/widgets/theme.h"
 
 #include <QCoreApplication>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/workflow/compare/standings.h"
-#include "ui/report/internal/report_maker.h"
+#include "core/workflow/compare/trial_figures.h"
+#include "ui/report/report_maker.h"
 
 #include <memory>
 

@@ -3,8 +3,8 @@
 
 #include "core/calibration/accuracy_map.h"
 #include "ui/models/background_task.h"
-#include "ui/testbed/check/check_camera.h"
 #include "ui/testbed/check/expected_accuracy.h"
+#include "ui/testbed/floor/floor_camera.h"
 
 #include <QDialog>
 #include <vector>

@@ -3,7 +3,7 @@
 
 #include "core/calibration/registration_checks.h"
 #include "ui/models/background_task.h"
-#include "ui/testbed/check/check_camera.h"
+#include "ui/testbed/floor/floor_camera.h"
 #include "ui/testbed/floor/still_picture.h"
 #include "ui/views/widgets/step_dialog.h"
 

@@ -6,8 +6,8 @@
 #include "ui/models/figure_text.h"
 #include "ui/models/shown_message.h"
 #include "ui/views/widgets/command_keys.h"
+#include "ui/views/widgets/form_fields.h"
 #include "ui/views/widgets/labels.h"
-#include "ui/views/widgets/path_field.h"
 #include "ui/views/widgets/table_list.h"
 
 #include <QComboBox>

@@ -3,7 +3,7 @@
 
 #include "core/workflow/calibrate/moved_job.h"
 #include "core/workflow/job_runner.h"
-#include "ui/testbed/check/check_camera.h"
+#include "ui/testbed/floor/floor_camera.h"
 #include "ui/testbed/floor/still_picture.h"
 
 #include <QDialog>

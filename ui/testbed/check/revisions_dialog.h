@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/workflow/calibrate/revisions.h"
+#include "core/workflow/calibrate/cameras.h"
 #include "core/workflow/job_runner.h"
 #include "core/workflow/track/reanalysis.h"
 

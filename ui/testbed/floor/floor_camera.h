@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/calibration/marker_layout.h"
+#include "core/geometry/floor_view.h"
 #include "core/project/records.h"
 #include "ui/models/figure_text.h"
 
 #include <QString>
 #include <filesystem>
 #include <optional>
+#include <string>
 
 namespace odo {
 
@@ -17,6 +20,17 @@ struct FloorCamera
     std::optional<IntrinsicsRecord> intrinsics;           ///< in force
     std::optional<std::filesystem::path> newestRecording; ///< in which the markers may be seen
     Badge badge = {};                                     ///< of the registration in force
+};
+
+/// A registered camera, as the checks take it.
+struct CheckCamera
+{
+    QString name;
+    FloorView view;
+    MarkerLayout layout; ///< it is registered by
+    std::optional<std::filesystem::path> newestRecording;
+    std::string deviceUri = {}; ///< may be empty
+    Badge badge = {};           ///< how far it can be relied on
 };
 
 } // namespace odo

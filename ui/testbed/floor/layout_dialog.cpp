@@ -9,7 +9,7 @@
 #include "ui/models/shown_message.h"
 #include "ui/testbed/floor/floor_drawing.h"
 #include "ui/views/widgets/command_keys.h"
-#include "ui/views/widgets/path_field.h"
+#include "ui/views/widgets/form_fields.h"
 #include "ui/views/widgets/theme.h"
 
 #include <QFileDialog>

@@ -4,10 +4,9 @@
 #include "core/capture/camera_source.h"
 #include "core/video/picture.h"
 #include "core/workflow/calibrate/calibration_pictures.h"
-#include "ui/models/shared_messages.h"
+#include "ui/models/shown_message.h"
 #include "ui/views/picture/picture_painting.h"
 #include "ui/views/widgets/form_fields.h"
-#include "ui/views/widgets/path_field.h"
 
 #include <QHBoxLayout>
 #include <QRadioButton>

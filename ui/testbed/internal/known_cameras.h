@@ -4,7 +4,6 @@
 #include "core/base/error.h"
 #include "ui/models/camera_lists.h"
 #include "ui/models/trial_scene.h"
-#include "ui/testbed/check/check_camera.h"
 #include "ui/testbed/check/floor_sketch.h"
 #include "ui/testbed/floor/floor_camera.h"
 #include "ui/views/widgets/fact_list.h"

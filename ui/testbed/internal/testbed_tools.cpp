@@ -8,7 +8,6 @@
 #include "core/workflow/calibrate/cameras.h"
 #include "core/workflow/calibrate/register_job.h"
 #include "ui/models/camera_lists.h"
-#include "ui/models/shared_messages.h"
 #include "ui/models/shown_message.h"
 #include "ui/testbed/check/accuracy_dialog.h"
 #include "ui/testbed/check/length_wizard.h"
@@ -19,10 +18,9 @@
 #include "ui/testbed/internal/known_cameras.h"
 #include "ui/testbed/lens/lens_wizard.h"
 #include "ui/testbed/targets/target_dialog.h"
-#include "ui/testbed/together/joint_dialog.h"
-#include "ui/testbed/together/through_wizard.h"
+#include "ui/testbed/together/joint_dialogs.h"
 #include "ui/views/widgets/command_keys.h"
-#include "ui/views/widgets/path_field.h"
+#include "ui/views/widgets/form_fields.h"
 #include "ui/views/widgets/theme.h"
 
 #include <QAction>

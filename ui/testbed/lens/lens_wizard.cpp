@@ -7,7 +7,6 @@
 #include "ui/testbed/targets/target_dialog.h"
 #include "ui/views/widgets/command_keys.h"
 #include "ui/views/widgets/form_fields.h"
-#include "ui/views/widgets/path_field.h"
 
 #include <QComboBox>
 #include <QDragEnterEvent>

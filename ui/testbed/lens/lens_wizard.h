@@ -4,7 +4,7 @@
 #include "core/capture/camera_source.h"
 #include "core/workflow/calibrate/calibration_pictures.h"
 #include "ui/testbed/lens/internal/board_search.h"
-#include "ui/testbed/lens/internal/lens_solver.h"
+#include "ui/testbed/lens/internal/lens_result_page.h"
 #include "ui/views/widgets/step_dialog.h"
 
 #include <QStringList>

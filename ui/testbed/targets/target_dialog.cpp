@@ -5,7 +5,6 @@
 #include "ui/models/shown_message.h"
 #include "ui/testbed/targets/target_sheet.h"
 #include "ui/views/widgets/form_fields.h"
-#include "ui/views/widgets/path_field.h"
 #include "ui/views/widgets/theme.h"
 
 #include <QComboBox>

@@ -5,7 +5,6 @@
 #include "core/project/records.h"
 #include "core/project/repositories.h"
 #include "ui/models/results.h"
-#include "ui/models/shared_messages.h"
 #include "ui/models/shown_message.h"
 #include "ui/testbed/tasks/internal/task_canvas.h"
 #include "ui/testbed/tasks/internal/task_editor.h"

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/views/charts/internal/chart_plot.h"
+#include "ui/models/explanation.h"
+#include "ui/views/curves/chart_content.h"
 
 #include <QColor>
+#include <QList>
+#include <QObject>
 #include <QPointF>
 #include <QRectF>
 #include <QString>
+#include <functional>
 
+class QAbstractScrollArea;
 class QPainter;
 class QPalette;
 class QWidget;
@@ -36,5 +41,35 @@ constexpr double bubbleGap = 3;
 /// Thin lines through a place of the plot, with what it stands for on both axes in a box each.
 void drawCrosshair(QPainter &painter, const ChartPlot &plot, const QPointF &place, const QString &below,
                    const QString &left, const QPalette &palette);
+
+/// The bubbles that a chart shows at its cursor. Each tells how its value was computed: by a click on it; the
+/// uppermost also by Enter or Shift+F1 while the chart has the focus.
+class ChartBubbles : public QObject
+{
+    Q_OBJECT
+public:
+    explicit ChartBubbles(QAbstractScrollArea &chart);
+    /// To be called whenever the chart is painted: what stands there now, from above.
+    void clear() { m_bubbles.clear(); }
+    void add(const QRectF &place, std::function<Explanation()> how);
+    /// Where they stand, in the chart's coordinates.
+    QList<QRectF> places() const;
+
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
+private:
+    struct Bubble
+    {
+        QRectF place;
+        std::function<Explanation()> how;
+    };
+    const Bubble *at(const QPointF &point) const;
+    void explain(const Bubble &bubble) const;
+
+    QAbstractScrollArea &m_chart;
+    QList<Bubble> m_bubbles;
+    bool m_isPressed = false; ///< what follows until the button is released is not the chart's
+};
 
 } // namespace odo

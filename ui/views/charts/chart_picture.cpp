@@ -1,19 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/charts/chart_picture.h"
 
+#include "core/base/job_control.h"
 #include "core/exchange/file_name.h"
 #include "core/files/output_file.h"
+#include "core/workflow/job_runner.h"
 #include "ui/models/shown_message.h"
 #include "ui/views/charts/chart_view.h"
-#include "ui/views/charts/series_key.h"
-#include "ui/views/widgets/path_field.h"
+#include "ui/views/charts/internal/chart.h"
+#include "ui/views/charts/series_colours.h"
+#include "ui/views/widgets/form_fields.h"
 #include "ui/views/widgets/theme.h"
 
 #include <QAction>
 #include <QBuffer>
 #include <QClipboard>
+#include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
+#include <QGraphicsScene>
 #include <QGuiApplication>
 #include <QMessageBox>
 #include <QMimeData>
@@ -21,9 +26,15 @@
 #include <QPaintEngine>
 #include <QPainter>
 #include <QPdfWriter>
+#include <QPicture>
 #include <QStandardPaths>
 #include <QSvgGenerator>
+#include <QThread>
 #include <QWidget>
+#include <chrono>
+#include <future>
+#include <memory>
+#include <optional>
 #include <utility>
 
 namespace odo {
@@ -260,6 +271,87 @@ void StillLayer::add(const QWidget &view, const Draw &draw)
         return;
     QPainter painter(&m_picture);
     drawOn(painter, view, draw);
+}
+
+namespace {
+
+/// A chart as drawing commands, which any painter plays.
+struct Recorded
+{
+    ChartDrawing drawing;
+    QSizeF size;
+    QPalette palette;
+    QFont font;
+    double fineness = 1;
+    QPicture picture; ///< once it was made
+    ChartPlot plot;   ///< likewise
+};
+
+void record(Recorded &recorded)
+{
+    QGraphicsScene scene;
+    auto *chart = new Chart(recorded.drawing.axes);
+    scene.addItem(chart);
+    chart->setFineness(recorded.fineness);
+    chart->setLook(recorded.palette, recorded.font);
+    chart->setContent(recorded.drawing.content, recorded.drawing.stretches);
+    chart->setSize(recorded.size);
+    std::optional<ValueRange> chosen;
+    if (recorded.drawing.axes.style == ChartStyle::Strip && recorded.drawing.content)
+        chosen = recorded.drawing.content->range; // its rows are where the page has them
+    chart->show(recorded.drawing.low, recorded.drawing.high, chosen);
+    chart->prepare();
+    const QRectF room(QPointF(0, 0), recorded.size);
+    QPainter painter(&recorded.picture);
+    painter.setRenderHint(QPainter::Antialiasing);
+    scene.render(&painter, room, room, Qt::IgnoreAspectRatio);
+    recorded.plot = chart->chartPlot();
+}
+
+} // namespace
+
+ChartPlot drawChart(QPainter &painter, const QRectF &rect, const ChartDrawing &drawing,
+                    const QPalette &palette, const QFont &font, double fineness)
+{
+    // Shared with the window's thread, which may come to it when the caller has given up.
+    const auto recorded = std::make_shared<Recorded>();
+    recorded->drawing = drawing;
+    recorded->size = rect.size();
+    recorded->palette = palette;
+    recorded->font = font;
+    recorded->fineness = fineness;
+    onWindowThread([recorded] { record(*recorded); });
+    // Playing it would enlarge it by the dots to an inch, which whoever made the painter has done already.
+    const QPaintDevice &paper = *painter.device();
+    painter.save();
+    painter.translate(rect.topLeft());
+    painter.scale(double(recorded->picture.logicalDpiX()) / paper.logicalDpiX(),
+                  double(recorded->picture.logicalDpiY()) / paper.logicalDpiY());
+    painter.drawPicture(QPointF(), recorded->picture);
+    painter.restore();
+    ChartPlot plot = recorded->plot;
+    plot.rect.translate(rect.topLeft());
+    return plot;
+}
+
+void onWindowThread(std::function<void()> work)
+{
+    using namespace std::chrono_literals;
+    if (QThread::currentThread() == qApp->thread()) {
+        work();
+        return;
+    }
+    const auto task = std::make_shared<std::packaged_task<void()>>(std::move(work));
+    std::future<void> done = task->get_future();
+    // Once the caller has given up, only what has begun keeps the task.
+    callLater(qApp, [waiting = std::weak_ptr(task)] {
+        if (const auto wanted = waiting.lock())
+            (*wanted)();
+    });
+    // Looked at now and then: whoever cancels may wait for this thread, on the window's.
+    while (done.wait_for(20ms) != std::future_status::ready)
+        endIfCancelled();
+    done.get();
 }
 
 } // namespace odo

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/files/output_file.h"
+#include "ui/views/curves/chart_content.h"
 
 #include <QImage>
 #include <QObject>
@@ -10,7 +11,10 @@
 #include <functional>
 
 class QColor;
+class QFont;
 class QPainter;
+class QPalette;
+class QRectF;
 class QWidget;
 
 namespace odo {
@@ -84,5 +88,18 @@ public:
 private:
     QPixmap m_picture; ///< null: to be drawn
 };
+
+/// Paints a chart into a rectangle of a page or picture, by the class that the screen's charts are of; gives
+/// where its values lie there. Any thread: the chart itself is made on the window's thread (window_thread.h)
+/// while the caller waits. fineness: columns to a unit of the rectangle in which many points are drawn as
+/// one.
+ChartPlot drawChart(QPainter &painter, const QRectF &rect, const ChartDrawing &drawing,
+                    const QPalette &palette, const QFont &font, double fineness = 3);
+
+/// Does work on the window's thread, that of the QApplication, and waits until it is done: at once where that
+/// is the caller's, else between two events. For what Qt does there alone, such as charts; keep it short.
+/// Where the caller is to end (CancelScope) it throws WorkCancelled instead of waiting on, and the work may
+/// still be done later or not at all: work must own all that it touches. Any thread.
+void onWindowThread(std::function<void()> work);
 
 } // namespace odo

@@ -3,7 +3,7 @@
 
 #include "core/analysis/motion_stretches.h"
 #include "ui/models/timeline.h"
-#include "ui/views/curves/profile_curve.h"
+#include "ui/views/charts/trial_curves.h"
 
 #include <QAction>
 #include <algorithm>

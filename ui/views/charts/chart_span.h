@@ -2,7 +2,7 @@
 #pragma once
 
 #include "ui/models/trial_scene.h"
-#include "ui/views/charts/axis_span.h"
+#include "ui/views/charts/chart_axis.h"
 
 #include <QList>
 #include <memory>

@@ -3,13 +3,11 @@
 
 #include "ui/models/figure_text.h"
 #include "ui/models/timeline.h"
-#include "ui/views/charts/chart_bubbles.h"
 #include "ui/views/charts/chart_overlay.h"
 #include "ui/views/charts/chart_picture.h"
 #include "ui/views/charts/chart_span.h"
 #include "ui/views/charts/series_colours.h"
-#include "ui/views/charts/series_key.h"
-#include "ui/views/curves/profile_curve.h"
+#include "ui/views/charts/trial_curves.h"
 
 #include <QComboBox>
 #include <QPainter>

@@ -3,7 +3,7 @@
 
 #include "ui/models/figure_text.h"
 #include "ui/models/timeline.h"
-#include "ui/views/charts/axis_ticks.h"
+#include "ui/views/charts/chart_axis.h"
 #include "ui/views/widgets/labels.h"
 #include "ui/views/widgets/theme.h"
 

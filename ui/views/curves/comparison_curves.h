@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/workflow/compare/trial_figures.h"
 #include "ui/models/comparison_scene.h"
 #include "ui/views/curves/chart_content.h"
 
@@ -37,5 +38,10 @@ PathSpan comparedSpan(const ComparisonScene &scene);
 std::optional<CurveValue> differenceAt(const ComparisonScene &scene, std::size_t run, double distanceM);
 std::optional<CurveValue> comparedAt(const ComparisonScene &scene, Compared what, std::size_t run,
                                      double distanceM);
+
+/// A team's runs through the term as a chart: a point each, the line of progress through them (dashed where
+/// the spread explains it), and the band of the spread about it; days below, the name of the metric with its
+/// unit at the left. The team must have a run. A value; any thread.
+ChartDrawing trendDrawing(const TeamStanding &team);
 
 } // namespace odo

@@ -8,7 +8,6 @@
 #include "ui/views/charts/chart_overlay.h"
 #include "ui/views/charts/chart_picture.h"
 #include "ui/views/map/floor_picture.h"
-#include "ui/views/map/map_canvas.h"
 #include "ui/views/map/map_painting.h"
 #include "ui/views/map/trial_map.h"
 #include "ui/views/widgets/fact_list.h"

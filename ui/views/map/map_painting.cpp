@@ -2,11 +2,12 @@
 #include "ui/views/map/map_painting.h"
 
 #include "ui/models/figure_text.h"
-#include "ui/views/charts/axis_ticks.h"
+#include "ui/views/charts/chart_axis.h"
 #include "ui/views/charts/series_colours.h"
 #include "ui/views/widgets/theme.h"
 
 #include <QCoreApplication>
+#include <QEvent>
 #include <QFontMetricsF>
 #include <QLineF>
 #include <QLocale>
@@ -358,6 +359,41 @@ void drawGates(QPainter &painter, const std::vector<Gate> &gates, const FloorToS
         painter.drawEllipse(line.p2(), postRadius, postRadius);
         drawName(painter, QString::fromStdString(gate.name), line, colours);
     }
+}
+
+MapCanvas::MapCanvas(QWidget *parent) : QWidget(parent)
+{
+    setAttribute(Qt::WA_OpaquePaintEvent);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+}
+
+void MapCanvas::drawStill(QPainter &painter)
+{
+    m_still.paint(painter, *this, ThemeColours::of(palette()).mapGround,
+                  [this](QPainter &still) { paintStill(still); });
+}
+
+void MapCanvas::addToStill(const std::function<void(QPainter &)> &paint)
+{
+    m_still.add(*this, paint);
+}
+
+void MapCanvas::forgetStill()
+{
+    m_still.forget();
+    update();
+}
+
+void MapCanvas::resizeEvent(QResizeEvent *)
+{
+    m_still.forget();
+}
+
+void MapCanvas::changeEvent(QEvent *event)
+{
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
+        m_still.forget();
+    QWidget::changeEvent(event);
 }
 
 } // namespace odo

@@ -5,7 +5,6 @@
 #include "core/video/picture.h"
 #include "core/video/video_reader.h"
 #include "core/workflow/job_runner.h"
-#include "ui/models/shared_messages.h"
 #include "ui/models/shown_message.h"
 #include "ui/views/picture/picture_painting.h"
 

@@ -4,7 +4,7 @@
 #include "core/geometry/silhouette.h"
 #include "ui/models/shown_message.h"
 #include "ui/models/trial_scene.h"
-#include "ui/views/charts/axis_ticks.h"
+#include "ui/views/charts/chart_axis.h"
 #include "ui/views/charts/series_colours.h"
 #include "ui/views/curves/simplified_line.h"
 #include "ui/views/picture/picture_painting.h"

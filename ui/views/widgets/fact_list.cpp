@@ -1,21 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/widgets/fact_list.h"
 
+#include "ui/models/figure_text.h"
+#include "ui/models/results.h"
 #include "ui/models/shown_message.h"
+#include "ui/models/shown_names.h"
 #include "ui/views/widgets/labels.h"
 #include "ui/views/widgets/theme.h"
 
 #include <QApplication>
 #include <QClipboard>
+#include <QComboBox>
 #include <QCoreApplication>
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QGridLayout>
+#include <QKeyEvent>
 #include <QLabel>
+#include <QMouseEvent>
 #include <QPainter>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QSignalBlocker>
+#include <QStringList>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -159,6 +167,248 @@ QScrollArea *scrolled(FactList *facts, const QString &accessibleName)
     scroll->setAccessibleName(accessibleName);
     scroll->setWidget(body);
     return scroll;
+}
+
+namespace {
+
+constexpr int columnCount = 2;
+constexpr int figurePadding = 10;
+
+} // namespace
+
+FigureGrid::FigureGrid(QWidget *parent) : QWidget(parent)
+{
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Minimum);
+    setAccessibleName(tr("Figures"));
+}
+
+void FigureGrid::setFigures(std::vector<NamedFigure> figures)
+{
+    m_figures = std::move(figures);
+    m_current = 0;
+    QStringList words;
+    for (const NamedFigure &each : m_figures)
+        words += QStringLiteral("%1: %2").arg(each.name, each.figure.text());
+    setAccessibleDescription(words.join(QStringLiteral("; ")));
+    updateGeometry();
+    update();
+}
+
+void FigureGrid::setChoosable(const QString &toolTip)
+{
+    m_isChoosable = true;
+    setFocusPolicy(Qt::StrongFocus);
+    setCursor(Qt::PointingHandCursor);
+    setToolTip(toolTip);
+}
+
+QRect FigureGrid::cellOf(std::size_t figure) const
+{
+    const int row = static_cast<int>(figure) / columnCount, column = static_cast<int>(figure) % columnCount;
+    const int cellWidth = width() / columnCount;
+    return {column * cellWidth, row * rowHeight(), cellWidth, rowHeight()};
+}
+
+bool FigureGrid::wants(const QKeyEvent &event) const
+{
+    switch (event.key()) {
+    case Qt::Key_Left:
+    case Qt::Key_Right:
+    case Qt::Key_Up:
+    case Qt::Key_Down:
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+    case Qt::Key_Space:
+        return m_isChoosable && !m_figures.empty() && event.modifiers() == Qt::NoModifier;
+    default:
+        return false;
+    }
+}
+
+bool FigureGrid::event(QEvent *event)
+{
+    // Before the time line, whose keys some of these are.
+    if (event->type() == QEvent::ShortcutOverride && wants(*static_cast<QKeyEvent *>(event))) {
+        event->accept();
+        return true;
+    }
+    return QWidget::event(event);
+}
+
+void FigureGrid::keyPressEvent(QKeyEvent *event)
+{
+    if (!wants(*event)) {
+        QWidget::keyPressEvent(event);
+        return;
+    }
+    const auto move = [this](int by) {
+        const int wanted = static_cast<int>(m_current) + by;
+        if (wanted >= 0 && wanted < static_cast<int>(m_figures.size()))
+            m_current = static_cast<std::size_t>(wanted);
+        update();
+    };
+    switch (event->key()) {
+    case Qt::Key_Left:
+        return move(-1);
+    case Qt::Key_Right:
+        return move(1);
+    case Qt::Key_Up:
+        return move(-columnCount);
+    case Qt::Key_Down:
+        return move(columnCount);
+    default:
+        Q_EMIT chosen(m_current);
+    }
+}
+
+void FigureGrid::mouseReleaseEvent(QMouseEvent *event)
+{
+    for (std::size_t i = 0; m_isChoosable && event->button() == Qt::LeftButton && i < m_figures.size(); ++i)
+        if (cellOf(i).contains(event->position().toPoint())) {
+            m_current = i;
+            update();
+            Q_EMIT chosen(i);
+            return;
+        }
+}
+
+int FigureGrid::rowCount() const
+{
+    return std::max(1, (static_cast<int>(m_figures.size()) + columnCount - 1) / columnCount);
+}
+
+QFont FigureGrid::valueFont() const
+{
+    QFont large = font();
+    large.setPointSizeF(font().pointSizeF() * 1.55);
+    return large;
+}
+
+int FigureGrid::rowHeight() const
+{
+    return figurePadding + fontMetrics().height() + QFontMetrics(valueFont()).height() + figurePadding - 4;
+}
+
+QSize FigureGrid::sizeHint() const
+{
+    return {columnCount * fontMetrics().averageCharWidth() * 24, rowCount() * rowHeight()};
+}
+
+QSize FigureGrid::minimumSizeHint() const
+{
+    return {columnCount * fontMetrics().averageCharWidth() * 18, rowCount() * rowHeight()};
+}
+
+QFont FigureGrid::fittingFont(const QString &text, int width) const
+{
+    // A figure must never lose its end; rather it gets smaller.
+    const double natural = QFontMetricsF(font()).horizontalAdvance(text);
+    QFont fitting = font();
+    if (natural > width && width > 0)
+        fitting.setPointSizeF(font().pointSizeF() * std::max(0.6, width / natural));
+    return fitting;
+}
+
+void FigureGrid::paintFigure(QPainter &painter, const NamedFigure &figure, const QRect &cell) const
+{
+    const ThemeColours colours = ThemeColours::of(palette());
+    const QRect inner = cell.adjusted(figurePadding, figurePadding - 2, -4, 0);
+    painter.setFont(font());
+    painter.setPen(colours.muted);
+    painter.drawText(inner, Qt::AlignLeft | Qt::AlignTop,
+                     fontMetrics().elidedText(figure.name, Qt::ElideRight, inner.width()));
+    const QFont large = valueFont();
+    const QFontMetrics largeMetrics(large);
+    const int baseline = inner.top() + fontMetrics().height() + largeMetrics.ascent();
+    painter.setFont(large);
+    painter.setPen(colours.text);
+    painter.drawText(inner.left(), baseline, figure.figure.value);
+    const int left = inner.left() + largeMetrics.horizontalAdvance(figure.figure.value) + 6;
+    painter.setPen(colours.muted);
+    painter.setFont(fittingFont(figure.figure.smallPrint(), inner.right() - left));
+    painter.drawText(left, baseline, figure.figure.smallPrint());
+}
+
+void FigureGrid::paintEvent(QPaintEvent *)
+{
+    QPainter painter(this);
+    const ThemeColours colours = ThemeColours::of(palette());
+    if (m_figures.empty()) {
+        painter.setPen(colours.muted);
+        painter.drawText(rect().adjusted(figurePadding, 0, -figurePadding, 0),
+                         Qt::AlignCenter | Qt::TextWordWrap, tr("No result yet: track the trial"));
+        return;
+    }
+    const int height = rowHeight(), columnWidth = width() / columnCount;
+    for (std::size_t i = 0; i < m_figures.size(); ++i)
+        paintFigure(painter, m_figures[i], cellOf(i));
+    for (int row = 1; row < rowCount(); ++row)
+        painter.fillRect(0, row * height, width(), 1, colours.border);
+    painter.fillRect(columnWidth, 0, 1, rowCount() * height, colours.border);
+    if (hasFocus() && m_isChoosable) {
+        painter.setPen(QPen(colours.accent, 2));
+        painter.drawRect(cellOf(m_current).adjusted(2, 2, -2, -2));
+    }
+}
+
+namespace {
+constexpr std::size_t shownFigures = 6;
+}
+
+ResultPanel::ResultPanel(QWidget *parent)
+    : Card(tr("Result"), parent), m_grid(new FigureGrid(this)), m_robots(new QComboBox(this))
+{
+    setContent(m_grid);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
+    m_robots->setAccessibleName(tr("Robot whose result is shown"));
+    m_robots->hide();
+    addToHeader(m_robots);
+    connect(m_robots, &QComboBox::currentIndexChanged, this, &ResultPanel::showRobot);
+    m_grid->setChoosable(howComputedWords());
+    connect(m_grid, &FigureGrid::chosen, this, [this](std::size_t figure) {
+        const std::size_t scored = m_score ? 1 : 0; // the score stands first
+        showExplanation(window(), figure < scored
+                                      ? explainScore(*m_score, analysisInputs(*m_scene, m_robot))
+                                      : explainMetric(*m_scene, m_robot, m_shown.at(figure - scored)));
+    });
+}
+
+void ResultPanel::setScene(TrialScenePtr scene)
+{
+    m_scene = std::move(scene);
+    const QSignalBlocker blocked(m_robots);
+    m_robots->clear();
+    for (std::size_t robot = 0; m_scene && robot < m_scene->robots.size(); ++robot)
+        m_robots->addItem(QString::fromStdString(m_scene->robots[robot].robot.name));
+    m_robots->setVisible(m_robots->count() > 1);
+    showRobot(m_robots->count() > 0 ? 0 : -1);
+}
+
+void ResultPanel::showRobot(int robot)
+{
+    const bool known = m_scene && robot >= 0 && robot < static_cast<int>(m_scene->robots.size());
+    if (!known) {
+        m_grid->setFigures({});
+        setRemark({});
+        return;
+    }
+    const SceneRobot &shown = m_scene->robots[static_cast<std::size_t>(robot)];
+    QStringList remark;
+    if (!m_scene->trial.teamName.empty())
+        remark += shownTeam(m_scene->trial);
+    if (m_robots->count() == 1)
+        remark += tr("robot “%1”").arg(QString::fromStdString(shown.robot.name));
+    setRemark(remark.join(QStringLiteral(" · ")));
+    std::vector<NamedFigure> figures;
+    m_robot = static_cast<std::size_t>(robot);
+    m_score = scoreOf(*m_scene, m_robot);
+    if (m_score)
+        figures.push_back({metricName("score"), scoreFigure(*m_score)});
+    m_shown = shown.analysis ? tellingMetrics(shown.analysis->profile.metrics, shownFigures - figures.size())
+                             : std::vector<Metric>();
+    for (const Metric &metric : m_shown)
+        figures.push_back({metricName(metric.name), metricFigure(metric)});
+    m_grid->setFigures(std::move(figures));
 }
 
 } // namespace odo

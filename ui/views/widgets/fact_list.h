@@ -3,11 +3,15 @@
 
 #include "ui/models/explanation.h"
 #include "ui/models/figure_text.h"
+#include "ui/models/trial_scene.h"
+#include "ui/views/widgets/card.h"
 
 #include <QList>
 #include <QString>
 #include <QWidget>
+#include <vector>
 
+class QComboBox;
 class QGridLayout;
 class QScrollArea;
 class QWidget;
@@ -52,5 +56,71 @@ private:
 
 /// A frameless scroll area for a card, with the facts at its top.
 QScrollArea *scrolled(FactList *facts, const QString &accessibleName);
+
+struct NamedFigure
+{
+    QString name;
+    FigureText figure;
+};
+
+/// Large figures in two columns, divided by thin lines: name above, value large, unit and ± small beside it.
+/// If they can be chosen (setChoosable), a click on one does, or the arrow keys and Enter.
+class FigureGrid : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit FigureGrid(QWidget *parent = nullptr);
+    void setFigures(std::vector<NamedFigure> figures);
+    /// toolTip: what choosing a figure does.
+    void setChoosable(const QString &toolTip);
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
+Q_SIGNALS:
+    void chosen(std::size_t figure);
+
+protected:
+    bool event(QEvent *event) override;
+    void paintEvent(QPaintEvent *event) override;
+    void keyPressEvent(QKeyEvent *event) override;
+    void mouseReleaseEvent(QMouseEvent *event) override;
+
+private:
+    int rowCount() const;
+    int rowHeight() const;
+    QFont valueFont() const;
+    QFont fittingFont(const QString &text, int width) const;
+    void paintFigure(QPainter &painter, const NamedFigure &figure, const QRect &cell) const;
+
+    QRect cellOf(std::size_t figure) const;
+    bool wants(const QKeyEvent &event) const;
+
+    std::vector<NamedFigure> m_figures;
+    std::size_t m_current = 0; ///< that Enter chooses
+    bool m_isChoosable = false;
+};
+
+class FigureGrid;
+
+/// The figures of one robot's run, two in a row, each with its unit and ±. Choosing one tells how it was
+/// computed.
+class ResultPanel : public Card
+{
+    Q_OBJECT
+public:
+    explicit ResultPanel(QWidget *parent = nullptr);
+    void setScene(TrialScenePtr scene);
+
+private:
+    void showRobot(int robot);
+
+    TrialScenePtr m_scene;
+    std::size_t m_robot = 0;
+    std::optional<Score> m_score; ///< stands before the others
+    std::vector<Metric> m_shown;
+    FigureGrid *m_grid;
+    QComboBox *m_robots; ///< shown for more than one robot
+};
 
 } // namespace odo

@@ -1,11 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/files/output_file.h"
+
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QList>
 #include <QListWidget>
+#include <QString>
+#include <QStringList>
+#include <QWidget>
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
+
+class QLineEdit;
+class QMimeData;
+class QWidget;
 
 namespace odo {
 
@@ -63,6 +75,57 @@ private:
     void rememberBefore();
 
     double m_before = 0; ///< what is typed now
+};
+
+/// A format that a file can be saved in.
+struct OutputFormat
+{
+    QString filter; ///< of the dialog: "PDF files (*.pdf)"
+    QString ending; ///< without the dot; added to a name without one
+    FileKind kind = FileKind::Text;
+    bool isEndingNeeded = false; ///< added to a name with another one, too
+};
+
+/// Where a person wants a file.
+struct ChosenOutput
+{
+    OutputTarget target; ///< replaces what is there: the person was asked
+    QString file;        ///< as a person reads it
+    int format = 0;      ///< index of the chosen one
+};
+
+/// Asks for a file to write. What must never be overwritten (checkOutput) is refused with its reason and
+/// asked again; before an existing file is replaced that the file dialog has not asked about, or that is of
+/// another kind, it asks as well. Nothing: the person thought better of it. GUI thread.
+std::optional<ChosenOutput> askOutput(QWidget *parent, const QString &title, const QString &offered,
+                                      const QList<OutputFormat> &formats);
+
+std::filesystem::path pathOf(const QString &text);
+QString textOf(const std::filesystem::path &path);
+/// Of what is dragged or dropped: this machine's files.
+QStringList localFiles(const QMimeData &data);
+
+/// A line for the path of one existing file, and a button that looks for it. A file can be dropped on it.
+class PathField : public QWidget
+{
+    Q_OBJECT
+public:
+    /// name: for the screen reader and the title of the file dialog. filter: as QFileDialog takes it.
+    PathField(const QString &name, const QString &filter, QWidget *parent = nullptr);
+    std::filesystem::path path() const;
+    void setPath(const QString &path);
+
+Q_SIGNALS:
+    void changed();
+
+protected:
+    void dragEnterEvent(QDragEnterEvent *event) override;
+    void dropEvent(QDropEvent *event) override;
+
+private:
+    void browse();
+    QLineEdit *m_line;
+    QString m_name, m_filter;
 };
 
 } // namespace odo

@@ -9,6 +9,8 @@
 #include <QString>
 #include <Qt>
 
+class QApplication;
+
 namespace odo {
 
 /// The palettes of Odograph. A window takes one of them; every view derives its colours from whatever palette
@@ -62,5 +64,16 @@ QColor scaleColour(double fraction, ColourScale scale = shownColourScale());
 /// One of our line icons ("icons/NAME.svg"), drawn in the palette's text colour at whatever size and scale it
 /// is asked for, so that it follows light and dark. With a colour given, always in that one.
 QIcon themeIcon(const QString &name, const QColor &colour = {});
+
+/// Light, dark, or as the desktop has it.
+enum class Theme { System, Light, Dark };
+
+/// "light", "dark"; anything else is System. The word kept in the settings.
+Theme themeFromName(const QString &name);
+QString themeName(Theme theme);
+
+/// Gives the application its look: Fusion, a palette of ours, and the style sheet. Can be called again at any
+/// time, e.g. when the user chooses another theme or the desktop changes its own. GUI thread.
+void applyAppearance(QApplication &application, Theme theme = Theme::System);
 
 } // namespace odo

@@ -2,7 +2,7 @@
 #include "core/capture/aravis/internal/aravis_controls.h"
 
 #include "core/capture/aravis/internal/aravis_device.h"
-#include "core/capture/camera_errors.h"
+#include "core/capture/camera_source.h"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 #include "core/base/steady_now.h"
 #include "core/capture/aravis/internal/aravis_library.h"
 #include "core/capture/aravis/internal/gvcp.h"
-#include "core/capture/camera_errors.h"
+#include "core/capture/camera_source.h"
 #include "core/video/camera_planes.h"
 
 #include <algorithm>

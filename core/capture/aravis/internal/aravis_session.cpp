@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/capture/aravis/internal/aravis_session.h"
 
-#include "core/capture/camera_errors.h"
+#include "core/capture/camera_source.h"
 
 namespace odo {
 

@@ -3,7 +3,7 @@
 
 #include "core/base/file_system.h"
 #include "core/base/steady_now.h"
-#include "core/capture/camera_errors.h"
+#include "core/capture/camera_source.h"
 
 #include <netinet/in.h>
 #include <sys/socket.h>

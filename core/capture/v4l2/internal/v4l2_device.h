@@ -2,10 +2,12 @@
 #pragma once
 
 #include "core/base/error.h"
+#include "core/capture/camera_source.h"
 
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace odo {
@@ -59,5 +61,26 @@ Error v4l2Failure(const std::string &uri, int errorNumber);
 /// The same; of one that another program uses, the programs that have it open are named where the kernel
 /// tells them.
 Error v4l2Failure(const V4l2Device &device, const std::string &uri, int errorNumber);
+
+/// What was set at a camera, to be set again when it comes back: ids and values, in their order.
+using V4l2Settings = std::vector<std::pair<std::string, double>>;
+
+/// All that can be set and has one value; texts and tables are left out. A button is a Boolean that is never
+/// on. Ids are the names in lower case with underscores, as v4l2-ctl writes them. Errors: those of
+/// v4l2Failure.
+Result<std::vector<CameraControl>> v4l2Controls(const V4l2Device &device, const std::string &uri);
+
+/// Errors: as CameraSource::set.
+Result<void> setV4l2Control(const V4l2Device &device, const std::string &uri, const std::string &id,
+                            double value);
+
+/// As CameraSource::holdAutomatics.
+struct V4l2Held
+{
+    V4l2Settings settings;        ///< what was set for it
+    V4l2Settings automatics;      ///< as they stood, those that were on
+    std::vector<Message> stillOn; ///< names of what could not be turned off
+};
+V4l2Held holdV4l2Automatics(const V4l2Device &device, const std::string &uri);
 
 } // namespace odo

@@ -2,7 +2,7 @@
 #include "core/capture/v4l2/internal/v4l2_stream.h"
 
 #include "core/base/steady_now.h"
-#include "core/capture/camera_errors.h"
+#include "core/capture/camera_source.h"
 
 #include <algorithm>
 #include <array>

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/support/found_widgets.h"
-#include "ui/main_window/help/lesson.h"
+#include "ui/main_window/help/help_actions.h"
 
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/stored_example.h"
-#include "ui/main_window/help/help_actions.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/workspace.h"
 #include "ui/models/timeline.h"

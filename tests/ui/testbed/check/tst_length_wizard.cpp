@@ -2,7 +2,7 @@
 // A known length is checked as a person does it, by mouse and by keyboard.
 #include "core/simulation/demo_testbed.h"
 #include "core/simulation/renderer.h"
-#include "core/video/picture_writer.h"
+#include "core/video/picture.h"
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/found_widgets.h"
 #include "ui/models/camera_lists.h"

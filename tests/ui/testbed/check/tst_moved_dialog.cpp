@@ -5,7 +5,7 @@
 #include "core/project/repositories.h"
 #include "core/simulation/demo_testbed.h"
 #include "core/simulation/renderer.h"
-#include "core/video/picture_writer.h"
+#include "core/video/picture.h"
 #include "core/workflow/calibrate/register_job.h"
 #include "core/workflow/trial_sources.h"
 #include "tests/support/registered_test.h"

@@ -2,7 +2,7 @@
 // Older calibrations and registrations, by mouse and by keyboard, and trials that are measured again.
 #include "core/project/project.h"
 #include "core/project/repositories.h"
-#include "core/workflow/calibrate/revisions.h"
+#include "core/workflow/calibrate/cameras.h"
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/found_widgets.h"
 #include "tests/ui/support/stored_example.h"

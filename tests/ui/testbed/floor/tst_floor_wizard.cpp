@@ -2,7 +2,7 @@
 // The floor wizard and the layout dialog as a person walks them, by mouse and by keyboard.
 #include "core/simulation/demo_testbed.h"
 #include "core/simulation/renderer.h"
-#include "core/video/picture_writer.h"
+#include "core/video/picture.h"
 #include "tests/support/registered_test.h"
 #include "tests/support/said_error.h"
 #include "tests/ui/support/busy_watch.h"
@@ -11,7 +11,6 @@
 #include "ui/testbed/floor/floor_wizard.h"
 #include "ui/testbed/floor/layout_dialog.h"
 #include "ui/testbed/floor/marker_canvas.h"
-#include "ui/testbed/floor/marker_page.h"
 
 #include <QApplication>
 #include <QComboBox>

@@ -4,7 +4,7 @@
 #include "core/base/units.h"
 #include "core/capture/internal/stand_in_source.h"
 #include "core/simulation/renderer.h"
-#include "core/video/picture_writer.h"
+#include "core/video/picture.h"
 #include "tests/support/registered_test.h"
 #include "tests/support/said_error.h"
 #include "tests/ui/support/busy_watch.h"

@@ -7,7 +7,7 @@
 #include "tests/support/registered_test.h"
 #include "ui/testbed/targets/target_dialog.h"
 #include "ui/testbed/targets/target_sheet.h"
-#include "ui/views/widgets/path_field.h"
+#include "ui/views/widgets/form_fields.h"
 
 #include <QApplication>
 #include <QDir>

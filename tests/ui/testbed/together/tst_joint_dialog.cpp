@@ -5,7 +5,7 @@
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/found_widgets.h"
 #include "tests/ui/support/stored_example.h"
-#include "ui/testbed/together/joint_dialog.h"
+#include "ui/testbed/together/joint_dialogs.h"
 
 #include <QApplication>
 #include <QDoubleSpinBox>

@@ -2,13 +2,13 @@
 // A camera is registered through another one as a person does it, by mouse and by keyboard.
 #include "core/simulation/demo_testbed.h"
 #include "core/simulation/renderer.h"
-#include "core/video/picture_writer.h"
+#include "core/video/picture.h"
 #include "tests/support/registered_test.h"
 #include "tests/ui/support/found_widgets.h"
 #include "ui/models/camera_lists.h"
 #include "ui/testbed/floor/marker_canvas.h"
 #include "ui/testbed/floor/still_picture.h"
-#include "ui/testbed/together/through_wizard.h"
+#include "ui/testbed/together/joint_dialogs.h"
 
 #include <QApplication>
 #include <QComboBox>

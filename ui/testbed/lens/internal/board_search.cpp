@@ -5,14 +5,12 @@
 #include "core/capture/camera_source.h"
 #include "core/video/picture.h"
 #include "core/video/picture_reader.h"
-#include "core/video/picture_writer.h"
 #include "core/video/video_reader.h"
 #include "core/workflow/calibrate/calibration_pictures.h"
 #include "core/workflow/job_runner.h"
-#include "ui/models/shared_messages.h"
 #include "ui/models/shown_message.h"
 #include "ui/views/picture/picture_painting.h"
-#include "ui/views/widgets/path_field.h"
+#include "ui/views/widgets/form_fields.h"
 
 #include <QFileInfo>
 #include <QObject>

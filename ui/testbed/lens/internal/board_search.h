@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/calibration/board_collector.h"
 #include "core/calibration/board_placement.h"
 
 #include <QImage>

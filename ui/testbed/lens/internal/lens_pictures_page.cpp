@@ -6,7 +6,7 @@
 #include "ui/testbed/lens/internal/board_canvas.h"
 #include "ui/views/widgets/card.h"
 #include "ui/views/widgets/command_keys.h"
-#include "ui/views/widgets/path_field.h"
+#include "ui/views/widgets/form_fields.h"
 
 #include <QAction>
 #include <QDragEnterEvent>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/testbed/lens/internal/picture_bars.h"
 
-#include "ui/views/charts/axis_span.h"
+#include "ui/views/charts/chart_axis.h"
 #include "ui/views/widgets/theme.h"
 
 #include <QKeyEvent>

@@ -3,7 +3,6 @@
 
 #include "core/analysis/task.h"
 #include "core/calibration/marker_layout.h"
-#include "ui/views/map/map_canvas.h"
 #include "ui/views/map/map_painting.h"
 
 #include <optional>

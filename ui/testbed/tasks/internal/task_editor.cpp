@@ -10,7 +10,6 @@
 #include "ui/testbed/tasks/internal/task_canvas.h"
 #include "ui/views/widgets/command_keys.h"
 #include "ui/views/widgets/form_fields.h"
-#include "ui/views/widgets/path_field.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "core/calibration/chained_registration.h"
-#include "ui/testbed/check/check_camera.h"
 #include "ui/testbed/floor/floor_camera.h"
 #include "ui/testbed/floor/still_picture.h"
 

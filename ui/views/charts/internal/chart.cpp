@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/views/charts/internal/chart.h"
 
-#include "ui/views/charts/internal/area_outline.h"
+#include "ui/views/charts/internal/chart_series.h"
 #include "ui/views/widgets/theme.h"
 
 #include <QAreaSeries>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/views/charts/axis_ticks.h"
-#include "ui/views/charts/internal/chart_plot.h"
+#include "ui/views/charts/chart_axis.h"
 #include "ui/views/charts/internal/chart_series.h"
 #include "ui/views/curves/chart_content.h"
 

@@ -1,0 +1,392 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands/trial_commands.h"
+
+#include "app/answers.h"
+#include "app/command_call.h"
+#include "app/commands/commands.h"
+#include "core/base/error.h"
+#include "core/base/percentile.h"
+#include "core/project/limits.h"
+#include "core/project/repositories.h"
+#include "core/workflow/import/import_tracks_job.h"
+#include "core/workflow/import/import_trial_job.h"
+#include "core/workflow/record/record_trial.h"
+#include "core/workflow/shared_words.h"
+
+#include <cmath>
+
+namespace odo {
+
+namespace {
+
+Result<ImportSettings> importSettings(const CommandCall &call)
+{
+    ImportSettings settings;
+    if (!call.isSet(option::trial) || !call.isSet(option::video))
+        return call.wrongCall(
+            ODO_TEXT("app.import_needs", "--trial and --video, or --trial and --track, are needed"));
+    settings.trial = call.value(option::trial);
+    const auto videos = ODO_TRY(call.pairs(option::video));
+    for (const auto &[camera, file] : videos)
+        settings.videos.emplace_back(camera, file);
+    for (const QString &text :
+         QString::fromStdString(call.value(option::sync)).split(u',', Qt::SkipEmptyParts)) {
+        const std::string how = text.trimmed().toStdString();
+        if (how == "auto" || how == "none") {
+            settings.steps.push_back(
+                {how == "auto" ? ImportSettings::Sync::Automatic : ImportSettings::Sync::None, 0});
+            continue;
+        }
+        const auto offset = parseNumber(how);
+        if (!offset)
+            return call.wrongCall(ODO_TEXT(
+                "app.sync_is", "--sync is auto, none or seconds, one of them for each view but the first"));
+        if (std::abs(*offset) > largestOffsetS)
+            return call.wrongCall(
+                ODO_TEXT("app.sync_takes_seconds", "--sync takes seconds from -3600 to 3600"));
+        settings.steps.push_back({ImportSettings::Sync::Told, *offset});
+    }
+    settings.team = call.value(option::team);
+    settings.task = call.value(option::task);
+    settings.robots = call.texts(option::robot);
+    if (call.isSet(option::rate)) {
+        const auto framesPerSecond = call.number(option::rate);
+        if (!framesPerSecond || *framesPerSecond < lowestFrameRate || *framesPerSecond > highestFrameRate)
+            return call.wrongCall(
+                ODO_TEXT("app.rate_is", "--rate is a number of frames a second from 0.1 to 100,000"));
+        settings.rate = *framesPerSecond;
+    }
+    return settings;
+}
+
+Result<void> importTracksOf(const CommandCall &call)
+{
+    if (!call.isSet(option::trial))
+        return call.wrongCall(ODO_TEXT("app.trial_and_track_needed", "--trial and --track are needed"));
+    for (const QString &other : {option::video, option::robot, option::rate, option::sync}) {
+        if (call.isSet(other))
+            return call.wrongCall(
+                ODO_TEXT("app.track_goes_with",
+                         "--track goes with --trial, --team and --task, not with --%1")(other.toStdString()));
+    }
+    const auto tracks = ODO_TRY(call.pairs(option::track));
+    return importTracks(call, tracks);
+}
+
+/// Those that belong to a team; none where it is new.
+std::vector<std::string> robotsOfTeam(Project &project, const std::string &name)
+{
+    std::vector<std::string> names;
+    if (const auto known = project.teams().find(name))
+        for (const RecordId id : known->robots)
+            if (const auto its = project.robots().get(id))
+                names.push_back(its->name);
+    return names;
+}
+
+} // namespace
+
+Result<void> runImport(const QStringList &arguments, const CancelToken &cancel)
+{
+    CommandCall call(
+        {QStringLiteral("import"),
+         QStringLiteral(
+             "P.odo --trial NAME --video A=a.mp4 [--video B=b.mp4]... [--sync auto|none|SECONDS[,...]] "
+             "[--team T] [--task NAME] [--robot R]... [--rate 240] [--json]\n"
+             "       odograph import P.odo --trial NAME --track R=FILE... [--team T] [--task NAME] [--json]"),
+         1,
+         1,
+         {{option::trial, QStringLiteral("What the trial is called."), QStringLiteral("NAME")},
+          {option::video, QStringLiteral("A view: the camera's name and the file."),
+           QStringLiteral("CAMERA=FILE")},
+          {option::track,
+           QStringLiteral(
+               "A robot's finished track in place of videos: TUM, CSV with t_s,x_mm,y_mm, or Tracker text."),
+           QStringLiteral("ROBOT=FILE")},
+          {option::sync,
+           QStringLiteral("How much later each other view's first frame was taken than the first view's; "
+                          "auto: found from the motion or a flash of light."),
+           QStringLiteral("auto|none|SECONDS[,...]")},
+          {option::team, QStringLiteral("The team that ran."), QStringLiteral("T")},
+          {option::task, QStringLiteral("The task that was driven; see odograph task add."),
+           QStringLiteral("NAME")},
+          {option::robot, QStringLiteral("A robot that is seen; else those that belong to the team."),
+           QStringLiteral("R")},
+          {option::rate, QStringLiteral("The camera's frame rate where the file has another."),
+           QStringLiteral("FPS")}}},
+        cancel);
+    if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
+        return parsed.map([](bool) {});
+    if (call.isSet(option::track))
+        return importTracksOf(call);
+    auto settings = ODO_TRY(importSettings(call));
+    const auto project = ODO_TRY(call.openProject(0, Project::Access::ReadWrite));
+    if (!settings.task.empty())
+        ODO_TRY(project->tasks().find(settings.task));
+    if (settings.robots.empty() && !settings.team.empty())
+        settings.robots = robotsOfTeam(*project, settings.team);
+    ImportTrialJob job(std::move(settings));
+    ODO_TRY(runToEnd(job, *project, call.control()));
+    QJsonObject views;
+    for (const RecordingRecord &recording : job.recordings())
+        views.insert(QString::fromStdString(recording.cameraName), recordingJson(recording));
+    call.answer({{QStringLiteral("trial"), QString::fromStdString(job.trial().name)},
+                 {QStringLiteral("views"), views},
+                 {QStringLiteral("sync"), syncJson(job.trial())}},
+                (QStringList(QStringLiteral("Trial %1 imported, views: %2")
+                                 .arg(QString::fromStdString(job.trial().name))
+                                 .arg(job.recordings().size()))
+                 << stepSentences(job.recordings()))
+                    .join(u'\n'));
+    for (const Message &warning : job.warnings())
+        CommandCall::warn(warning);
+    return {};
+}
+
+namespace {
+
+QString robotText(const ImportTracksJob::Imported &one)
+{
+    const Profile &profile = one.analysis.profile;
+    const QString figures = QStringLiteral("%1, %2, path %3 m in %4 s, top speed %5 m/s")
+                                .arg(counted(profile.points.size(), QStringLiteral("position")))
+                                .arg(counted(profile.spikes.size(), QStringLiteral("spike")))
+                                .arg(metricValue(profile, "path_length"), 0, 'f', 3)
+                                .arg(metricValue(profile, "duration"), 0, 'f', 2)
+                                .arg(metricValue(profile, "max_speed"), 0, 'f', 3);
+    return QString::fromStdString(one.robot.name) + QStringLiteral(": ") + figures + taskRemark(profile) +
+           QStringLiteral("\n  ") + importedTrackText(one.source);
+}
+
+QJsonObject robotJson(const ImportTracksJob::Imported &one)
+{
+    const Profile &profile = one.analysis.profile;
+    QJsonObject json{{QStringLiteral("samples"), qint64(profile.points.size())},
+                     {QStringLiteral("spikes"), qint64(profile.spikes.size())},
+                     {QStringLiteral("path_length_m"), metricValue(profile, "path_length")},
+                     {QStringLiteral("duration_s"), metricValue(profile, "duration")},
+                     {QStringLiteral("mean_speed_m_s"), metricValue(profile, "mean_speed")},
+                     {QStringLiteral("max_speed_m_s"), metricValue(profile, "max_speed")},
+                     {QStringLiteral("imported"), importedTrackJson(one.source)}};
+    insertTaskAnswers(json, profile);
+    return json;
+}
+
+} // namespace
+
+QJsonObject importedTrackJson(const ImportedTrack &source)
+{
+    return {{QStringLiteral("file"), QString::fromStdString(source.file)},
+            {QStringLiteral("sha256"), QString::fromStdString(source.sha256)},
+            {QStringLiteral("bytes"), qint64(source.bytes)},
+            {QStringLiteral("format"), QString::fromStdString(source.format)},
+            {QStringLiteral("noise_mm"), toMillimetres(source.noiseM)},
+            {QStringLiteral("reading"), english(source.reading)}};
+}
+
+QString importedTrackText(const ImportedTrack &source)
+{
+    return QStringLiteral("imported from %1 (%2, SHA-256 %3): %4")
+        .arg(QString::fromStdString(source.file), QString::fromStdString(source.format),
+             QString::fromStdString(source.sha256.substr(0, 12)), english(source.reading));
+}
+
+Result<void> importTracks(const CommandCall &call,
+                          const std::vector<std::pair<std::string, std::string>> &tracks)
+{
+    ImportTracksSettings settings;
+    settings.trial = call.value(QStringLiteral("trial"));
+    settings.team = call.value(QStringLiteral("team"));
+    settings.task = call.value(QStringLiteral("task"));
+    for (const auto &[robot, file] : tracks)
+        settings.tracks.emplace_back(robot, file);
+    const auto project = ODO_TRY(call.openProject(0, Project::Access::ReadWrite));
+    ImportTracksJob job(std::move(settings));
+    ODO_TRY(runToEnd(job, *project, call.control()));
+    QJsonObject robots;
+    QStringList lines(
+        QStringLiteral("Trial %1 imported, tracks: %2")
+            .arg(QString::fromStdString(job.trial().name), QString::number(job.imported().size())));
+    for (const ImportTracksJob::Imported &one : job.imported()) {
+        robots.insert(QString::fromStdString(one.robot.name), robotJson(one));
+        lines << robotText(one);
+    }
+    call.answer({{QStringLiteral("trial"), QString::fromStdString(job.trial().name)},
+                 {QStringLiteral("views"), QJsonObject()},
+                 {QStringLiteral("sync"), syncJson(job.trial())},
+                 {QStringLiteral("robots"), robots},
+                 {QStringLiteral("warnings"), sentencesJson(job.warnings())}},
+                lines.join(u'\n'));
+    for (const Message &warning : job.warnings())
+        CommandCall::warn(warning);
+    return {};
+}
+
+namespace {
+
+/// Opening has completed what was cut off, and said so.
+Result<void> answerRecover(const CommandCall &call)
+{
+    const auto project = ODO_TRY(call.openProject(0, Project::Access::ReadWrite));
+    const auto trials = ODO_TRY(project->trials().names());
+    if (const auto left = std::ranges::find_if(trials, &TrialName::unfinished); left != trials.end())
+        return fail(ErrorCode::InvalidInput, trialSubject(left->name),
+                    ODO_TEXT("app.cut_off", "its recording was cut off; it is not complete yet"),
+                    ODO_TEXT("app.follow_above", "follow what is said above"));
+    call.answer({{QStringLiteral("project"), call.positional(0)}},
+                QStringLiteral("No recording is left that was cut off."));
+    return {};
+}
+
+Result<RecordSettings> recordSettings(const CommandCall &call)
+{
+    if (!call.isSet(option::trial))
+        return call.missing(option::trial);
+    if (!call.isSet(option::camera))
+        return call.missing(option::camera);
+    auto cameras = ODO_TRY(call.pairs(option::camera));
+    RecordSettings settings;
+    settings.trial = call.value(option::trial);
+    settings.cameras = std::move(cameras);
+    settings.robots = call.texts(option::robot);
+    if (call.isSet(option::seconds)) {
+        const auto number = call.number(option::seconds);
+        if (!number || *number <= 0 || *number > longestRecordingS)
+            return call.wrongCall(
+                ODO_TEXT("app.seconds_is", "--seconds is a number above zero, of 86,400 (a day) at most"));
+        settings.seconds = *number;
+    }
+    if (call.isSet(option::sslVision)) {
+        auto target = ODO_TRY(parseBroadcastTarget(call.value(option::sslVision)));
+        settings.broadcast = std::move(target);
+    }
+    if (call.isSet(option::preRoll)) {
+        const auto number = call.number(option::preRoll);
+        if (!number || *number < 0 || *number > longestPreRollS)
+            return call.wrongCall(
+                ODO_TEXT("app.pre_roll_is", "--pre-roll is a number of seconds from 0 to 10"));
+        settings.preRollS = *number;
+    }
+    return settings;
+}
+
+double rateOf(const ViewRecording &view)
+{
+    const double lengthS = view.taken.empty() ? 0 : toSeconds(view.taken.back() - view.taken.front());
+    return lengthS > 0 ? double(view.taken.size() - 1) / lengthS : 0;
+}
+
+/// "A: 300 pictures, 30.0 a second, none lost", on a line of its own.
+QString viewWords(const QString &name, const ViewRecording &view)
+{
+    const std::uint64_t lost = view.lostOnWire + view.lostByUs;
+    return QStringLiteral("\nView %1: %2, %3 a second, %4 lost.")
+        .arg(name)
+        .arg(counted(view.taken.size(), QStringLiteral("picture")))
+        .arg(rateOf(view), 0, 'f', 1)
+        .arg(lost == 0 ? QStringLiteral("none") : QString::number(lost));
+}
+
+QJsonObject viewsJson(const LiveTrial &recorded, const RecordSettings &settings)
+{
+    QJsonObject views;
+    for (std::size_t i = 0; i < settings.cameras.size(); ++i) {
+        const ViewRecording &view = recorded.outcome().views[i];
+        views.insert(QString::fromStdString(settings.cameras[i].first),
+                     QJsonObject{{QStringLiteral("frames"), qint64(view.frames)},
+                                 {QStringLiteral("recorded"), qint64(view.taken.size())},
+                                 {QStringLiteral("lost_on_wire"), qint64(view.lostOnWire)},
+                                 {QStringLiteral("lost_by_us"), qint64(view.lostByUs)},
+                                 {QStringLiteral("fps"), rateOf(view)},
+                                 {QStringLiteral("latency_p99_ms"), 1000 * percentile(view.latenciesS, 99)}});
+    }
+    return views;
+}
+
+/// The parser knows no value that can be left out: `--ssl-vision` alone gets an empty one. What follows it is
+/// its value, unless that is an option or the project.
+QStringList withTarget(QStringList arguments)
+{
+    const QString option = QStringLiteral("--") + option::sslVision;
+    for (qsizetype i = arguments.indexOf(option); i >= 0; i = arguments.indexOf(option, i + 1)) {
+        const QString next = arguments.value(i + 1, QStringLiteral("-"));
+        const bool isValue =
+            !next.startsWith(u'-') && !next.endsWith(QStringLiteral(".odo"), Qt::CaseInsensitive);
+        arguments[i] += u'=' + (isValue ? next : QString());
+        if (isValue)
+            arguments.removeAt(i + 1);
+    }
+    return arguments;
+}
+
+} // namespace
+
+Result<void> runRecord(const QStringList &arguments, const CancelToken &cancel)
+{
+    CommandCall call(
+        {QStringLiteral("record"),
+         QStringLiteral("P.odo --trial NAME --camera A=URI [--camera B=URI]... [--seconds 10] [--pre-roll 0] "
+                        "[--robot R]... [--ssl-vision [ADDRESS:PORT]] [--json], or P.odo --recover"),
+         1,
+         1,
+         {{option::trial, QStringLiteral("What the trial is called."), QStringLiteral("NAME")},
+          {option::camera, QStringLiteral("A view: the camera's name and its address; see odograph cameras."),
+           QStringLiteral("CAMERA=URI")},
+          {option::seconds, QStringLiteral("How long, from when all cameras deliver."),
+           QStringLiteral("SECONDS")},
+          {option::preRoll,
+           QStringLiteral(
+               "What is recorded from before that, 10 seconds at most: the cameras run so long first."),
+           QStringLiteral("SECONDS")},
+          {option::robot, QStringLiteral("A robot that is seen."), QStringLiteral("R")},
+          {option::sslVision,
+           QStringLiteral(
+               "Sends the robots' live positions as SSL-Vision packets, on this machine's loopback only; "
+               "224.5.23.2:10006 unless another address is told."),
+           QStringLiteral("[ADDRESS:PORT]")},
+          {option::recover,
+           QStringLiteral(
+               "Records nothing: completes recordings that were cut off, as every writing command does.")}}},
+        cancel);
+    if (const auto parsed = call.parse(withTarget(arguments)); !parsed || !*parsed)
+        return parsed.map([](bool) {});
+    if (call.isSet(option::recover))
+        return answerRecover(call);
+    auto settings = ODO_TRY(recordSettings(call));
+    const auto project = ODO_TRY(call.openProject(0, Project::Access::ReadWrite));
+    settings.warn = CommandCall::warn;
+    const auto job = ODO_TRY(recordTrial(*project, settings, call.control()));
+    const LiveTrial &recorded = *job;
+    const PairFigures &pairs = recorded.outcome().pairs;
+    std::vector<double> errorsS;
+    for (const double errorS : pairs.errorsS)
+        errorsS.push_back(std::abs(errorS));
+    const double medianMs = 1000 * percentile(errorsS, 50);
+    QString words = QStringLiteral("Trial %1 recorded: %2 s.")
+                        .arg(QString::fromStdString(recorded.trial().name))
+                        .arg(recorded.trial().durationS, 0, 'f', 2);
+    for (std::size_t i = 0; i < settings.cameras.size(); ++i)
+        words += viewWords(QString::fromStdString(settings.cameras[i].first), recorded.outcome().views[i]);
+    if (!errorsS.empty())
+        words += QStringLiteral("\nThe views are %1, which the analysis takes into account.")
+                     .arg(english(inStepWords(percentile(errorsS, 95))));
+    call.answer({{QStringLiteral("trial"), QString::fromStdString(recorded.trial().name)},
+                 {QStringLiteral("duration_s"), recorded.trial().durationS},
+                 {QStringLiteral("views"), viewsJson(recorded, settings)},
+                 {QStringLiteral("pairs"), qint64(pairs.pairs)},
+                 {QStringLiteral("unpaired"), qint64(pairs.unpaired)},
+                 {QStringLiteral("pair_error_ms"),
+                  QJsonObject{{QStringLiteral("median"), medianMs},
+                              {QStringLiteral("p95"), 1000 * percentile(errorsS, 95)},
+                              {QStringLiteral("max"), 1000 * percentile(errorsS, 100)}}}},
+                words);
+    for (const Message &warning : recorded.warnings())
+        CommandCall::warn(warning);
+    if (!call.control().isCancelled())
+        return {};
+    return fail(ErrorCode::Cancelled, recordingSubject(recorded.trial().name),
+                ODO_TEXT("app.stopped_early", "it was stopped before its time was over"),
+                ODO_TEXT("app.recorded_kept", "what was recorded until then is kept"));
+}
+
+} // namespace odo

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/workflow/track/settled_views.h"
+
+#include "core/tracking/colour_tracker.h"
+#include "core/trajectory/solid_choice.h"
+#include "core/trajectory/view_disagreement.h"
+#include "core/workflow/shared_words.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace odo {
+
+namespace {
+
+std::vector<PointedOut> pointedOutIn(const RegisteredView &view, const std::vector<RobotRecord> &robots,
+                                     const std::vector<PointedOutRobot> &all)
+{
+    std::vector<PointedOut> here;
+    for (const PointedOutRobot &one : all) {
+        const auto robot = std::ranges::find(robots, one.robot, &RobotRecord::id);
+        if (one.recording == view.recording.id && robot != robots.end())
+            here.push_back({static_cast<std::size_t>(robot - robots.begin()), one.frame, one.pixel});
+    }
+    return here;
+}
+
+Error nothingThere(const RegisteredView &view, const PointedOut &told, const RobotRecord &robot)
+{
+    const auto frame = static_cast<std::size_t>(told.frame);
+    const double timeS = frame < view.recording.frameTimes.size()
+                             ? toSeconds(clockOf(view.recording).commonTime(view.recording.frameTimes[frame]))
+                             : 0;
+    return {ErrorCode::InvalidInput,
+            ODO_TEXT("workflow.robot_in_view", "robot '%1' in view '%2'")(
+                Named::robot(robot.name), Named::camera(view.recording.cameraName)),
+            ODO_TEXT("workflow.nothing_stands_out",
+                     "nothing stands out from the floor at %1,%2 at %3 for some frames")(
+                quantity(told.pixel.x(), 0), quantity(told.pixel.y(), 0), quantity(timeS, 2, "s")),
+            ODO_TEXT("workflow.point_out_whole_robot", "point it out where all of it is seen and it moves")};
+}
+
+} // namespace
+
+NamedRobot namedRobot(const RobotRecord &robot)
+{
+    return {isFoundByColour({robot.name, robot.colour}) ? robot.colour : std::nullopt,
+            shapeOf(robot).heightM};
+}
+
+Result<std::vector<NameDoubt>> settleNames(const std::vector<RegisteredView> &views,
+                                           const std::vector<RobotRecord> &robots,
+                                           std::vector<TrackedView> &tracked,
+                                           const std::vector<PointedOutRobot> &pointedOut)
+{
+    std::vector<NamedRobot> named;
+    for (const RobotRecord &robot : robots)
+        named.push_back(namedRobot(robot));
+    std::vector<NamedView> seen;
+    for (std::size_t v = 0; v < views.size(); ++v) {
+        NamedView &view = seen.emplace_back();
+        view.floorView = views[v].floorView;
+        view.startOffset = fromSeconds(views[v].recording.startOffsetS);
+        view.clockRate = views[v].recording.clockRate;
+        for (ObservationSeries &series : tracked[v].series)
+            view.robots.push_back(std::move(series.observations));
+        view.others = std::move(tracked[v].others);
+        view.pointedOut = pointedOutIn(views[v], robots, pointedOut);
+    }
+    NameOutcome outcome = assignNames(seen, named);
+    if (!outcome.nothingThere.empty()) {
+        const auto &[view, number] = outcome.nothingThere.front();
+        const PointedOut &told = seen[view].pointedOut[number];
+        return tl::unexpected(nothingThere(views[view], told, robots[told.robot]));
+    }
+    for (std::size_t v = 0; v < views.size(); ++v) {
+        for (std::size_t r = 0; r < robots.size(); ++r)
+            tracked[v].series[r].observations = std::move(seen[v].robots[r]);
+    }
+    for (std::size_t r = 0; r < robots.size(); ++r) {
+        std::vector<std::vector<Observation> *> its;
+        for (TrackedView &view : tracked)
+            its.push_back(&view.series[r].observations);
+        doubtUntrimmed(its);
+    }
+    return std::move(outcome.doubts);
+}
+
+std::vector<std::vector<DoubtfulName>> doubtfulNamesOf(const std::vector<NameDoubt> &doubts,
+                                                       const std::vector<RobotRecord> &robots)
+{
+    std::vector<std::vector<DoubtfulName>> all(robots.size());
+    for (const NameDoubt &doubt : doubts) {
+        DoubtfulName &stored = all[doubt.robot].emplace_back();
+        stored.from = fromSeconds(doubt.fromS);
+        stored.to = fromSeconds(doubt.toS);
+        for (const std::size_t other : doubt.others) {
+            stored.others.push_back(robots[other].id);
+            stored.otherNames.push_back(robots[other].name);
+        }
+    }
+    return all;
+}
+
+double doubtfulSeconds(const std::vector<DoubtfulName> &doubts)
+{
+    double seconds = 0;
+    for (const DoubtfulName &doubt : doubts)
+        seconds += toSeconds(doubt.to - doubt.from);
+    return seconds;
+}
+
+namespace {
+
+// each is tried where the one before it is better than what was known
+constexpr float darkerShadows[] = {0.20F, 0.15F};
+constexpr double leastDeepShare = 0.1; // of a robot's pixels, over the frames
+constexpr double goodMisfit = 0.5;     // a quarter of a pixel
+constexpr double clearlyLess = 0.98;   // of the misfit
+constexpr double nearlyAsOften = 0.9;  // of the frames in which it was found
+constexpr double firstPart = 0.7, nextPart = 0.125;
+
+/// A job's part as a job.
+JobControl partOf(const JobControl &control, double from, double to)
+{
+    return {control.cancel, [&control, from, to](double fraction, const Message &text) {
+                control.report(from + (to - from) * fraction, text);
+            }};
+}
+
+/// What was tracked of one robot.
+struct Outlines
+{
+    std::size_t robot = 0;
+    double found = 0;             ///< observations
+    std::optional<double> misfit; ///< of the solid that explains their outlines best
+};
+
+/// The mean of what may be deep shadow of a robot; 0 where it was measured by its colour.
+double deepShareOf(const std::vector<TrackedView> &tracked, std::size_t robot)
+{
+    double found = 0, share = 0;
+    for (const TrackedView &view : tracked) {
+        for (const Observation &one : view.series[robot].observations) {
+            found += one.found;
+            share += one.found ? double(one.deepShare) : 0;
+        }
+    }
+    return share / std::max(1.0, found);
+}
+
+Outlines outlinesOf(const std::vector<RegisteredView> &views, const std::vector<RobotRecord> &robots,
+                    std::vector<TrackedView> &tracked, std::size_t robot)
+{
+    Outlines outlines{robot, 0, {}};
+    for (const TrackedView &view : tracked)
+        outlines.found += double(std::ranges::count_if(view.series[robot].observations, &Observation::found));
+    std::vector<ViewTrack> tracks = takeViewTracks(views, tracked, robot);
+    outlines.misfit = misfitOfOutlines(tracks, shapeOf(robots[robot]));
+    returnObservations(std::move(tracks), tracked, robot);
+    return outlines;
+}
+
+/// Robots of which much may be deep shadow, and whose outlines are not explained well already.
+std::vector<Outlines> doubtfulOutlines(const std::vector<RegisteredView> &views,
+                                       const std::vector<RobotRecord> &robots,
+                                       std::vector<TrackedView> &tracked)
+{
+    std::vector<Outlines> doubtful;
+    for (std::size_t r = 0; r < robots.size(); ++r) {
+        if (deepShareOf(tracked, r) <= leastDeepShare)
+            continue;
+        Outlines outlines = outlinesOf(views, robots, tracked, r);
+        if (outlines.misfit.value_or(0) > goodMisfit)
+            doubtful.push_back(outlines);
+    }
+    return doubtful;
+}
+
+/// Whether solids explain the outlines of these robots clearly better than before, and nothing of them was
+/// lost.
+bool areBetter(const std::vector<Outlines> &now, const std::vector<Outlines> &before)
+{
+    double gain = 0; // of the logarithm of the misfit
+    for (std::size_t i = 0; i < now.size(); ++i) {
+        if (!now[i].misfit || now[i].found < nearlyAsOften * before[i].found)
+            return false;
+        gain += std::log(*before[i].misfit / *now[i].misfit) / double(now.size());
+    }
+    return gain > -std::log(clearlyLess);
+}
+
+} // namespace
+
+Result<SettledViews> trackAndSettle(const std::vector<RegisteredView> &views,
+                                    const std::vector<RobotRecord> &robots, const JobControl &control,
+                                    const std::vector<PointedOutRobot> &pointedOut)
+{
+    double done = 0; // of the job
+    const auto tracked = [&](double part, const auto &track) -> Result<SettledViews> {
+        auto seen = ODO_TRY(track(partOf(control, done, done + part)));
+        done += part;
+        control.report(done, ODO_TEXT("workflow.settling_names", "settling which robot is which"));
+        auto doubts = ODO_TRY(settleNames(views, robots, seen, pointedOut));
+        return SettledViews{std::move(seen), std::move(doubts)};
+    };
+    auto best = tracked(firstPart, [&](const JobControl &part) { return trackViews(views, robots, part); });
+    if (!best)
+        return best;
+    std::vector<Outlines> known = doubtfulOutlines(views, robots, best->views);
+    for (const float darkest : darkerShadows) {
+        if (known.empty())
+            break;
+        auto darker = tracked(nextPart, [&](const JobControl &part) {
+            return trackAgain(views, robots, best->views, darkest, part);
+        });
+        if (control.isCancelled())
+            return cancelled(trackingSubject());
+        if (!darker) // what was found before stays
+            break;
+        std::vector<Outlines> now;
+        for (const Outlines &before : known)
+            now.push_back(outlinesOf(views, robots, darker->views, before.robot));
+        if (!areBetter(now, known))
+            break;
+        best = std::move(darker);
+        known = std::move(now);
+    }
+    return best;
+}
+
+} // namespace odo

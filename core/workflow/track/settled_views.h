@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/project/records.h"
+#include "core/trajectory/name_assignment.h"
+#include "core/workflow/track/view_tracking.h"
+
+#include <vector>
+
+namespace odo {
+
+/// A robot as far as it helps to tell who is who: by a colour only where one with chroma was told.
+NamedRobot namedRobot(const RobotRecord &robot);
+
+/// Settles, over all views of a trial, which of the tracked series is which robot (assignNames), before
+/// anything is analysed or stored, and which of what was followed a robot of any look is. The views' offsets
+/// must be known. Gives when it could not be told who is who, by the robots' numbers. pointedOut: of the
+/// trial. InvalidInput: nothing was followed where a robot was pointed out.
+Result<std::vector<NameDoubt>> settleNames(const std::vector<RegisteredView> &views,
+                                           const std::vector<RobotRecord> &robots,
+                                           std::vector<TrackedView> &tracked,
+                                           const std::vector<PointedOutRobot> &pointedOut = {});
+
+/// The same as they are stored: of each robot its own.
+std::vector<std::vector<DoubtfulName>> doubtfulNamesOf(const std::vector<NameDoubt> &doubts,
+                                                       const std::vector<RobotRecord> &robots);
+
+/// For how long all together. They do not overlap.
+double doubtfulSeconds(const std::vector<DoubtfulName> &doubts);
+
+/// All views of a trial, tracked, with their robots' names settled.
+struct SettledViews
+{
+    std::vector<TrackedView> views;
+    std::vector<NameDoubt> doubts;
+};
+
+/// trackViews and settleNames. On a plain floor a deep shadow and a dark side of a robot look alike in a
+/// single frame, but not in a whole run: a shadow does not turn with the robot, and has no height. Where much
+/// of the robots may be deep shadow, everything is tracked once or twice more, for darker shadows, and what
+/// solids explain best is kept. Touches no project. Errors: those of both.
+Result<SettledViews> trackAndSettle(const std::vector<RegisteredView> &views,
+                                    const std::vector<RobotRecord> &robots, const JobControl &control,
+                                    const std::vector<PointedOutRobot> &pointedOut = {});
+
+} // namespace odo

@@ -1,0 +1,402 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/main_window/internal/import_dialogs.h"
+
+#include "ui/views/widgets/form_fields.h"
+#include "ui/views/widgets/labels.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+namespace odo {
+
+namespace {
+constexpr int usualViews = 2;
+constexpr double usualRate = 240;
+} // namespace
+
+ImportTrialDialog::ImportTrialDialog(const Offer &offer, QWidget *parent)
+    : QDialog(parent), m_cameras(offer.cameras), m_teamsRobots(offer.teamsRobots),
+      m_name(new QLineEdit(offer.name)), m_team(new QComboBox), m_task(new QComboBox),
+      m_robots(new CheckList(tr("Robots in the trial"))), m_videoGrid(new QGridLayout),
+      m_addView(new QPushButton(tr("Add &view"))), m_steps(new ViewSteps),
+      m_rateTold(new QCheckBox(tr("Camera's real &rate"))), m_rate(new NumberBox),
+      m_buttons(new QDialogButtonBox(QDialogButtonBox::Cancel))
+{
+    setWindowTitle(tr("Import trial from videos"));
+    m_team->setEditable(true);
+    m_team->addItem(QString());
+    for (qsizetype i = 0; i < offer.teams.size(); ++i)
+        m_team->addItem(offer.teamsShown.value(i, offer.teams[i]), offer.teams[i]);
+    m_task->setEditable(true);
+    m_task->addItem(QString());
+    m_task->addItems(offer.tasks);
+    m_task->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon); // a name may be long
+    m_robots->setNames(offer.robots, offer.robots.size() == 1);
+    auto *form = new QFormLayout;
+    form->addRow(tr("&Name"), m_name);
+    form->addRow(tr("Te&am"), m_team);
+    form->addRow(tr("Tas&k"), m_task);
+    form->addRow(tr("R&obots"), m_robots);
+    form->addRow(tr("Videos"), makeVideos());
+    auto *step = new QLabel(tr("In &step"));
+    step->setBuddy(m_steps->fields().constFirst());
+    form->addRow(step, m_steps);
+    form->addRow(m_rateTold, makeRate());
+    QPushButton *accept = m_buttons->addButton(tr("Import"), QDialogButtonBox::AcceptRole);
+    auto *layout = new QVBoxLayout(this);
+    layout->addLayout(form);
+    layout->addStretch(1);
+    layout->addWidget(m_buttons);
+    accept->setDefault(true); // only now is it in the dialog, whose Enter key it is to have
+    resize(620, sizeHint().height());
+    connect(m_name, &QLineEdit::textChanged, this, &ImportTrialDialog::updateButtons);
+    connect(m_team, &QComboBox::currentIndexChanged, this, &ImportTrialDialog::proposeRobots);
+    connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    orderTabs();
+    updateButtons();
+}
+
+/// Those of the team that is chosen, if it has any of its own; they can be changed.
+void ImportTrialDialog::proposeRobots(int team)
+{
+    const QStringList robots = m_teamsRobots.value(team - 1);
+    if (!robots.isEmpty())
+        m_robots->setChecked(robots);
+}
+
+QWidget *ImportTrialDialog::makeVideos()
+{
+    auto *widget = new QWidget;
+    auto *layout = new QVBoxLayout(widget);
+    layout->setContentsMargins(0, 0, 0, 0);
+    m_videoGrid->setColumnStretch(2, 1);
+    m_videoGrid->addWidget(new QLabel(tr("Camera")), 0, 0);
+    m_videoGrid->addWidget(new QLabel(tr("Video file")), 0, 2);
+    layout->addLayout(m_videoGrid);
+    m_addView->setAutoDefault(false); // Enter is the dialog's
+    layout->addWidget(m_addView, 0, Qt::AlignLeft);
+    connect(m_addView, &QPushButton::clicked, this, [this] {
+        addVideo({}, {});
+        orderTabs();
+        m_videos.back().camera->setFocus();
+    });
+    for (int i = 0; i < usualViews; ++i)
+        addVideo(i < int(m_cameras.size()) ? m_cameras[std::size_t(i)].name
+                                           : QString(QChar(QLatin1Char(static_cast<char>('A' + i)))),
+                 {});
+    return widget;
+}
+
+QWidget *ImportTrialDialog::makeRate()
+{
+    m_rate->setRange(1, 10000);
+    m_rate->setValue(usualRate);
+    m_rate->setSuffix(tr(" frames/s"));
+    m_rate->setAccessibleName(tr("Camera's real rate"));
+    m_rate->setEnabled(false);
+    m_rateTold->setToolTip(tr("For slow motion: the file plays slower than the camera took it"));
+    connect(m_rateTold, &QCheckBox::toggled, m_rate, &QWidget::setEnabled);
+    return m_rate;
+}
+
+/// A view that was added would be reached last.
+void ImportTrialDialog::orderTabs()
+{
+    QList<QWidget *> chain{m_robots};
+    for (const VideoRow &row : m_videos)
+        chain << row.camera << row.file;
+    chain << m_addView << m_steps->fields() << m_rateTold << m_rate;
+    for (int i = 1; i < chain.size(); ++i)
+        setTabOrder(chain.at(i - 1), chain.at(i));
+}
+
+void ImportTrialDialog::addVideo(const QString &camera, const QString &file)
+{
+    for (const VideoRow &row : m_videos) // a dropped file goes to the first row that waits for one
+        if (!file.isEmpty() && row.file->path().empty()) {
+            row.file->setPath(file);
+            return;
+        }
+    const int number = static_cast<int>(m_videos.size()) + 1;
+    auto *name = new QComboBox;
+    name->setEditable(true);
+    for (const OfferedCamera &each : m_cameras)
+        name->addItem(each.name);
+    name->setCurrentText(camera);
+    name->setAccessibleName(tr("Camera of view %1").arg(number));
+    auto *path = new PathField(tr("Video of view %1").arg(number),
+                               tr("Videos (*.mp4 *.mkv *.avi *.mov *.webm *.m4v);;All files (*)"));
+    path->setPath(file);
+    m_videoGrid->addWidget(name, number, 0);
+    auto *badge = new BadgeLabel({});
+    badge->setAccessibleName(tr("Registration of the camera of view %1").arg(number));
+    m_videoGrid->addWidget(badge, number, 1);
+    m_videoGrid->addWidget(path, number, 2);
+    m_videos.push_back({name, badge, path});
+    m_steps->addView();
+    connect(name, &QComboBox::editTextChanged, this, &ImportTrialDialog::updateButtons);
+    connect(path, &PathField::changed, this, &ImportTrialDialog::updateButtons);
+    updateButtons();
+}
+
+Badge ImportTrialDialog::badgeOf(const QString &camera) const
+{
+    const auto found = std::ranges::find(m_cameras, camera, &OfferedCamera::name);
+    return found == m_cameras.end() ? Badge() : found->badge;
+}
+
+void ImportTrialDialog::updateButtons()
+{
+    QStringList cameras;
+    for (const VideoRow &row : m_videos) {
+        cameras << row.camera->currentText();
+        row.badge->setBadge(badgeOf(row.camera->currentText().trimmed()));
+    }
+    m_steps->setCameras(cameras);
+    // A video without a camera would be left out in silence.
+    const bool nameless = std::any_of(m_videos.begin(), m_videos.end(), [](const VideoRow &row) {
+        return !row.file->path().empty() && row.camera->currentText().trimmed().isEmpty();
+    });
+    const bool complete = !m_name->text().trimmed().isEmpty() && !nameless && !settings().videos.empty();
+    for (QAbstractButton *button : m_buttons->buttons())
+        if (m_buttons->buttonRole(button) == QDialogButtonBox::AcceptRole)
+            button->setEnabled(complete);
+}
+
+ImportSettings ImportTrialDialog::settings() const
+{
+    ImportSettings settings;
+    settings.trial = m_name->text().trimmed().toStdString();
+    const int team =
+        m_team->findText(m_team->currentText().trimmed(), Qt::MatchFixedString | Qt::MatchCaseSensitive);
+    settings.team =
+        (team > 0 ? m_team->itemData(team).toString() : m_team->currentText().trimmed()).toStdString();
+    settings.task = m_task->currentText().trimmed().toStdString();
+    settings.robots = m_robots->checkedNames();
+    for (std::size_t view = 0; view < m_videos.size(); ++view) {
+        const VideoRow &row = m_videos[view];
+        const std::string camera = row.camera->currentText().trimmed().toStdString();
+        if (camera.empty() || row.file->path().empty())
+            continue;
+        if (!settings.videos.empty()) // the first one that there is needs no step
+            settings.steps.push_back(m_steps->step(view));
+        settings.videos.emplace_back(camera, row.file->path());
+    }
+    if (m_rateTold->isChecked())
+        settings.rate = m_rate->value();
+    return settings;
+}
+
+namespace {
+
+constexpr double highestOffsetS = 600;
+using Sync = ImportSettings::Sync;
+
+} // namespace
+
+ViewSteps::ViewSteps(QWidget *parent) : QWidget(parent), m_grid(new QGridLayout(this))
+{
+    m_grid->setContentsMargins(0, 0, 0, 0);
+    m_grid->setColumnStretch(1, 1);
+}
+
+void ViewSteps::addView()
+{
+    if (++m_views == 1)
+        return;
+    const int number = static_cast<int>(m_views);
+    Row row{new ElidedLabel, new QComboBox, new NumberBox};
+    row.how->addItem(tr("From the motion or a flash"), static_cast<int>(Sync::Automatic));
+    row.how->addItem(tr("Begun together"), static_cast<int>(Sync::None));
+    row.how->addItem(tr("By hand: begun later by"), static_cast<int>(Sync::Told));
+    row.how->setAccessibleName(tr("How view %1 gets in step with the first").arg(number));
+    row.how->setToolTip(tr("A flash: switch the room lights on and off once while all cameras record"));
+    row.later->setRange(-highestOffsetS, highestOffsetS);
+    row.later->setDecimals(4);
+    row.later->setSingleStep(0.01);
+    row.later->setSuffix(tr(" s"));
+    row.later->setAccessibleName(tr("How much later view %1 began").arg(number));
+    row.later->setToolTip(tr("Below zero: it began earlier than the first view"));
+    row.later->setEnabled(false);
+    connect(row.how, &QComboBox::currentIndexChanged, row.later,
+            [row] { row.later->setEnabled(row.how->currentData().toInt() == static_cast<int>(Sync::Told)); });
+    const int place = static_cast<int>(m_rows.size());
+    m_grid->addWidget(row.camera, place, 0);
+    m_grid->addWidget(row.how, place, 1);
+    m_grid->addWidget(row.later, place, 2);
+    m_rows.push_back(row);
+}
+
+void ViewSteps::setCameras(const QStringList &cameras)
+{
+    for (std::size_t i = 0; i < m_rows.size(); ++i) {
+        const int view = static_cast<int>(i) + 1;
+        const QString name = cameras.value(view).trimmed();
+        m_rows[i].camera->setFullText(name.isEmpty() ? tr("View %1").arg(view + 1) : name);
+    }
+}
+
+ImportSettings::ViewStep ViewSteps::step(std::size_t view) const
+{
+    if (view == 0 || view > m_rows.size())
+        return {};
+    const Row &row = m_rows[view - 1];
+    return {static_cast<Sync>(row.how->currentData().toInt()), row.later->value()};
+}
+
+QList<QWidget *> ViewSteps::fields() const
+{
+    QList<QWidget *> all;
+    for (const Row &row : m_rows)
+        all << row.how << row.later;
+    return all;
+}
+
+ImportTracksDialog::ImportTracksDialog(const Offer &offer, QWidget *parent)
+    : QDialog(parent), m_knownRobots(offer.robots), m_name(new QLineEdit(offer.name)), m_team(new QComboBox),
+      m_task(new QComboBox), m_grid(new QGridLayout), m_addRobot(new QPushButton(tr("Add &robot"))),
+      m_buttons(new QDialogButtonBox(QDialogButtonBox::Cancel))
+{
+    setWindowTitle(tr("Import finished tracks"));
+    m_team->setEditable(true);
+    m_team->addItem(QString());
+    for (qsizetype i = 0; i < offer.teams.size(); ++i)
+        m_team->addItem(offer.teamsShown.value(i, offer.teams[i]), offer.teams[i]);
+    m_task->addItem(tr("none"), QString());
+    for (const QString &task : offer.tasks)
+        m_task->addItem(task, task);
+    m_task->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon); // a name may be long
+    auto *words = new QLabel(tr("Positions that another program has measured, or Odograph has exported: TUM, "
+                                "CSV or Tracker's text. They are "
+                                "measured as a run without video."));
+    words->setWordWrap(true);
+    auto *form = new QFormLayout;
+    form->addRow(tr("&Name"), m_name);
+    form->addRow(tr("Te&am"), m_team);
+    form->addRow(tr("Tas&k"), m_task);
+    form->addRow(tr("Tracks"), makeTracks());
+    QPushButton *accept = m_buttons->addButton(tr("Import"), QDialogButtonBox::AcceptRole);
+    auto *layout = new QVBoxLayout(this);
+    layout->addWidget(words);
+    layout->addLayout(form);
+    layout->addStretch(1);
+    layout->addWidget(m_buttons);
+    accept->setDefault(true); // only now is it in the dialog, whose Enter key it is to have
+    resize(620, sizeHint().height());
+    connect(m_name, &QLineEdit::textChanged, this, &ImportTracksDialog::updateButtons);
+    connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    orderTabs();
+    updateButtons();
+}
+
+bool ImportTracksDialog::isTrackFile(const QString &file)
+{
+    static const QStringList endings = {QStringLiteral("csv"), QStringLiteral("txt"), QStringLiteral("tum"),
+                                        QStringLiteral("tsv")};
+    return endings.contains(QFileInfo(file).suffix(), Qt::CaseInsensitive);
+}
+
+QWidget *ImportTracksDialog::makeTracks()
+{
+    auto *widget = new QWidget;
+    auto *layout = new QVBoxLayout(widget);
+    layout->setContentsMargins(0, 0, 0, 0);
+    m_grid->setColumnStretch(1, 1);
+    m_grid->addWidget(new QLabel(tr("Robot")), 0, 0);
+    m_grid->addWidget(new QLabel(tr("File")), 0, 1);
+    layout->addLayout(m_grid);
+    m_addRobot->setAutoDefault(false); // Enter is the dialog's
+    layout->addWidget(m_addRobot, 0, Qt::AlignLeft);
+    connect(m_addRobot, &QPushButton::clicked, this, [this] {
+        addRow();
+        orderTabs();
+        m_tracks.back().robot->setFocus();
+    });
+    addRow();
+    return widget;
+}
+
+void ImportTracksDialog::addRow()
+{
+    const int number = static_cast<int>(m_tracks.size()) + 1;
+    auto *robot = new QComboBox;
+    robot->setEditable(true);
+    robot->addItems(m_knownRobots);
+    robot->setCurrentText(
+        m_knownRobots.value(number - 1, m_knownRobots.isEmpty() && number == 1 ? tr("Robot") : QString()));
+    robot->setAccessibleName(tr("Robot of track %1").arg(number));
+    robot->setToolTip(tr("A name that is new makes a new robot"));
+    robot->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    robot->setMinimumContentsLength(14);
+    auto *file = new PathField(tr("File of track %1").arg(number),
+                               tr("Tracks (*.csv *.txt *.tum *.tsv);;All files (*)"));
+    m_grid->addWidget(robot, number, 0);
+    m_grid->addWidget(file, number, 1);
+    m_tracks.push_back({robot, file});
+    connect(robot, &QComboBox::editTextChanged, this, &ImportTracksDialog::updateButtons);
+    connect(file, &PathField::changed, this, &ImportTracksDialog::updateButtons);
+    updateButtons();
+}
+
+/// A row that was added would be reached last.
+void ImportTracksDialog::orderTabs()
+{
+    QList<QWidget *> chain{m_task};
+    for (const TrackRow &row : m_tracks)
+        chain << row.robot << row.file;
+    chain << m_addRobot;
+    for (int i = 1; i < chain.size(); ++i)
+        setTabOrder(chain.at(i - 1), chain.at(i));
+}
+
+void ImportTracksDialog::addTrack(const QString &file)
+{
+    if (!m_tracks.back().file->path().empty()) {
+        addRow();
+        orderTabs();
+    }
+    m_tracks.back().file->setPath(file);
+}
+
+void ImportTracksDialog::updateButtons()
+{
+    // A file without a robot would be left out in silence.
+    const bool nameless = std::any_of(m_tracks.begin(), m_tracks.end(), [](const TrackRow &row) {
+        return !row.file->path().empty() && row.robot->currentText().trimmed().isEmpty();
+    });
+    const bool complete = !m_name->text().trimmed().isEmpty() && !nameless && !settings().tracks.empty();
+    for (QAbstractButton *button : m_buttons->buttons())
+        if (m_buttons->buttonRole(button) == QDialogButtonBox::AcceptRole)
+            button->setEnabled(complete);
+}
+
+ImportTracksSettings ImportTracksDialog::settings() const
+{
+    ImportTracksSettings settings;
+    settings.trial = m_name->text().trimmed().toStdString();
+    const int team =
+        m_team->findText(m_team->currentText().trimmed(), Qt::MatchFixedString | Qt::MatchCaseSensitive);
+    settings.team =
+        (team > 0 ? m_team->itemData(team).toString() : m_team->currentText().trimmed()).toStdString();
+    settings.task = m_task->currentData().toString().toStdString();
+    for (const TrackRow &row : m_tracks) {
+        const std::string robot = row.robot->currentText().trimmed().toStdString();
+        if (!robot.empty() && !row.file->path().empty())
+            settings.tracks.emplace_back(robot, row.file->path());
+    }
+    return settings;
+}
+
+} // namespace odo

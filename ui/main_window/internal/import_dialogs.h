@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/workflow/import/import_tracks_job.h"
+#include "core/workflow/import/import_trial_job.h"
+#include "ui/models/figure_text.h"
+
+#include <QDialog>
+#include <QWidget>
+#include <vector>
+
+class QCheckBox;
+class QComboBox;
+class QDialogButtonBox;
+class QDoubleSpinBox;
+class QGridLayout;
+class QLineEdit;
+class QPushButton;
+
+namespace odo {
+
+class BadgeLabel;
+class CheckList;
+class PathField;
+class ViewSteps;
+
+/// Asks what belongs to a trial: its name, team, task and robots, the video of each camera, and how each gets
+/// in step with the first.
+class ImportTrialDialog : public QDialog
+{
+    Q_OBJECT
+public:
+    struct OfferedCamera
+    {
+        QString name;
+        Badge badge; ///< how well it is registered
+    };
+    struct Offer
+    {
+        QString name; ///< a free one
+        QStringList teams, robots;
+        std::vector<OfferedCamera> cameras;
+        QStringList teamsShown = {};         ///< what each team is shown as; empty: by their names
+        QList<QStringList> teamsRobots = {}; ///< that belong to each team, ticked when it is chosen
+        QStringList tasks = {};
+    };
+    explicit ImportTrialDialog(const Offer &offer, QWidget *parent = nullptr);
+    ImportSettings settings() const;
+    /// One more row; file may be empty.
+    void addVideo(const QString &camera, const QString &file);
+
+private:
+    struct VideoRow
+    {
+        QComboBox *camera;
+        BadgeLabel *badge;
+        PathField *file;
+    };
+    QWidget *makeVideos();
+    QWidget *makeRate();
+    void orderTabs();
+    void proposeRobots(int team);
+    void updateButtons();
+
+    Badge badgeOf(const QString &camera) const;
+
+    std::vector<OfferedCamera> m_cameras;
+    QList<QStringList> m_teamsRobots;
+    QLineEdit *m_name;
+    QComboBox *m_team;
+    QComboBox *m_task;
+    CheckList *m_robots;
+    QGridLayout *m_videoGrid;
+    std::vector<VideoRow> m_videos;
+    QPushButton *m_addView;
+    ViewSteps *m_steps;
+    QCheckBox *m_rateTold;
+    QDoubleSpinBox *m_rate;
+    QDialogButtonBox *m_buttons;
+};
+
+class ElidedLabel;
+
+/// One row for each view but the first: how it gets in step with the first one, and by hand how much later it
+/// began.
+class ViewSteps : public QWidget
+{
+    Q_OBJECT
+public:
+    explicit ViewSteps(QWidget *parent = nullptr);
+    /// One view more; nothing is asked of the first one.
+    void addView();
+    /// The views' cameras as they are called now, in order.
+    void setCameras(const QStringList &cameras);
+    /// What was chosen for a view, counted from 0; that of the first one is of no use.
+    ImportSettings::ViewStep step(std::size_t view) const;
+    /// All that takes the focus, in order.
+    QList<QWidget *> fields() const;
+
+private:
+    struct Row
+    {
+        ElidedLabel *camera;
+        QComboBox *how;
+        QDoubleSpinBox *later;
+    };
+    QGridLayout *m_grid;
+    std::size_t m_views = 0;
+    std::vector<Row> m_rows;
+};
+
+/// Asks what belongs to a trial whose robots another program has tracked: its name, team and task, and the
+/// file of each robot.
+class ImportTracksDialog : public QDialog
+{
+    Q_OBJECT
+public:
+    struct Offer
+    {
+        QString name; ///< a free one
+        QStringList teams, robots, tasks;
+        QStringList teamsShown = {}; ///< what each team is shown as; empty: by their names
+    };
+    explicit ImportTracksDialog(const Offer &offer, QWidget *parent = nullptr);
+    ImportTracksSettings settings() const;
+    /// A file for the first row that waits for one, or a row of its own.
+    void addTrack(const QString &file);
+    /// Whether a file can be one of tracks, by its name.
+    static bool isTrackFile(const QString &file);
+
+private:
+    struct TrackRow
+    {
+        QComboBox *robot;
+        PathField *file;
+    };
+    QWidget *makeTracks();
+    void addRow();
+    void orderTabs();
+    void updateButtons();
+
+    QStringList m_knownRobots;
+    QLineEdit *m_name;
+    QComboBox *m_team, *m_task;
+    QGridLayout *m_grid;
+    std::vector<TrackRow> m_tracks;
+    QPushButton *m_addRobot;
+    QDialogButtonBox *m_buttons;
+};
+
+} // namespace odo

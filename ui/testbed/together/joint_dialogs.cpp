@@ -1,0 +1,340 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/testbed/together/joint_dialogs.h"
+
+#include "core/base/units.h"
+#include "ui/models/shown_message.h"
+#include "ui/testbed/floor/still_picture.h"
+#include "ui/views/widgets/card.h"
+#include "ui/views/widgets/form_fields.h"
+#include "ui/views/widgets/labels.h"
+#include "ui/views/widgets/table_list.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QGroupBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+namespace odo {
+
+namespace {
+
+constexpr double usualTapeMm = 2;
+
+QTableWidget *makeTable(const QStringList &headers, const QString &name)
+{
+    auto *table = new QTableWidget(0, int(headers.size()));
+    table->setHorizontalHeaderLabels(headers);
+    table->setAccessibleName(name);
+    showAsList(*table);
+    table->setSelectionMode(QAbstractItemView::SingleSelection);
+    table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    table->horizontalHeader()->setSectionResizeMode(int(headers.size()) - 1, QHeaderView::Stretch);
+    return table;
+}
+
+void setRow(QTableWidget &table, int row, const QStringList &texts)
+{
+    for (int column = 0; column < texts.size(); ++column)
+        table.setItem(row, column, new QTableWidgetItem(texts[column]));
+}
+
+QString millimetres(double metres)
+{
+    return QLocale().toString(toMillimetres(metres), 'f', 1);
+}
+
+} // namespace
+
+JointDialog::JointDialog(const QString &layout, Prepare prepare, QWidget *parent)
+    : QDialog(parent), m_prepare(std::move(prepare)), m_tape(new NumberBox),
+      m_cameras(makeTable({tr("Camera"), tr("Known to, before"), tr("Known to, together"), tr("Moves by")},
+                          tr("Cameras"))),
+      m_markers(makeTable({tr("Marker"), tr("Cameras"), tr("Off by, mm"), tr("Verdict")}, tr("Markers"))),
+      m_verdict(new QLabel), m_advice(new QLabel)
+{
+    setWindowTitle(tr("Register all cameras together"));
+    resize(980, 520);
+    auto *intro = new QLabel(
+        tr("The cameras of layout %1 are fitted again at once, by the markers they were registered with: "
+           "where they see "
+           "the same markers, they agree better afterwards, and a marker that was measured wrongly is found.")
+            .arg(breakable(layout)));
+    intro->setWordWrap(true);
+    intro->setTextFormat(Qt::PlainText);
+    m_tape->setRange(0.1, 100);
+    m_tape->setDecimals(1);
+    m_tape->setValue(usualTapeMm);
+    m_tape->setSuffix(tr(" mm"));
+    m_tape->setAccessibleName(tr("Error of the tape measure"));
+    auto *form = new QFormLayout;
+    form->addRow(tr("The markers' places were &measured to"), m_tape);
+    showAsVerdict(*m_verdict, *m_advice);
+    m_verdict->setAccessibleName(tr("Verdict"));
+    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel);
+    m_save = buttons->button(QDialogButtonBox::Save);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto *page = new QVBoxLayout(this);
+    page->addWidget(intro);
+    page->addLayout(form);
+    page->addWidget(makeTables(), 1);
+    page->addWidget(m_verdict);
+    page->addWidget(m_advice);
+    page->addWidget(buttons);
+    connect(m_tape, &QDoubleSpinBox::valueChanged, this, &JointDialog::fit);
+    connect(&m_task, &BackgroundTask::finished, this, &JointDialog::show);
+    fit();
+}
+
+JointDialog::~JointDialog() = default;
+
+QWidget *JointDialog::makeTables()
+{
+    auto *both = new QWidget;
+    auto *layout = new QHBoxLayout(both);
+    layout->setContentsMargins(0, 0, 0, 0);
+    for (const auto &[title, table] :
+         {std::pair(tr("Cameras"), m_cameras), std::pair(tr("Markers"), m_markers)}) {
+        auto *card = new Card(title);
+        card->setContent(table);
+        layout->addWidget(card, 1);
+    }
+    return both;
+}
+
+void JointDialog::fit()
+{
+    m_save->setEnabled(false);
+    m_fitAgain = m_task.isRunning();
+    if (m_fitAgain)
+        return;
+    auto prepared = m_prepare(fromMillimetres(m_tape->value()));
+    if (!prepared)
+        return show(prepared.error());
+    m_job = std::move(*prepared);
+    m_verdict->setText(tr("Fitting the cameras together…"));
+    m_advice->clear();
+    m_task.start([job = m_job](const JobControl &control) { return job->run(control); });
+}
+
+void JointDialog::show(const std::optional<Error> &error)
+{
+    if (m_fitAgain)
+        return fit();
+    m_save->setEnabled(!error);
+    if (error) {
+        m_cameras->setRowCount(0);
+        m_markers->setRowCount(0);
+        m_verdict->setText(breakable(shownWords(error->why)));
+        m_advice->setText(breakable(shownWords(error->advice)));
+        return;
+    }
+    m_verdict->setText(breakable(shownWords(m_job->joint().verdict)));
+    m_advice->setText(tr("What is known together reckons with the markers' places being measured to %1 mm, "
+                         "which a camera that is registered by "
+                         "itself takes as exact. Nothing is changed before you save; trials keep the "
+                         "registration they were analysed with.")
+                          .arg(QLocale().toString(m_tape->value(), 'f', 1)));
+    showCameras();
+    showMarkers();
+}
+
+void JointDialog::showCameras()
+{
+    const auto &joint = m_job->joint();
+    m_cameras->setRowCount(int(joint.registrations.size()));
+    for (std::size_t i = 0; i < joint.registrations.size(); ++i) {
+        const FloorRegistration &before = m_job->before()[i].registration, &after = joint.registrations[i];
+        const double movedM = (after.worldFromCamera.translation - before.worldFromCamera.translation).norm();
+        setRow(*m_cameras, int(i),
+               {QString::fromStdString(m_job->cameras()[i]),
+                tr("±%1 mm").arg(millimetres(before.floorSigmaM)),
+                tr("±%1 mm").arg(millimetres(after.floorSigmaM)), tr("%1 mm").arg(millimetres(movedM))});
+    }
+}
+
+void JointDialog::showMarkers()
+{
+    const auto &markers = m_job->joint().markers;
+    m_markers->setRowCount(int(markers.size()));
+    for (std::size_t i = 0; i < markers.size(); ++i) {
+        const JointMarker &marker = markers[i];
+        setRow(*m_markers, int(i),
+               {QString::fromStdString(marker.label), QLocale().toString(marker.cameras),
+                tr("%1 ± %2").arg(millimetres(marker.offM.norm()),
+                                  millimetres(std::sqrt(marker.covariance.trace()))),
+                marker.isSuspicious ? tr("measure it again") : tr("fits")});
+    }
+}
+
+void JointDialog::done(int result)
+{
+    m_fitAgain = false;
+    m_task.cancel();
+    QDialog::done(result);
+}
+
+ThroughSourcePage::ThroughSourcePage(const std::vector<FloorCamera> &cameras, const QString &current,
+                                     const std::vector<CheckCamera> &registered, const LiveCameras &live,
+                                     QWidget *parent)
+    : QWidget(parent), m_cameras(cameras), m_registered(registered), m_camera(new QComboBox),
+      m_through(new QComboBox),
+      m_picture(new PictureChoice(live, tr("Picture or video of the camera to register"))),
+      m_throughPicture(new PictureChoice(live, tr("Picture or video of the registered camera"))),
+      m_same(new QLabel(tr("A camera cannot be registered through itself: choose two different ones.")))
+{
+    for (const FloorCamera &camera : m_cameras)
+        m_camera->addItem(camera.name);
+    for (const CheckCamera &camera : m_registered)
+        m_through->addItem(camera.name);
+    m_camera->setCurrentIndex(std::max(0, m_camera->findText(current)));
+    if (m_through->currentText() == m_camera->currentText() && m_through->count() > 1)
+        m_through->setCurrentIndex(1);
+    m_camera->setAccessibleName(tr("Camera to register"));
+    m_through->setAccessibleName(tr("Registered camera"));
+    auto *intro = new QLabel(tr("A camera that sees no markers can be registered by points of the floor that "
+                                "a registered camera sees as "
+                                "well: corners of tiles, ends of tape, screws. Four are enough, six or more "
+                                "spread over the common part "
+                                "are better. Neither camera may be moved afterwards."));
+    intro->setWordWrap(true);
+    auto *form = new QFormLayout;
+    form->addRow(tr("C&amera to register"), m_camera);
+    form->addRow(tr("&Through camera"), m_through);
+    form->addRow(QString(), m_same);
+    auto *pictures = new QHBoxLayout;
+    for (const auto &[title, choice] : {std::pair(tr("Its picture"), m_picture),
+                                        std::pair(tr("The registered camera's picture"), m_throughPicture)}) {
+        auto *box = new QGroupBox(title);
+        auto *boxLayout = new QVBoxLayout(box);
+        boxLayout->addWidget(choice);
+        pictures->addWidget(box, 1);
+    }
+    setFocusProxy(m_camera);
+    auto *layout = new QVBoxLayout(this);
+    layout->addWidget(intro);
+    layout->addSpacing(8);
+    layout->addLayout(form);
+    layout->addSpacing(12);
+    layout->addLayout(pictures);
+    layout->addStretch(1);
+    for (QComboBox *box : {m_camera, m_through})
+        connect(box, &QComboBox::currentIndexChanged, this, &ThroughSourcePage::showCameras);
+    for (PictureChoice *choice : {m_picture, m_throughPicture})
+        connect(choice, &PictureChoice::changed, this, &ThroughSourcePage::completeChanged);
+    showCameras();
+}
+
+const FloorCamera &ThroughSourcePage::camera() const
+{
+    return m_cameras.at(std::size_t(m_camera->currentIndex()));
+}
+const CheckCamera &ThroughSourcePage::through() const
+{
+    return m_registered.at(std::size_t(m_through->currentIndex()));
+}
+
+void ThroughSourcePage::showCameras()
+{
+    m_picture->setRecording(camera().newestRecording);
+    m_throughPicture->setRecording(through().newestRecording);
+    m_same->setVisible(camera().name == through().name);
+    Q_EMIT completeChanged();
+}
+
+bool ThroughSourcePage::isComplete() const
+{
+    return camera().name != through().name && m_picture->isComplete() && m_throughPicture->isComplete();
+}
+
+namespace {
+
+enum Page { SourcePage, PointsPage };
+
+} // namespace
+
+ThroughWizard::ThroughWizard(const std::vector<FloorCamera> &cameras, const QString &current,
+                             const std::vector<CheckCamera> &registered, const LiveCameras &live,
+                             KeepPicture keep, QWidget *parent)
+    : StepDialog(tr("Register through another camera"), tr("&Save"), parent),
+      m_source(new ThroughSourcePage(cameras, current, registered, live)), m_page(new SharedPointsPage),
+      m_keep(std::move(keep))
+{
+    addStep(tr("Two cameras and their pictures"), m_source);
+    addStep(tr("The same points in both pictures"), m_page);
+    resize(1180, 760);
+    connect(m_source, &ThroughSourcePage::completeChanged, this, &ThroughWizard::updateButtons);
+    connect(m_page, &SharedPointsPage::completeChanged, this, &ThroughWizard::updateButtons);
+    connect(&m_task, &BackgroundTask::finished, this, [this](const std::optional<Error> &error) {
+        if (step() == PointsPage && error)
+            m_page->showFailure(*error);
+        else if (step() == PointsPage)
+            m_page->begin(m_pictures, m_source->camera(), m_source->through());
+        updateButtons();
+    });
+    turnTo(SourcePage);
+}
+
+ThroughWizard::~ThroughWizard() = default;
+
+bool ThroughWizard::isComplete(int step) const
+{
+    return step == SourcePage ? m_source->isComplete() && !m_task.isRunning()
+                              : m_page->registration().has_value() && !isSaving();
+}
+
+void ThroughWizard::next()
+{
+    if (step() == PointsPage)
+        return saveAndAccept([keep = m_keep, name = camera(), frame = m_pictures->camera.frame](
+                                 const JobControl &) { return keep(name, frame); });
+    turnTo(PointsPage);
+    takePictures();
+}
+
+void ThroughWizard::back()
+{
+    m_task.cancel();
+    turnTo(SourcePage);
+}
+
+void ThroughWizard::showNotSaved(const Error &error)
+{
+    m_page->showNotSaved(error);
+}
+
+void ThroughWizard::takePictures()
+{
+    m_page->wait(tr("Getting the pictures…"));
+    m_pictures = std::make_shared<PicturePair>();
+    const auto &intrinsics = m_source->camera().intrinsics;
+    const std::optional<Intrinsics> lens =
+        intrinsics ? std::optional(intrinsics->calibration.intrinsics) : std::nullopt;
+    m_task.start([pictures = m_pictures, lens, origin = m_source->picture().origin(),
+                  throughOrigin = m_source->throughPicture().origin(),
+                  throughLens = m_source->through().view.camera().intrinsics(),
+                  layout = m_source->through().layout](const JobControl &control) -> Result<void> {
+        auto taken = ODO_TRY(takeStillPicture(origin, layout, lens, control));
+        auto throughTaken = ODO_TRY(takeStillPicture(throughOrigin, layout, throughLens, control));
+        *pictures = {std::move(taken), std::move(throughTaken)};
+        return {};
+    });
+}
+
+void ThroughWizard::done(int result)
+{
+    m_task.cancel();
+    StepDialog::done(result);
+}
+
+} // namespace odo
