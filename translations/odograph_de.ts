@@ -3138,14 +3138,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.add_floor_points</name>
     <message>
-        <source>add points of the floor, such as corners of tiles</source>
+        <source>add floor points, such as corners of tiles</source>
         <translation>fügen Sie Punkte des Bodens hinzu, etwa Ecken von Fliesen</translation>
     </message>
 </context>
 <context>
     <name>calibration.all_agree</name>
     <message>
-        <source>The markers and the cameras agree with one another.</source>
+        <source>The markers and the cameras agree with each other.</source>
         <translation>Die Marker und die Kameras stimmen überein.</translation>
     </message>
 </context>
@@ -3180,7 +3180,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.best_place</name>
     <message>
-        <source>the best place for a camera</source>
+        <source>the best camera position</source>
         <translation>der beste Ort für eine Kamera</translation>
     </message>
 </context>
@@ -3201,21 +3201,21 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.board_fills</name>
     <message>
-        <source>it fills %1 of the picture</source>
+        <source>it fills %1 of the image</source>
         <translation>sie füllt %1 des Bilds</translation>
     </message>
 </context>
 <context>
     <name>calibration.board_in_one_place</name>
     <message>
-        <source>all %1 pictures show the board in one place, the %2 %3 of the picture</source>
+        <source>all %1 images show the board in one position, the %2 %3 of the image</source>
         <translation>alle %1 Bilder zeigen die Tafel an einer Stelle (%2, %3 des Bildes)</translation>
     </message>
 </context>
 <context>
     <name>calibration.board_not_flat</name>
     <message>
-        <source>the corners do not lie as on a flat board</source>
+        <source>the corners do not match a flat board</source>
         <translation>die Ecken liegen nicht wie auf einer flachen Tafel</translation>
     </message>
 </context>
@@ -3229,35 +3229,35 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.board_of_other_size</name>
     <message>
-        <source>this board has %1 inner corners, %2 was asked for</source>
+        <source>this board has %1 inner corners, not %2</source>
         <translation>diese Tafel hat %1 innere Ecken, verlangt war %2</translation>
     </message>
 </context>
 <context>
     <name>calibration.board_part_seen</name>
     <message>
-        <source>only %1 of its %2 inner corners are seen</source>
+        <source>only %1 of its %2 inner corners are visible</source>
         <translation>nur %1 ihrer %2 inneren Ecken sind zu sehen</translation>
     </message>
 </context>
 <context>
     <name>calibration.board_stands_as_before</name>
     <message>
-        <source>the board stands as in a picture already taken</source>
+        <source>the board is in the same position as in an earlier image</source>
         <translation>die Tafel steht wie in einem schon aufgenommenen Bild</translation>
     </message>
 </context>
 <context>
     <name>calibration.board_stands_as_in</name>
     <message>
-        <source>the board stands as in %1 already</source>
+        <source>the board is in the same position as in %1</source>
         <translation>die Tafel steht wie schon in %1</translation>
     </message>
 </context>
 <context>
     <name>calibration.board_too_oblique</name>
     <message>
-        <source>the board is seen too obliquely, at %1 degrees</source>
+        <source>the board is tilted too far, by %1 degrees</source>
         <translation>die Tafel ist zu schräg zu sehen, unter %1 Grad</translation>
     </message>
 </context>
@@ -3271,21 +3271,21 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.calibrate_to_rely</name>
     <message>
-        <source>Calibrate it for positions to rely on.</source>
+        <source>Calibrate it for reliable positions.</source>
         <translation>Kalibrieren Sie sie, um verlässliche Orte zu bekommen.</translation>
     </message>
 </context>
 <context>
     <name>calibration.camera_alone_says</name>
     <message>
-        <source>Camera &apos;%1&apos; alone says %2</source>
+        <source>Camera &apos;%1&apos; alone measures %2</source>
         <translation>Kamera &apos;%1&apos; allein sagt %2</translation>
     </message>
 </context>
 <context>
     <name>calibration.camera_below_floor</name>
     <message>
-        <source>seen in this order the camera would be below the floor</source>
+        <source>in this order the camera would be below the floor</source>
         <translation>in dieser Reihenfolge wäre die Kamera unter dem Boden</translation>
     </message>
 </context>
@@ -3299,7 +3299,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.camera_sees_elsewhere</name>
     <message>
-        <source>%1 sees %2 %3 from where the others do</source>
+        <source>%1 sees %2 %3 from where the others see it</source>
         <translation>%1 sieht %2 um %3 neben der Stelle, an der die anderen ihn sehen</translation>
     </message>
 </context>
@@ -3313,42 +3313,42 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.camera_stands_low</name>
     <message>
-        <source>The camera would stand only %1 above the floor</source>
+        <source>The camera would be only %1 above the floor</source>
         <translation>Die Kamera stünde nur %1 über dem Boden</translation>
     </message>
 </context>
 <context>
     <name>calibration.camera_still</name>
     <message>
-        <source>%1 stands where it was registered</source>
+        <source>%1 has not moved</source>
         <translation>%1 steht, wo sie eingemessen wurde</translation>
     </message>
 </context>
 <context>
     <name>calibration.camera_too_high</name>
     <message>
-        <source>the camera would stand %1 above the floor</source>
+        <source>the camera would be %1 above the floor</source>
         <translation>die Kamera stünde %1 über dem Boden</translation>
     </message>
 </context>
 <context>
     <name>calibration.camera_too_low</name>
     <message>
-        <source>the camera would stand only %1 above the floor</source>
+        <source>the camera would be only %1 above the floor</source>
         <translation>die Kamera stünde nur %1 über dem Boden</translation>
     </message>
 </context>
 <context>
     <name>calibration.camera_twice</name>
     <message>
-        <source>camera &apos;%1&apos; is there twice</source>
+        <source>camera &apos;%1&apos; appears twice</source>
         <translation>Kamera &apos;%1&apos; gibt es zweimal</translation>
     </message>
 </context>
 <context>
     <name>calibration.cameras_undetermined</name>
     <message>
-        <source>the markers do not determine where the cameras stand</source>
+        <source>the markers do not determine the camera positions</source>
         <translation>die Marker bestimmen nicht, wo die Kameras stehen</translation>
     </message>
 </context>
@@ -3383,7 +3383,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.check_both_pixels</name>
     <message>
-        <source>check its pixels in both pictures</source>
+        <source>check its pixels in both images</source>
         <translation>prüfen Sie seine Pixel in beiden Bildern</translation>
     </message>
 </context>
@@ -3404,14 +3404,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.check_layout_places</name>
     <message>
-        <source>check the layout&apos;s places and their unit, cover other round things, or mark the markers by hand</source>
+        <source>check the layout&apos;s positions and their unit, cover other round objects, or mark the markers by hand</source>
         <translation>prüfen Sie die Orte des Plans und ihre Einheit, verdecken Sie andere runde Dinge, oder markieren Sie die Marker von Hand</translation>
     </message>
 </context>
 <context>
     <name>calibration.check_length</name>
     <message>
-        <source>Check the length itself, whether it lies on the floor, and the places of the markers.</source>
+        <source>Check the length itself, that it lies on the floor, and the marker positions.</source>
         <translation>Prüfen Sie die Länge selbst, ob sie auf dem Boden liegt, und die Plätze der Marker.</translation>
     </message>
 </context>
@@ -3425,7 +3425,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.check_pictures</name>
     <message>
-        <source>check that all pictures are sharp, of one flat board and of one camera at one zoom and focus</source>
+        <source>check that all images are sharp, of one flat board and of one camera at one zoom and focus</source>
         <translation>prüfen Sie, ob alle Bilder scharf sind, von einer flachen Tafel und von einer Kamera mit einem Zoom und Fokus</translation>
     </message>
 </context>
@@ -3439,7 +3439,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.check_place_and_pixel</name>
     <message>
-        <source>check its place and its pixel</source>
+        <source>check its position and its pixel</source>
         <translation>prüfen Sie seinen Platz und sein Pixel</translation>
     </message>
 </context>
@@ -3467,14 +3467,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.checking_halves</name>
     <message>
-        <source>checking halves against one another</source>
+        <source>checking the halves against each other</source>
         <translation>die Hälften werden gegeneinander geprüft</translation>
     </message>
 </context>
 <context>
     <name>calibration.choose_floor_points</name>
     <message>
-        <source>choose points of the floor</source>
+        <source>choose points on the floor</source>
         <translation>wählen Sie Punkte des Bodens</translation>
     </message>
 </context>
@@ -3495,14 +3495,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.common_and_unknown_markers</name>
     <message>
-        <source>there are %1 (%2), and the layout does not know %3</source>
+        <source>they have %1 (%2), and the layout does not contain %3</source>
         <translation>es gibt %1 (%2), und der Plan kennt %3 nicht</translation>
     </message>
 </context>
 <context>
     <name>calibration.common_markers</name>
     <message>
-        <source>there are %1 (%2)</source>
+        <source>they have %1 (%2)</source>
         <translation>es gibt %1 (%2)</translation>
     </message>
 </context>
@@ -3516,7 +3516,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.corner_left_out</name>
     <message>
-        <source>1 corner that stands out was left out, in %1.</source>
+        <source>1 outlier corner was left out, in %1.</source>
         <translation>1 herausfallende Ecke wurde weggelassen, in %1.</translation>
     </message>
 </context>
@@ -3530,7 +3530,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.corner_unclear</name>
     <message>
-        <source>a corner of the board cannot be made out</source>
+        <source>one corner of the board is unclear</source>
         <translation>eine Ecke der Tafel ist nicht zu erkennen</translation>
     </message>
 </context>
@@ -3544,35 +3544,35 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.corners_kept_in</name>
     <message>
-        <source>%1 corners that stand out side by side were kept, in %2</source>
+        <source>%1 neighbouring outlier corners were kept, in %2</source>
         <translation>%1 nebeneinander herausfallende Ecken wurden behalten, in %2</translation>
     </message>
 </context>
 <context>
     <name>calibration.corners_kept_most_in</name>
     <message>
-        <source>%1 corners that stand out side by side were kept, most in %2</source>
+        <source>%1 neighbouring outlier corners were kept, most in %2</source>
         <translation>%1 nebeneinander herausfallende Ecken wurden behalten, die meisten in %2</translation>
     </message>
 </context>
 <context>
     <name>calibration.corners_left_out_in</name>
     <message>
-        <source>%1 corners that stand out were left out, in %2.</source>
+        <source>%1 outlier corners were left out, in %2.</source>
         <translation>%1 herausfallende Ecken wurden weggelassen, in %2.</translation>
     </message>
 </context>
 <context>
     <name>calibration.corners_left_out_most_in</name>
     <message>
-        <source>%1 corners that stand out were left out, most in %2.</source>
+        <source>%1 outlier corners were left out, most in %2.</source>
         <translation>%1 herausfallende Ecken wurden weggelassen, die meisten in %2.</translation>
     </message>
 </context>
 <context>
     <name>calibration.corners_not_flat</name>
     <message>
-        <source>its corners do not lie as on a flat board</source>
+        <source>its corners do not match a flat board</source>
         <translation>die Ecken liegen nicht wie auf einer flachen Tafel</translation>
     </message>
 </context>
@@ -3628,7 +3628,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.ends_on_one_pixel</name>
     <message>
-        <source>both ends lie on one pixel of camera &apos;%1&apos;</source>
+        <source>both ends are on the same pixel of camera &apos;%1&apos;</source>
         <translation>beide Enden liegen auf einem Pixel der Kamera &apos;%1&apos;</translation>
     </message>
 </context>
@@ -3656,28 +3656,28 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.few_corners_seen</name>
     <message>
-        <source>only %1 corners of the board are seen</source>
+        <source>only %1 corners of the board are visible</source>
         <translation>nur %1 Ecken der Tafel sind zu sehen</translation>
     </message>
 </context>
 <context>
     <name>calibration.fifth_would</name>
     <message>
-        <source>a fifth would.</source>
+        <source>add a fifth.</source>
         <translation>ein fünfter täte es.</translation>
     </message>
 </context>
 <context>
     <name>calibration.find_board_again</name>
     <message>
-        <source>let the board be found in it again</source>
+        <source>detect the board in it again</source>
         <translation>lassen Sie die Tafel darin neu suchen</translation>
     </message>
 </context>
 <context>
     <name>calibration.first_end_beyond</name>
     <message>
-        <source>the first end lies at or beyond the horizon of camera &apos;%1&apos;</source>
+        <source>the first end is at or beyond the horizon of camera &apos;%1&apos;</source>
         <translation>das erste Ende liegt am oder hinter dem Horizont der Kamera &apos;%1&apos;</translation>
     </message>
 </context>
@@ -3698,7 +3698,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.fitting_lens</name>
     <message>
-        <source>fitting the lens to %1 pictures</source>
+        <source>fitting the lens model to %1 images</source>
         <translation>das Objektiv wird an %1 Bilder angepasst</translation>
     </message>
 </context>
@@ -3712,56 +3712,56 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.floor_part_unseen</name>
     <message>
-        <source>%1 of the floor among the markers is not seen.</source>
+        <source>%1 of the floor between the markers is out of view.</source>
         <translation>%1 des Bodens zwischen den Markern sind nicht zu sehen.</translation>
     </message>
 </context>
 <context>
     <name>calibration.floor_unseen</name>
     <message>
-        <source>None of the floor among the markers is seen.</source>
+        <source>None of the floor between the markers is in view.</source>
         <translation>Vom Boden zwischen den Markern ist nichts zu sehen.</translation>
     </message>
 </context>
 <context>
     <name>calibration.floor_unsure</name>
     <message>
-        <source>the floor among the points is known only to ±%1</source>
+        <source>the floor uncertainty between the points is too large, ±%1</source>
         <translation>der Boden zwischen den Punkten ist nur auf ±%1 bekannt</translation>
     </message>
 </context>
 <context>
     <name>calibration.focal_length_estimated</name>
     <message>
-        <source>The camera was taken as free of distortion, its focal length estimated from the markers (%1 ± %2).</source>
+        <source>The lens is not calibrated: no distortion was assumed, and the focal length was estimated from the markers (%1 ± %2).</source>
         <translation>Die Kamera wurde als verzeichnungsfrei angenommen, ihre Brennweite aus den Markern geschätzt (%1 ± %2).</translation>
     </message>
 </context>
 <context>
     <name>calibration.focal_length_groups</name>
     <message>
-        <source>%1 for about %2, %3 (such as %4) for about %5</source>
+        <source>%1 give about %2, %3 (such as %4) give about %5</source>
         <translation>%1 etwa %2, %3 (etwa %4) etwa %5</translation>
     </message>
 </context>
 <context>
     <name>calibration.focal_length_guessed</name>
     <message>
-        <source>The camera was taken as free of distortion, its focal length guessed (%1), since this view does not determine it.</source>
+        <source>The lens is not calibrated: no distortion was assumed, and the focal length was guessed (%1) because this view does not determine it.</source>
         <translation>Die Kamera wurde als verzeichnungsfrei angenommen, ihre Brennweite geraten (%1), weil diese Sicht sie nicht bestimmt.</translation>
     </message>
 </context>
 <context>
     <name>calibration.focal_length_taken</name>
     <message>
-        <source>The camera was taken as free of distortion, its focal length as %1.</source>
+        <source>The lens is not calibrated: no distortion and a focal length of %1 were assumed.</source>
         <translation>Die Kamera wurde als verzeichnungsfrei angenommen, ihre Brennweite als %1.</translation>
     </message>
 </context>
 <context>
     <name>calibration.focal_length_unsure</name>
     <message>
-        <source>the pictures determine the focal length only to %1</source>
+        <source>the images determine the focal length only to %1</source>
         <translation>die Bilder bestimmen die Brennweite nur auf %1</translation>
     </message>
 </context>
@@ -3775,56 +3775,56 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.foretells_as_well</name>
     <message>
-        <source>it foretells pictures held out to %1, the %2 one no better (%3)</source>
+        <source>it predicts held-out images to %1, the %2 model no better (%3)</source>
         <translation>es sagt zurückgehaltene Bilder auf %1 voraus, das Modell „%2“ nicht besser (%3)</translation>
     </message>
 </context>
 <context>
     <name>calibration.foretells_better</name>
     <message>
-        <source>it foretells pictures held out to %1, the %2 one only to %3</source>
+        <source>it predicts held-out images to %1, the %2 model only to %3</source>
         <translation>es sagt zurückgehaltene Bilder auf %1 voraus, das Modell „%2“ nur auf %3</translation>
     </message>
 </context>
 <context>
     <name>calibration.foretells_by_chance</name>
     <message>
-        <source>it foretells pictures held out to %1, the %2 one to %3, which may be chance</source>
+        <source>it predicts held-out images to %1, the %2 model to %3; the difference may be chance</source>
         <translation>es sagt zurückgehaltene Bilder auf %1 voraus, das Modell „%2“ auf %3, was Zufall sein kann</translation>
     </message>
 </context>
 <context>
     <name>calibration.four_common_markers</name>
     <message>
-        <source>four markers are needed that the layout and the picture have in common</source>
+        <source>the layout and the image must have four markers in common</source>
         <translation>vier Marker sind nötig, die Plan und Bild gemeinsam haben</translation>
     </message>
 </context>
 <context>
     <name>calibration.four_markers_unchecked</name>
     <message>
-        <source>Four markers hardly check one another</source>
+        <source>Four markers are too few to check each other</source>
         <translation>Vier Marker prüfen einander kaum</translation>
     </message>
 </context>
 <context>
     <name>calibration.four_points_unchecked</name>
     <message>
-        <source>Four points hardly check one another</source>
+        <source>Four points are too few to check each other</source>
         <translation>Vier Punkte prüfen einander kaum</translation>
     </message>
 </context>
 <context>
     <name>calibration.four_shared_points</name>
     <message>
-        <source>four points are needed that both cameras see</source>
+        <source>both cameras must see the same four points or more</source>
         <translation>vier Punkte sind nötig, die beide Kameras sehen</translation>
     </message>
 </context>
 <context>
     <name>calibration.give_board_size</name>
     <message>
-        <source>give 3x3 at least, like 9x6, or leave the size out</source>
+        <source>give at least 3x3, such as 9x6, or leave the size out</source>
         <translation>geben Sie mindestens 3x3 an, etwa 9x6, oder lassen Sie die Größe weg</translation>
     </message>
 </context>
@@ -3838,7 +3838,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.give_field_of_view</name>
     <message>
-        <source>give 2° to 150°, and the size of its pictures</source>
+        <source>give 2° to 150°, and the image size</source>
         <translation>geben Sie 2° bis 150° an, und die Größe der Bilder</translation>
     </message>
 </context>
@@ -3873,21 +3873,21 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.give_square_size</name>
     <message>
-        <source>give it like 25mm</source>
+        <source>give a size such as 25mm</source>
         <translation>geben Sie sie etwa als 25mm an</translation>
     </message>
 </context>
 <context>
     <name>calibration.give_tape_sigma</name>
     <message>
-        <source>give some 2 mm</source>
+        <source>give about 2 mm</source>
         <translation>geben Sie etwa 2 mm an</translation>
     </message>
 </context>
 <context>
     <name>calibration.give_taped_length</name>
     <message>
-        <source>give the length as it was measured with a tape</source>
+        <source>enter the length measured with a tape</source>
         <translation>geben Sie die mit dem Maßband gemessene Länge an</translation>
     </message>
 </context>
@@ -3915,21 +3915,21 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.halves_contradict</name>
     <message>
-        <source>two halves of the pictures give focal lengths that differ by %1</source>
+        <source>two halves of the images give focal lengths that differ by %1</source>
         <translation>zwei Hälften der Bilder ergeben um %1 verschiedene Brennweiten</translation>
     </message>
 </context>
 <context>
     <name>calibration.halves_foretell</name>
     <message>
-        <source>each half of them foretells the other to %1</source>
+        <source>each half of the images predicts the other to %1</source>
         <translation>jede Hälfte sagt die andere auf %1 voraus</translation>
     </message>
 </context>
 <context>
     <name>calibration.halves_foretell_apart</name>
     <message>
-        <source>each half of them foretells the other to %1, %2 apart at worst on that floor</source>
+        <source>each half of the images predicts the other to %1, at most %2 apart on that floor</source>
         <translation>jede Hälfte sagt die andere auf %1 voraus, auf diesem Boden höchstens %2 auseinander</translation>
     </message>
 </context>
@@ -3964,7 +3964,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.inside_expected_error</name>
     <message>
-        <source>inside the expected error of %1.</source>
+        <source>within the limit of %1 (2.5 σ).</source>
         <translation>innerhalb des erwarteten Fehlers von %1.</translation>
     </message>
 </context>
@@ -3978,7 +3978,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.keep_whole_board</name>
     <message>
-        <source>keep the whole board in the picture</source>
+        <source>keep the whole board in view</source>
         <translation>halten Sie die ganze Tafel im Bild</translation>
     </message>
 </context>
@@ -3999,35 +3999,35 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.labels_called</name>
     <message>
-        <source>with %1 called %2 they fit to %3</source>
+        <source>with %1 renamed %2 they fit to %3</source>
         <translation>mit %1 als %2 bezeichnet passen sie auf %3</translation>
     </message>
 </context>
 <context>
     <name>calibration.labels_exchanged</name>
     <message>
-        <source>with %1 and %2 exchanged they fit to %3</source>
+        <source>with %1 and %2 swapped they fit to %3</source>
         <translation>mit %1 und %2 vertauscht passen sie auf %3</translation>
     </message>
 </context>
 <context>
     <name>calibration.lay_stick_nearer</name>
     <message>
-        <source>lay the stick on the floor, nearer to the camera</source>
+        <source>put the stick on the floor, nearer to the camera</source>
         <translation>legen Sie den Stab auf den Boden, näher an die Kamera</translation>
     </message>
 </context>
 <context>
     <name>calibration.layout_in_mm</name>
     <message>
-        <source>it is given in mm</source>
+        <source>it must be in mm</source>
         <translation>erwartet werden mm</translation>
     </message>
 </context>
 <context>
     <name>calibration.layout_not_in_mm</name>
     <message>
-        <source>if that is wrong, the layout&apos;s numbers are no mm</source>
+        <source>if that is wrong, the layout is not in mm</source>
         <translation>wenn das falsch ist, sind die Zahlen des Plans keine mm</translation>
     </message>
 </context>
@@ -4041,7 +4041,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.layout_written_mirrored</name>
     <message>
-        <source>if the layout was written down mirrored, correct its signs and add it anew</source>
+        <source>if the layout was written down mirrored, correct its signs and add it again</source>
         <translation>wenn der Plan gespiegelt notiert wurde, berichtigen Sie seine Vorzeichen und fügen Sie ihn neu hinzu</translation>
     </message>
 </context>
@@ -4055,7 +4055,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.leave_out_pictures</name>
     <message>
-        <source>leave out these pictures if the board is bent, cut or covered there.</source>
+        <source>leave out these images if the board is bent, cut or covered there.</source>
         <translation>lassen Sie diese Bilder weg, wenn die Tafel dort verbogen, abgeschnitten oder verdeckt ist.</translation>
     </message>
 </context>
@@ -4069,7 +4069,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.length_factor</name>
     <message>
-        <source>a length factor of %1 makes no floor</source>
+        <source>a length factor of %1 is not possible</source>
         <translation>ein Längenfaktor von %1 ergibt keinen Boden</translation>
     </message>
 </context>
@@ -4083,14 +4083,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.length_longer</name>
     <message>
-        <source>It is %1 longer than the %2 told</source>
+        <source>It is %1 longer than the %2 entered</source>
         <translation>Sie ist %1 länger als die angegebenen %2</translation>
     </message>
 </context>
 <context>
     <name>calibration.length_shorter</name>
     <message>
-        <source>It is %1 shorter than the %2 told</source>
+        <source>It is %1 shorter than the %2 entered</source>
         <translation>Sie ist %1 kürzer als die angegebenen %2</translation>
     </message>
 </context>
@@ -4104,63 +4104,63 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.length_unseen</name>
     <message>
-        <source>no camera was given that sees it</source>
+        <source>no camera shows it</source>
         <translation>keine Kamera wurde angegeben, die sie sieht</translation>
     </message>
 </context>
 <context>
     <name>calibration.lens_on_floor</name>
     <message>
-        <source>±%1 in the middle and ±%2 at worst (%3) on %4, as far as the lens is concerned</source>
+        <source>±%1 in the middle and at most ±%2 (%3) on %4, from the lens calibration alone</source>
         <translation>±%1 in der Mitte und schlimmstenfalls ±%2 (%3) auf %4, soweit es am Objektiv liegt</translation>
     </message>
 </context>
 <context>
     <name>calibration.lens_told</name>
     <message>
-        <source>told</source>
+        <source>as specified</source>
         <translation>vorgegeben</translation>
     </message>
 </context>
 <context>
     <name>calibration.lens_unknown_elsewhere</name>
     <message>
-        <source>how the lens bends elsewhere stays unknown</source>
+        <source>the distortion elsewhere stays unknown</source>
         <translation>wie das Objektiv anderswo verzeichnet, bleibt unbekannt</translation>
     </message>
 </context>
 <context>
     <name>calibration.likely_unit</name>
     <message>
-        <source>its numbers look like %1, then it would stand %2 above the floor</source>
+        <source>its numbers look like %1, with the camera %2 above the floor</source>
         <translation>die Zahlen sehen nach %1 aus, dann stünde sie %2 über dem Boden</translation>
     </message>
 </context>
 <context>
     <name>calibration.look_at</name>
     <message>
-        <source>Look at %1</source>
+        <source>Check %1</source>
         <translation>Sehen Sie %1 an</translation>
     </message>
 </context>
 <context>
     <name>calibration.look_at_ends</name>
     <message>
-        <source>look whether the same ends are marked in each picture, and register it again if they are.</source>
+        <source>check that the same ends are marked in each image; if they are, register it again.</source>
         <translation>sehen Sie nach, ob in jedem Bild dieselben Enden markiert sind, und messen Sie sie neu ein, wenn ja.</translation>
     </message>
 </context>
 <context>
     <name>calibration.look_at_pictures</name>
     <message>
-        <source>look at these pictures and leave out those that are blurred, bent or of another board.</source>
+        <source>check these images and leave out those that are blurred, bent or of another board.</source>
         <translation>sehen Sie diese Bilder an und lassen Sie unscharfe, verbogene oder solche einer anderen Tafel weg.</translation>
     </message>
 </context>
 <context>
     <name>calibration.looking_about</name>
     <message>
-        <source>looking about the best place</source>
+        <source>searching around the best position</source>
         <translation>die Umgebung des besten Orts wird abgesucht</translation>
     </message>
 </context>
@@ -4174,49 +4174,49 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.mark_ends_in_one</name>
     <message>
-        <source>mark its ends in one picture at least</source>
+        <source>mark its ends in at least one image</source>
         <translation>markieren Sie ihre Enden in mindestens einem Bild</translation>
     </message>
 </context>
 <context>
     <name>calibration.mark_more</name>
     <message>
-        <source>mark more of the layout&apos;s markers, under the layout&apos;s names</source>
+        <source>mark more of the layout&apos;s markers, by their names in the layout</source>
         <translation>markieren Sie mehr Marker des Plans, unter den Namen des Plans</translation>
     </message>
 </context>
 <context>
     <name>calibration.mark_there_again</name>
     <message>
-        <source>mark it there again.</source>
+        <source>mark it again in that view.</source>
         <translation>markieren Sie ihn dort neu.</translation>
     </message>
 </context>
 <context>
     <name>calibration.mark_two_ends</name>
     <message>
-        <source>mark the two ends where they are seen</source>
+        <source>mark each end at its own position in the image</source>
         <translation>markieren Sie beide Enden dort, wo sie zu sehen sind</translation>
     </message>
 </context>
 <context>
     <name>calibration.mark_where_seen</name>
     <message>
-        <source>mark each of them where it is seen</source>
+        <source>mark each of them at its own position in the image</source>
         <translation>markieren Sie jeden dort, wo er zu sehen ist</translation>
     </message>
 </context>
 <context>
     <name>calibration.marker_against_lens</name>
     <message>
-        <source>%1 lies where this camera&apos;s lens cannot have put it</source>
+        <source>this camera&apos;s lens model cannot project %1</source>
         <translation>%1 liegt, wohin das Objektiv dieser Kamera nichts abbilden kann</translation>
     </message>
 </context>
 <context>
     <name>calibration.marker_beyond_horizon</name>
     <message>
-        <source>marker %1 would lie at or beyond the horizon</source>
+        <source>marker %1 would be at or beyond the horizon</source>
         <translation>Marker %1 läge am oder hinter dem Horizont</translation>
     </message>
 </context>
@@ -4230,14 +4230,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.marker_off_by_all</name>
     <message>
-        <source>%1 is %2 off by all cameras</source>
+        <source>%1 is %2 off in all cameras</source>
         <translation>%1 liegt nach allen Kameras %2 daneben</translation>
     </message>
 </context>
 <context>
     <name>calibration.marker_off_by_one</name>
     <message>
-        <source>%1 is %2 off by the one camera that sees it</source>
+        <source>%1 is %2 off in the one camera that sees it</source>
         <translation>%1 liegt nach der einen Kamera, die ihn sieht, %2 daneben</translation>
     </message>
 </context>
@@ -4251,49 +4251,49 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.marker_place_no_number</name>
     <message>
-        <source>the place of marker %1 is not a finite number</source>
+        <source>the position of marker %1 is not a finite number</source>
         <translation>der Ort von Marker %1 ist keine endliche Zahl</translation>
     </message>
 </context>
 <context>
     <name>calibration.marker_twice_in_layout</name>
     <message>
-        <source>marker %1 stands twice in the layout</source>
+        <source>marker %1 appears twice in the layout</source>
         <translation>Marker %1 steht zweimal im Plan</translation>
     </message>
 </context>
 <context>
     <name>calibration.marker_twice_in_picture</name>
     <message>
-        <source>marker %1 stands twice in the picture</source>
+        <source>marker %1 appears twice in the image</source>
         <translation>Marker %1 steht zweimal im Bild</translation>
     </message>
 </context>
 <context>
     <name>calibration.markers_at_one_place</name>
     <message>
-        <source>markers %1 and %2 lie at one place of the floor</source>
+        <source>markers %1 and %2 have the same floor position</source>
         <translation>die Marker %1 und %2 liegen an einer Stelle des Bodens</translation>
     </message>
 </context>
 <context>
     <name>calibration.markers_fit</name>
     <message>
-        <source>%1 markers fit to %2 RMS (worst %3, %4), and the floor among them is known to ±%5</source>
+        <source>%1 markers fit to %2 RMS (worst %3, %4); floor uncertainty ±%5</source>
         <translation>%1 Marker passen auf %2 RMS (am schlechtesten %3, %4), und der Boden zwischen ihnen ist auf ±%5 bekannt</translation>
     </message>
 </context>
 <context>
     <name>calibration.markers_fit_many_ways</name>
     <message>
-        <source>in %1 ways they fit the layout equally well, which looks the same from several sides</source>
+        <source>they fit the layout equally well in %1 ways, because it looks the same from several sides</source>
         <translation>auf %1 Arten passen sie gleich gut zum Plan, der von mehreren Seiten gleich aussieht</translation>
     </message>
 </context>
 <context>
     <name>calibration.markers_fit_together</name>
     <message>
-        <source>with %1 together %2 markers fit to %3 RMS, and the floor among them is known to ±%4</source>
+        <source>registered jointly with %1: %2 markers fit to %3 RMS; floor uncertainty ±%4</source>
         <translation>zusammen mit %1 passen %2 Marker auf %3 RMS, und der Boden zwischen ihnen ist auf ±%4 bekannt</translation>
     </message>
 </context>
@@ -4307,7 +4307,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.markers_in_place</name>
     <message>
-        <source>%1 markers lie within %2 = %3 of their places.</source>
+        <source>%1 markers are within %2 = %3 of their positions.</source>
         <translation>%1 Marker liegen innerhalb von %2 = %3 an ihren Plätzen.</translation>
     </message>
 </context>
@@ -4335,7 +4335,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.markers_nearly_on_line</name>
     <message>
-        <source>the markers lie so nearly on one line (%1 the most) that the floor is known only to ±%2</source>
+        <source>the markers are so close to one line (%1 the most) that the floor uncertainty is ±%2</source>
         <translation>die Marker liegen so nahezu auf einer Linie (%1 am meisten), dass der Boden nur auf ±%2 bekannt ist</translation>
     </message>
 </context>
@@ -4349,14 +4349,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.markers_not_told_apart</name>
     <message>
-        <source>the markers cannot be told apart</source>
+        <source>the markers cannot be distinguished</source>
         <translation>die Marker sind nicht zu unterscheiden</translation>
     </message>
 </context>
 <context>
     <name>calibration.markers_on_one_pixel</name>
     <message>
-        <source>markers %1 and %2 lie on one pixel</source>
+        <source>markers %1 and %2 are on the same pixel</source>
         <translation>die Marker %1 und %2 liegen auf einem Pixel</translation>
     </message>
 </context>
@@ -4370,28 +4370,28 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.markers_too_close</name>
     <message>
-        <source>markers %1 and %2 lie only %3 apart, too close for two of four</source>
+        <source>markers %1 and %2 are only %3 apart, too close for two of four</source>
         <translation>die Marker %1 und %2 liegen nur %3 auseinander, zu nah für zwei von vieren</translation>
     </message>
 </context>
 <context>
     <name>calibration.measure_again</name>
     <message>
-        <source>mark and measure them again, or add another</source>
+        <source>mark and remeasure them, or add another</source>
         <translation>markieren und messen Sie sie neu, oder fügen Sie einen hinzu</translation>
     </message>
 </context>
 <context>
     <name>calibration.measure_it_again</name>
     <message>
-        <source>measure it again.</source>
+        <source>remeasure it.</source>
         <translation>messen Sie ihn neu.</translation>
     </message>
 </context>
 <context>
     <name>calibration.measure_or_mark_again</name>
     <message>
-        <source>measure it, or mark it in the picture, again.</source>
+        <source>measure it, or mark it in the image, again.</source>
         <translation>messen Sie ihn neu oder markieren Sie ihn im Bild neu.</translation>
     </message>
 </context>
@@ -4433,14 +4433,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.misfit_unexplained</name>
     <message>
-        <source>the %1 markers misfit by %2 (%3) and check one another too little to tell which of them</source>
+        <source>the %1 markers misfit by %2 (%3), and are too few to identify the wrong one</source>
         <translation>die %1 Marker passen um %2 (%3) nicht und prüfen einander zu wenig, um zu sagen, welcher es ist</translation>
     </message>
 </context>
 <context>
     <name>calibration.more_pictures</name>
     <message>
-        <source>More pictures (%1 or more) would make it surer.</source>
+        <source>More images (%1 or more) would make it more certain.</source>
         <translation>Mehr Bilder (%1 oder mehr) würden es sicherer machen.</translation>
     </message>
 </context>
@@ -4489,7 +4489,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.name_two_apart</name>
     <message>
-        <source>name two that lie apart</source>
+        <source>name two at different positions</source>
         <translation>nennen Sie zwei, die auseinander liegen</translation>
     </message>
 </context>
@@ -4524,14 +4524,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.no_charuco</name>
     <message>
-        <source>the markers that were read do not lie as on a ChArUco board</source>
+        <source>the detected markers do not match a ChArUco board</source>
         <translation>die gelesenen Marker liegen nicht wie auf einer ChArUco-Tafel</translation>
     </message>
 </context>
 <context>
     <name>calibration.no_charuco_of_size</name>
     <message>
-        <source>the markers that were read do not lie as on a ChArUco board of %1 inner corners</source>
+        <source>the detected markers do not match a ChArUco board of %1 inner corners</source>
         <translation>die gelesenen Marker liegen nicht wie auf einer ChArUco-Tafel mit %1 inneren Ecken</translation>
     </message>
 </context>
@@ -4545,7 +4545,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.no_dictionary</name>
     <message>
-        <source>there is no marker dictionary %1</source>
+        <source>marker dictionary %1 does not exist</source>
         <translation>es gibt kein Marker-Wörterbuch %1</translation>
     </message>
 </context>
@@ -4559,14 +4559,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.no_lens_fits</name>
     <message>
-        <source>no lens fits these pictures</source>
+        <source>no lens model fits these images</source>
         <translation>kein Objektiv passt zu diesen Bildern</translation>
     </message>
 </context>
 <context>
     <name>calibration.no_millimetres</name>
     <message>
-        <source>no figure in millimetres, since this lens holds only for a part of the picture</source>
+        <source>no value in millimetres: this calibration holds for only part of the image</source>
         <translation>keine Angabe in Millimetern, weil diese Objektivdaten nur für einen Teil des Bildes gelten</translation>
     </message>
 </context>
@@ -4608,14 +4608,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.not_registered_through</name>
     <message>
-        <source>the camera cannot be registered through another</source>
+        <source>the camera cannot be registered via another camera</source>
         <translation>die Kamera kann nicht über eine andere eingemessen werden</translation>
     </message>
 </context>
 <context>
     <name>calibration.not_registered_together</name>
     <message>
-        <source>the cameras cannot be registered together</source>
+        <source>the cameras cannot be registered jointly</source>
         <translation>die Kameras können nicht gemeinsam eingemessen werden</translation>
     </message>
 </context>
@@ -4629,35 +4629,35 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.other_picture_size</name>
     <message>
-        <source>it is %1×%2, the first picture %3×%4</source>
+        <source>it is %1×%2, the first image %3×%4</source>
         <translation>dieses Bild hat %1×%2, das erste %3×%4</translation>
     </message>
 </context>
 <context>
     <name>calibration.outside_expected_error</name>
     <message>
-        <source>outside the expected error of %1.</source>
+        <source>beyond the limit of %1 (2.5 σ).</source>
         <translation>außerhalb des erwarteten Fehlers von %1.</translation>
     </message>
 </context>
 <context>
     <name>calibration.picture_covered</name>
     <message>
-        <source>Only %1 of the picture was covered</source>
+        <source>The board covered only %1 of the image</source>
         <translation>Nur %1 des Bildes wurden abgedeckt</translation>
     </message>
 </context>
 <context>
     <name>calibration.picture_stands_out</name>
     <message>
-        <source>its %1 stand out.</source>
+        <source>its %1 is an outlier.</source>
         <translation>seine %1 fallen heraus.</translation>
     </message>
 </context>
 <context>
     <name>calibration.picture_too_small</name>
     <message>
-        <source>the picture is too small</source>
+        <source>the image is too small</source>
         <translation>das Bild ist zu klein</translation>
     </message>
 </context>
@@ -4671,21 +4671,21 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.picture_without_size</name>
     <message>
-        <source>the picture has no size</source>
+        <source>the image has no size</source>
         <translation>das Bild hat keine Größe</translation>
     </message>
 </context>
 <context>
     <name>calibration.pictures_fit</name>
     <message>
-        <source>%1 pictures fit to %2, focal length %3 ± %4</source>
+        <source>%1 images fit to %2, focal length %3 ± %4</source>
         <translation>%1 Bilder passen auf %2, Brennweite %3 ± %4</translation>
     </message>
 </context>
 <context>
     <name>calibration.pictures_fit_halves_apart</name>
     <message>
-        <source>%1 pictures fit to %2, focal length %3 ± %4, %5 apart at worst on that floor</source>
+        <source>%1 images fit to %2, focal length %3 ± %4, halves at most %5 apart on that floor</source>
         <translation>%1 Bilder passen auf %2, Brennweite %3 ± %4, auf diesem Boden höchstens %5 auseinander</translation>
     </message>
 </context>
@@ -4762,7 +4762,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.planned_distance</name>
     <message>
-        <source>it cannot stand %1 away</source>
+        <source>its distance cannot be %1</source>
         <translation>%1 entfernt kann keine Kamera stehen</translation>
     </message>
 </context>
@@ -4776,56 +4776,56 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.planned_height</name>
     <message>
-        <source>it cannot stand %1 above the floor</source>
+        <source>its height above the floor cannot be %1</source>
         <translation>%1 über dem Boden kann keine Kamera stehen</translation>
     </message>
 </context>
 <context>
     <name>calibration.planned_not_held</name>
     <message>
-        <source>the markers that it would see do not hold it</source>
+        <source>the markers it would see do not determine its pose</source>
         <translation>die Marker, die sie sähe, legen ihre Lage nicht fest</translation>
     </message>
 </context>
 <context>
     <name>calibration.planned_sees_too_few</name>
     <message>
-        <source>from there it would see %1 of the layout&apos;s markers (%2), four are needed</source>
+        <source>it would see only %1 of the layout&apos;s markers (%2), four are needed</source>
         <translation>von dort sähe sie %1 der Marker des Plans (%2), vier werden gebraucht</translation>
     </message>
 </context>
 <context>
     <name>calibration.point_against_lens</name>
     <message>
-        <source>point %1 lies where a lens cannot have put it</source>
+        <source>the lens model cannot project point %1</source>
         <translation>Punkt %1 liegt, wohin ihn kein Objektiv abbilden kann</translation>
     </message>
 </context>
 <context>
     <name>calibration.point_beyond_horizon</name>
     <message>
-        <source>point %1 would lie at or beyond the horizon</source>
+        <source>point %1 would be at or beyond the horizon</source>
         <translation>Punkt %1 läge am oder hinter dem Horizont</translation>
     </message>
 </context>
 <context>
     <name>calibration.point_beyond_through</name>
     <message>
-        <source>point %1 lies at or beyond the horizon of %2</source>
+        <source>point %1 is at or beyond the horizon of %2</source>
         <translation>Punkt %1 liegt am oder hinter dem Horizont von %2</translation>
     </message>
 </context>
 <context>
     <name>calibration.point_outside_own</name>
     <message>
-        <source>point %1 lies outside the picture of the camera to register (%2)</source>
+        <source>point %1 is outside the image of the camera to register (%2)</source>
         <translation>Punkt %1 liegt außerhalb des Bilds der Kamera, die eingemessen wird (%2)</translation>
     </message>
 </context>
 <context>
     <name>calibration.point_outside_through</name>
     <message>
-        <source>point %1 lies outside the picture of %2 (%3)</source>
+        <source>point %1 is outside the image of %2 (%3)</source>
         <translation>Punkt %1 liegt außerhalb des Bilds von %2 (%3)</translation>
     </message>
 </context>
@@ -4839,35 +4839,35 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.point_twice</name>
     <message>
-        <source>point %1 is there twice</source>
+        <source>point %1 appears twice</source>
         <translation>Punkt %1 gibt es zweimal</translation>
     </message>
 </context>
 <context>
     <name>calibration.points_fit</name>
     <message>
-        <source>through %1 %2 points of the floor fit to %3 RMS (worst %4, %5), and the floor among them is known to ±%6, of which ±%7 come from %8</source>
+        <source>via %1, %2 floor points fit to %3 RMS (worst %4, %5); floor uncertainty ±%6, of which %8 contributes ±%7</source>
         <translation>über %1 passen %2 Punkte des Bodens auf %3 RMS (am schlechtesten %4, %5), und der Boden zwischen ihnen ist auf ±%6 bekannt, davon kommen ±%7 von %8</translation>
     </message>
 </context>
 <context>
     <name>calibration.points_mirrored</name>
     <message>
-        <source>the points are mirrored between the pictures of the two cameras</source>
+        <source>the points are mirrored between the images of the two cameras</source>
         <translation>die Punkte sind zwischen den Bildern der beiden Kameras gespiegelt</translation>
     </message>
 </context>
 <context>
     <name>calibration.points_on_one_pixel</name>
     <message>
-        <source>points %1 and %2 lie on one pixel</source>
+        <source>points %1 and %2 are on the same pixel</source>
         <translation>die Punkte %1 und %2 liegen auf einem Pixel</translation>
     </message>
 </context>
 <context>
     <name>calibration.points_undetermined</name>
     <message>
-        <source>the points do not determine where the camera stands</source>
+        <source>the points do not determine the camera position</source>
         <translation>die Punkte bestimmen nicht, wo die Kamera steht</translation>
     </message>
 </context>
@@ -4888,14 +4888,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.put_marker_back</name>
     <message>
-        <source>put it back, or measure again and register all cameras.</source>
+        <source>move it back, or measure the markers again and register all cameras.</source>
         <translation>legen Sie ihn zurück, oder messen Sie neu und messen Sie alle Kameras neu ein.</translation>
     </message>
 </context>
 <context>
     <name>calibration.put_markers_back</name>
     <message>
-        <source>put them back, or measure again and register all cameras.</source>
+        <source>move them back, or measure the markers again and register all cameras.</source>
         <translation>legen Sie sie zurück, oder messen Sie neu und messen Sie alle Kameras neu ein.</translation>
     </message>
 </context>
@@ -4923,21 +4923,21 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.register_by_more</name>
     <message>
-        <source>register it by more of them first</source>
+        <source>register it with more of them first</source>
         <translation>messen Sie sie zuerst über mehr davon ein</translation>
     </message>
 </context>
 <context>
     <name>calibration.register_if_gone</name>
     <message>
-        <source>if they are gone or the camera looks elsewhere, register it again</source>
+        <source>if they are gone or the camera points elsewhere, register it again</source>
         <translation>wenn sie fort sind oder die Kamera woandershin blickt, messen Sie sie neu ein</translation>
     </message>
 </context>
 <context>
     <name>calibration.register_one_by_one</name>
     <message>
-        <source>register the cameras one by one by this layout first</source>
+        <source>first register the cameras one by one with this layout</source>
         <translation>messen Sie die Kameras zuerst einzeln über diesen Plan ein</translation>
     </message>
 </context>
@@ -4951,14 +4951,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.reversed_x_alone</name>
     <message>
-        <source>reversing X alone would mirror the floor, and no camera above it sees it so</source>
+        <source>reversing X alone would mirror the floor; no camera above it sees it that way</source>
         <translation>X allein umzukehren würde den Boden spiegeln, und keine Kamera darüber sieht ihn so</translation>
     </message>
 </context>
 <context>
     <name>calibration.reversed_y_alone</name>
     <message>
-        <source>reversing Y alone would mirror the floor, and no camera above it sees it so</source>
+        <source>reversing Y alone would mirror the floor; no camera above it sees it that way</source>
         <translation>Y allein umzukehren würde den Boden spiegeln, und keine Kamera darüber sieht ihn so</translation>
     </message>
 </context>
@@ -4972,28 +4972,28 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.same_attitude</name>
     <message>
-        <source>all %1 pictures show the board in nearly the same attitude, which does not determine the focal length</source>
+        <source>all %1 images show the board at nearly the same tilt, too little to determine the focal length</source>
         <translation>alle %1 Bilder zeigen die Tafel in fast derselben Lage, was die Brennweite nicht bestimmt</translation>
     </message>
 </context>
 <context>
     <name>calibration.second_end_beyond</name>
     <message>
-        <source>the second end lies at or beyond the horizon of camera &apos;%1&apos;</source>
+        <source>the second end is at or beyond the horizon of camera &apos;%1&apos;</source>
         <translation>das zweite Ende liegt am oder hinter dem Horizont der Kamera &apos;%1&apos;</translation>
     </message>
 </context>
 <context>
     <name>calibration.see_same_floor</name>
     <message>
-        <source>let them see some of the same floor</source>
+        <source>aim them at a common part of the floor</source>
         <translation>lassen Sie sie ein Stück gemeinsamen Bodens sehen</translation>
     </message>
 </context>
 <context>
     <name>calibration.sees_too_few_anywhere</name>
     <message>
-        <source>from nowhere within %1 beyond the markers would it see four of them at the height and with the lens given</source>
+        <source>at this height and field of view, no position within %1 of the markers shows four of them</source>
         <translation>bis %1 um die Marker herum sähe sie mit dieser Höhe und diesem Objektiv nirgends vier davon</translation>
     </message>
 </context>
@@ -5007,14 +5007,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.shapes_fit_nowhere</name>
     <message>
-        <source>none of the ways to name the %1 rings and dots fits the layout</source>
+        <source>no assignment of the %1 rings and dots fits the layout</source>
         <translation>keine Benennung der %1 Ringe und Punkte passt zum Plan</translation>
     </message>
 </context>
 <context>
     <name>calibration.shared_points</name>
     <message>
-        <source>there are %1</source>
+        <source>%1 given</source>
         <translation>es gibt %1</translation>
     </message>
 </context>
@@ -5028,7 +5028,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.show_everywhere</name>
     <message>
-        <source>show the board in the middle and near each corner of the picture, and closer</source>
+        <source>show the board in the middle and near each corner of the image, and closer</source>
         <translation>zeigen Sie die Tafel in der Mitte und nahe jeder Ecke des Bildes, und näher</translation>
     </message>
 </context>
@@ -5119,7 +5119,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.stand_higher</name>
     <message>
-        <source>let it stand higher or farther away, or choose a wider lens</source>
+        <source>mount it higher or farther away, or choose a wider lens</source>
         <translation>stellen Sie die Kamera höher oder weiter weg, oder wählen Sie ein weiteres Objektiv</translation>
     </message>
 </context>
@@ -5140,7 +5140,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.tag_seen_often</name>
     <message>
-        <source>tag %1 (marker %2) is seen %3 times</source>
+        <source>tag %1 (marker %2) appears %3 times</source>
         <translation>Tag %1 (Marker %2) ist %3-mal zu sehen</translation>
     </message>
 </context>
@@ -5161,7 +5161,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.tell_by_hand</name>
     <message>
-        <source>tell by hand which of them is %1</source>
+        <source>mark by hand which of them is %1</source>
         <translation>geben Sie von Hand an, welcher davon %1 ist</translation>
     </message>
 </context>
@@ -5182,7 +5182,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.tilt_board</name>
     <message>
-        <source>take pictures with the board tilted by 30 to 45 degrees, to each side</source>
+        <source>take images with the board tilted by 30 to 45 degrees, to each side</source>
         <translation>machen Sie Bilder mit der um 30 bis 45 Grad geneigten Tafel, nach jeder Seite</translation>
     </message>
 </context>
@@ -5203,7 +5203,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.told_length_not_positive</name>
     <message>
-        <source>the told length is not above 0</source>
+        <source>the entered length is not above 0</source>
         <translation>die angegebene Länge ist nicht größer als 0</translation>
     </message>
 </context>
@@ -5224,7 +5224,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.too_few_pictures</name>
     <message>
-        <source>three pictures of the board are needed, %1 can be used</source>
+        <source>calibration needs three images of the board, %1 can be used</source>
         <translation>drei Bilder der Tafel sind nötig, %1 sind brauchbar</translation>
     </message>
 </context>
@@ -5238,28 +5238,28 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.too_few_to_compare</name>
     <message>
-        <source>too few pictures to compare it with others</source>
+        <source>too few images to compare it with other models</source>
         <translation>zu wenige Bilder, um es mit anderen zu vergleichen</translation>
     </message>
 </context>
 <context>
     <name>calibration.too_frontal</name>
     <message>
-        <source>the board is seen too nearly frontal</source>
+        <source>the board faces the camera too directly</source>
         <translation>die Tafel ist zu sehr von vorn zu sehen</translation>
     </message>
 </context>
 <context>
     <name>calibration.too_small_for_board</name>
     <message>
-        <source>the picture is too small to hold a board</source>
+        <source>the image is too small for a board</source>
         <translation>das Bild ist zu klein für eine Tafel</translation>
     </message>
 </context>
 <context>
     <name>calibration.two_cameras_needed</name>
     <message>
-        <source>there is %1 camera on layout &apos;%2&apos;, two are needed</source>
+        <source>layout &apos;%2&apos; has %1 registered camera, two are needed</source>
         <translation>auf dem Plan &apos;%2&apos; gibt es %1 Kamera, zwei sind nötig</translation>
     </message>
 </context>
@@ -5273,7 +5273,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.two_focal_lengths</name>
     <message>
-        <source>the pictures ask for two focal lengths</source>
+        <source>the images do not agree on one focal length</source>
         <translation>die Bilder verlangen zwei Brennweiten</translation>
     </message>
 </context>
@@ -5308,21 +5308,21 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.unseen_middle_corner</name>
     <message>
-        <source>The middle is not seen, ±%1 in the corner near %2.</source>
+        <source>The middle is out of view, ±%1 in the corner near %2.</source>
         <translation>Die Mitte ist nicht zu sehen, ±%1 in der Ecke bei %2.</translation>
     </message>
 </context>
 <context>
     <name>calibration.unseen_middle_edge</name>
     <message>
-        <source>The middle is not seen, ±%1 at the edge near %2.</source>
+        <source>The middle is out of view, ±%1 at the edge near %2.</source>
         <translation>Die Mitte ist nicht zu sehen, ±%1 am Rand bei %2.</translation>
     </message>
 </context>
 <context>
     <name>calibration.unseen_middle_near</name>
     <message>
-        <source>The middle is not seen, ±%1 near %2.</source>
+        <source>The middle is out of view, ±%1 near %2.</source>
         <translation>Die Mitte ist nicht zu sehen, ±%1 bei %2.</translation>
     </message>
 </context>
@@ -5336,14 +5336,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.use_camera_picture</name>
     <message>
-        <source>use a picture of the camera</source>
+        <source>use an image from the camera</source>
         <translation>verwenden Sie ein Bild der Kamera</translation>
     </message>
 </context>
 <context>
     <name>calibration.use_camera_pictures</name>
     <message>
-        <source>use pictures of the camera</source>
+        <source>use images from the camera</source>
         <translation>verwenden Sie Bilder der Kamera</translation>
     </message>
 </context>
@@ -5357,14 +5357,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.use_one_camera</name>
     <message>
-        <source>use pictures of one camera at one zoom and focus</source>
+        <source>use images of one camera at one zoom and focus</source>
         <translation>verwenden Sie Bilder einer Kamera mit einem Zoom und Fokus</translation>
     </message>
 </context>
 <context>
     <name>calibration.use_one_resolution</name>
     <message>
-        <source>use pictures of one camera at one resolution</source>
+        <source>use images of one camera at one resolution</source>
         <translation>verwenden Sie Bilder einer Kamera mit einer Auflösung</translation>
     </message>
 </context>
@@ -5378,7 +5378,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.whether_moved</name>
     <message>
-        <source>whether %1 has moved cannot be told</source>
+        <source>cannot determine whether %1 has moved</source>
         <translation>ob sich %1 bewegt hat, ist nicht zu sagen</translation>
     </message>
 </context>
@@ -5392,7 +5392,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>calibration.x_without_length</name>
     <message>
-        <source>the markers that X is to run along lie at one place</source>
+        <source>the two markers for the X axis have the same position</source>
         <translation>die Marker, entlang derer X verlaufen soll, liegen an einer Stelle</translation>
     </message>
 </context>
@@ -7968,21 +7968,21 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>geometry.at_one_place</name>
     <message>
-        <source>%1 lie at one place</source>
+        <source>%1 have the same position</source>
         <translation>%1 liegen an einer Stelle</translation>
     </message>
 </context>
 <context>
     <name>geometry.at_one_place_in_picture</name>
     <message>
-        <source>%1 lie at one place in the picture</source>
+        <source>%1 have the same position in the image</source>
         <translation>%1 liegen im Bild an einer Stelle</translation>
     </message>
 </context>
 <context>
     <name>geometry.beyond_horizon</name>
     <message>
-        <source>%1 would lie beyond the horizon</source>
+        <source>%1 would be beyond the horizon</source>
         <translation>%1 läge hinter dem Horizont</translation>
     </message>
 </context>
@@ -8080,7 +8080,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>geometry.on_one_line_in_picture</name>
     <message>
-        <source>%1 lie on one line in the picture</source>
+        <source>%1 lie on one line in the image</source>
         <translation>%1 liegen im Bild auf einer Linie</translation>
     </message>
 </context>
@@ -8108,7 +8108,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>geometry.size_not_positive</name>
     <message>
-        <source>the picture size %1 is not positive</source>
+        <source>the image size %1 is not positive</source>
         <translation>die Bildgröße %1 ist nicht positiv</translation>
     </message>
 </context>
@@ -8143,7 +8143,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>geometry.wrong_coefficients</name>
     <message>
-        <source>%1 distortion coefficients do not belong to this lens model</source>
+        <source>this lens model does not take %1 distortion coefficients</source>
         <translation>%1 Verzeichnungskoeffizienten gehören nicht zu diesem Objektivmodell</translation>
     </message>
 </context>
@@ -18987,7 +18987,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.analyse_anew_with</name>
     <message>
-        <source>analyse them anew with</source>
+        <source>reanalyse them with</source>
         <translation>werten Sie sie neu aus mit</translation>
     </message>
 </context>
@@ -19008,28 +19008,28 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.another_picture_size</name>
     <message>
-        <source>its pictures are %1 but the camera was calibrated at %2</source>
+        <source>its frames are %1 but the camera was calibrated at %2</source>
         <translation>ihre Bilder haben %1, aber die Kamera wurde bei %2 kalibriert</translation>
     </message>
 </context>
 <context>
     <name>workflow.beyond_limits</name>
     <message>
-        <source>%1 of what was measured is beyond the limits of task &apos;%2&apos;, so that they were left out</source>
+        <source>%1 of the samples exceed the limits of task &apos;%2&apos;, so the limits were ignored</source>
         <translation>%1 des Gemessenen liegen jenseits der Grenzwerte der Aufgabe &apos;%2&apos;, darum blieben diese außer Betracht</translation>
     </message>
 </context>
 <context>
     <name>workflow.board_in_no_picture</name>
     <message>
-        <source>the board was found in none of %1 pictures (%2)</source>
+        <source>the board was found in none of %1 images (%2)</source>
         <translation>die Tafel wurde in keinem von %1 Bildern gefunden (%2)</translation>
     </message>
 </context>
 <context>
     <name>workflow.by_layout_and_lens</name>
     <message>
-        <source>layout &apos;%1&apos;, lens of calibration %2</source>
+        <source>layout &apos;%1&apos;, lens calibration %2</source>
         <translation>Plan &apos;%1&apos;, Objektiv der Kalibrierung %2</translation>
     </message>
 </context>
@@ -19064,7 +19064,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.calibrate_if_touched</name>
     <message>
-        <source>if zoom, focus or the camera&apos;s settings were touched since, calibrate it again.</source>
+        <source>if zoom, focus or the camera&apos;s settings have changed since, calibrate it again.</source>
         <translation>wenn seither Zoom, Fokus oder Einstellungen der Kamera verändert wurden, kalibrieren Sie neu.</translation>
     </message>
 </context>
@@ -19078,7 +19078,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.calibrate_lens_first</name>
     <message>
-        <source>calibrate the lens first, or put another calibration in force</source>
+        <source>calibrate the lens first, or choose another calibration</source>
         <translation>kalibrieren Sie zuerst das Objektiv, oder setzen Sie eine andere Kalibrierung in Kraft</translation>
     </message>
 </context>
@@ -19099,7 +19099,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.calibrated_from_pictures</name>
     <message>
-        <source>calibrated from %1 pictures</source>
+        <source>calibrated from %1 images</source>
         <translation>kalibriert aus %1 Bildern</translation>
     </message>
 </context>
@@ -19127,14 +19127,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.calibration_picture</name>
     <message>
-        <source>calibration picture &apos;%1&apos;</source>
+        <source>calibration image &apos;%1&apos;</source>
         <translation>Kalibrierbild &apos;%1&apos;</translation>
     </message>
 </context>
 <context>
     <name>workflow.camera_gave_no_picture</name>
     <message>
-        <source>camera &apos;%1&apos; gave no picture</source>
+        <source>camera &apos;%1&apos; delivered no frame</source>
         <translation>Kamera &apos;%1&apos; lieferte kein Bild</translation>
     </message>
 </context>
@@ -19176,7 +19176,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.check_cable_and_bandwidth</name>
     <message>
-        <source>check cable, bandwidth and what else this machine does</source>
+        <source>check the cable, the bandwidth and what else this computer is doing</source>
         <translation>prüfen Sie Kabel, Bandbreite und was dieser Rechner sonst tut</translation>
     </message>
 </context>
@@ -19204,7 +19204,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.check_or_analyse_again</name>
     <message>
-        <source>run odograph check, or analyse the trial again</source>
+        <source>run odograph check, or reanalyse the trial</source>
         <translation>führen Sie odograph check aus, oder werten Sie den Versuch noch einmal aus</translation>
     </message>
 </context>
@@ -19218,7 +19218,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.check_rate</name>
     <message>
-        <source>the views are joined by time, check --rate if one is slow motion</source>
+        <source>views are matched by time: check --rate if one is in slow motion</source>
         <translation>die Sichten werden über die Zeit verbunden; prüfen Sie --rate, falls eine in Zeitlupe ist</translation>
     </message>
 </context>
@@ -19232,7 +19232,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.check_views_of_one_run</name>
     <message>
-        <source>outside it only one view measures, so check that both belong to one run</source>
+        <source>only one view measures the rest, so check that both belong to one run</source>
         <translation>außerhalb misst nur eine Sicht; prüfen Sie, ob beide zu einer Fahrt gehören</translation>
     </message>
 </context>
@@ -19281,7 +19281,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.choose_interface</name>
     <message>
-        <source>choose one that `ip link` names, or lo to stay on this machine</source>
+        <source>choose one that `ip link` lists, or lo to stay on this computer</source>
         <translation>wählen Sie eine, die `ip link` nennt, oder lo, um auf diesem Rechner zu bleiben</translation>
     </message>
 </context>
@@ -19400,56 +19400,56 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.demo_is_there</name>
     <message>
-        <source>%1 is there already</source>
+        <source>%1 already exists</source>
         <translation>%1 gibt es schon</translation>
     </message>
 </context>
 <context>
     <name>workflow.doubtful_name</name>
     <message>
-        <source>from %1 to %2 it is doubtful whether this is %3 or %4</source>
+        <source>from %1 to %2 this may be %3 or %4</source>
         <translation>von %1 bis %2 ist zweifelhaft, ob dies %3 oder %4 ist</translation>
     </message>
 </context>
 <context>
     <name>workflow.doubtful_name_unknown</name>
     <message>
-        <source>from %1 to %2 it is doubtful whether this is %3 or another robot of its look</source>
+        <source>from %1 to %2 this may be %3 or another robot that looks the same</source>
         <translation>von %1 bis %2 ist zweifelhaft, ob dies %3 oder ein anderer Roboter dieses Aussehens ist</translation>
     </message>
 </context>
 <context>
     <name>workflow.doubtful_names</name>
     <message>
-        <source>from %1 to %2 (the first of %3 times) it is doubtful whether this is %4 or %5</source>
+        <source>from %1 to %2 (the first of %3 times) this may be %4 or %5</source>
         <translation>von %1 bis %2 (das erste von %3 Malen) ist zweifelhaft, ob dies %4 oder %5 ist</translation>
     </message>
 </context>
 <context>
     <name>workflow.doubtful_names_unknown</name>
     <message>
-        <source>from %1 to %2 (the first of %3 times) it is doubtful whether this is %4 or another robot of its look</source>
+        <source>from %1 to %2 (the first of %3 times) this may be %4 or another robot that looks the same</source>
         <translation>von %1 bis %2 (das erste von %3 Malen) ist zweifelhaft, ob dies %4 oder ein anderer Roboter dieses Aussehens ist</translation>
     </message>
 </context>
 <context>
     <name>workflow.doubtful_step</name>
     <message>
-        <source>it is in step to %1 only, which is %2 at 1 m/s</source>
+        <source>it is synchronised only to %1, which is %2 at 1 m/s</source>
         <translation>sie ist nur auf %1 synchron, das sind %2 bei 1 m/s</translation>
     </message>
 </context>
 <context>
     <name>workflow.error_estimated</name>
     <message>
-        <source>positions to %1, as estimated from them</source>
+        <source>positions to %1, estimated from the track</source>
         <translation>Orte auf %1, aus ihnen geschätzt</translation>
     </message>
 </context>
 <context>
     <name>workflow.error_stated</name>
     <message>
-        <source>positions to %1, as the file says</source>
+        <source>positions to %1, as stated in the file</source>
         <translation>Orte auf %1, wie die Datei sagt</translation>
     </message>
 </context>
@@ -19470,21 +19470,21 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.file_without_picture</name>
     <message>
-        <source>it has no picture</source>
+        <source>it contains no image</source>
         <translation>kein Bild ist darin</translation>
     </message>
 </context>
 <context>
     <name>workflow.fitting_cameras_together</name>
     <message>
-        <source>fitting %1 cameras together</source>
+        <source>fitting %1 cameras jointly</source>
         <translation>%1 Kameras werden gemeinsam eingemessen</translation>
     </message>
 </context>
 <context>
     <name>workflow.floor_has_its_colour</name>
     <message>
-        <source>its colour %1 is also that of the floor (%2 of view %3&apos;s picture)</source>
+        <source>its colour %1 is also the floor&apos;s (%2 of the frame in view %3)</source>
         <translation>seine Farbe %1 ist auch die des Bodens (%2 des Bildes der Sicht %3)</translation>
     </message>
 </context>
@@ -19498,7 +19498,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.found_by_colour</name>
     <message>
-        <source>it is found by its colour</source>
+        <source>it is detected by its colour</source>
         <translation>er wird an seiner Farbe gefunden</translation>
     </message>
 </context>
@@ -19568,21 +19568,21 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.give_own_colours</name>
     <message>
-        <source>give each a colour of its own</source>
+        <source>give each its own colour</source>
         <translation>geben Sie jedem eine eigene Farbe</translation>
     </message>
 </context>
 <context>
     <name>workflow.give_picture_of_that_size</name>
     <message>
-        <source>give a picture of that size</source>
+        <source>give an image of that size</source>
         <translation>geben Sie ein Bild dieser Größe an</translation>
     </message>
 </context>
 <context>
     <name>workflow.give_pixels_or_picture</name>
     <message>
-        <source>give --pixels pixels.csv, --image picture.png or --video clip.mp4</source>
+        <source>give --pixels pixels.csv, --image image.png or --video clip.mp4</source>
         <translation>geben Sie --pixels pixels.csv, --image picture.png oder --video clip.mp4 an</translation>
     </message>
 </context>
@@ -19596,7 +19596,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.give_seconds</name>
     <message>
-        <source>give the seconds, like 10</source>
+        <source>give the seconds, such as 10</source>
         <translation>geben Sie die Sekunden an, etwa 10</translation>
     </message>
 </context>
@@ -19624,14 +19624,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.import_again_for_offset</name>
     <message>
-        <source>import the videos again and let the offset be found, or tell it</source>
+        <source>import the videos again with automatic synchronisation, or enter the time offset</source>
         <translation>importieren Sie die Videos neu und lassen Sie den Versatz finden, oder geben Sie ihn an</translation>
     </message>
 </context>
 <context>
     <name>workflow.import_lens</name>
     <message>
-        <source>import the lens of camera %1 from %2</source>
+        <source>import the lens calibration of camera %1 from %2</source>
         <translation>Objektivdaten der Kamera %1 aus %2 importieren</translation>
     </message>
 </context>
@@ -19673,21 +19673,21 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.keeping_pictures</name>
     <message>
-        <source>keeping the pictures</source>
+        <source>saving the images</source>
         <translation>Bilder werden abgelegt</translation>
     </message>
 </context>
 <context>
     <name>workflow.leave_frame</name>
     <message>
-        <source>leave frame %1 of %2 to the program</source>
+        <source>remove the override of frame %1 of %2</source>
         <translation>Bild %1 von %2 dem Programm überlassen</translation>
     </message>
 </context>
 <context>
     <name>workflow.leave_out_trial</name>
     <message>
-        <source>leave out %1, of which nothing was recorded</source>
+        <source>remove %1, which recorded nothing</source>
         <translation>%1 weglassen, von dem nichts aufgenommen wurde</translation>
     </message>
 </context>
@@ -19701,7 +19701,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.lens_never_calibrated</name>
     <message>
-        <source>The lens of camera &apos;%1&apos; was never calibrated, its distortion is taken as none</source>
+        <source>The lens of camera &apos;%1&apos; is not calibrated, so no distortion is assumed</source>
         <translation>Das Objektiv der Kamera &apos;%1&apos; wurde nie kalibriert, seine Verzeichnung wird als null angenommen</translation>
     </message>
 </context>
@@ -19743,63 +19743,63 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.look_at_outlines</name>
     <message>
-        <source>look at the outlines, and tell the robot&apos;s colour or keep others out of the pictures</source>
+        <source>check the outlines, and set the robot&apos;s colour or keep other objects out of view</source>
         <translation>sehen Sie sich die Umrisse an und geben Sie die Farbe des Roboters an, oder halten Sie andere aus den Bildern</translation>
     </message>
 </context>
 <context>
     <name>workflow.look_for_lost_videos</name>
     <message>
-        <source>look for lost videos</source>
+        <source>search for lost videos</source>
         <translation>Suche nach verlorenen Videos</translation>
     </message>
 </context>
 <context>
     <name>workflow.looking_for_board_in</name>
     <message>
-        <source>looking for the board in %1</source>
+        <source>detecting the board in %1</source>
         <translation>die Tafel wird gesucht in %1</translation>
     </message>
 </context>
 <context>
     <name>workflow.looking_for_files</name>
     <message>
-        <source>looking for files</source>
+        <source>searching for files</source>
         <translation>Dateien werden gesucht</translation>
     </message>
 </context>
 <context>
     <name>workflow.looking_for_markers_again</name>
     <message>
-        <source>looking for the markers again</source>
+        <source>detecting the markers again</source>
         <translation>Marker werden wieder gesucht</translation>
     </message>
 </context>
 <context>
     <name>workflow.looking_for_markers_in</name>
     <message>
-        <source>looking for the markers in %1</source>
+        <source>detecting the markers in %1</source>
         <translation>Marker werden in %1 gesucht</translation>
     </message>
 </context>
 <context>
     <name>workflow.looking_through_media</name>
     <message>
-        <source>looking through the media folder</source>
+        <source>searching the media folder</source>
         <translation>der Medienordner wird durchsucht</translation>
     </message>
 </context>
 <context>
     <name>workflow.lost_not_packed</name>
     <message>
-        <source>the video of camera %1 in trial &apos;%2&apos; is lost, and not in the packed project</source>
+        <source>the video of camera %1 in trial &apos;%2&apos; is lost and is not in the packed project</source>
         <translation>das Video der Kamera %1 im Versuch &apos;%2&apos; fehlt und ist nicht im gepackten Projekt</translation>
     </message>
 </context>
 <context>
     <name>workflow.lost_video_not_there</name>
     <message>
-        <source>the lost video is not there</source>
+        <source>the lost video is not in this folder</source>
         <translation>das fehlende Video ist nicht dort</translation>
     </message>
 </context>
@@ -19813,42 +19813,42 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.lost_videos_not_there</name>
     <message>
-        <source>none of the %1 lost videos is there</source>
+        <source>none of the %1 lost videos is in this folder</source>
         <translation>keins der %1 fehlenden Videos ist dort</translation>
     </message>
 </context>
 <context>
     <name>workflow.made_through_registration</name>
     <message>
-        <source>It was made through registration %1 of the project.</source>
+        <source>It was made via registration %1 of the project.</source>
         <translation>Sie wurde über die Einmessung %1 des Projekts gemacht.</translation>
     </message>
 </context>
 <context>
     <name>workflow.made_with_it_already</name>
     <message>
-        <source>it was made with it already</source>
+        <source>it already uses that calibration</source>
         <translation>das ist schon damit gemacht</translation>
     </message>
 </context>
 <context>
     <name>workflow.making_hash</name>
     <message>
-        <source>making the hash of %1</source>
+        <source>computing the hash of %1</source>
         <translation>die Prüfsumme wird gebildet: %1</translation>
     </message>
 </context>
 <context>
     <name>workflow.map_behind</name>
     <message>
-        <source>the map is %1 behind, none skipped</source>
+        <source>the map is %1 behind, no frame skipped</source>
         <translation>die Karte hinkt %1 nach, nichts übersprungen</translation>
     </message>
 </context>
 <context>
     <name>workflow.map_behind_and_skipping</name>
     <message>
-        <source>the map is %1 behind, %2 skipped</source>
+        <source>the map is %1 behind, %2 frames skipped</source>
         <translation>die Karte hinkt %1 nach, %2 übersprungen</translation>
     </message>
 </context>
@@ -19869,14 +19869,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.measure_again</name>
     <message>
-        <source>measure %1 again</source>
+        <source>reanalyse %1</source>
         <translation>%1 neu auswerten</translation>
     </message>
 </context>
 <context>
     <name>workflow.measure_it_again</name>
     <message>
-        <source>measure it again</source>
+        <source>repeat the analysis</source>
         <translation>messen Sie ihn neu</translation>
     </message>
 </context>
@@ -19904,7 +19904,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.name_place_in_pixels</name>
     <message>
-        <source>name it in pixels from the picture&apos;s top left corner</source>
+        <source>give it in pixels from the frame&apos;s top left corner</source>
         <translation>nennen Sie sie in Pixeln von der linken oberen Ecke des Bildes</translation>
     </message>
 </context>
@@ -19925,7 +19925,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.nearly_all_beyond_limits</name>
     <message>
-        <source>nearly all that was measured is beyond the limits of task &apos;%1&apos;, so that they were left out</source>
+        <source>nearly all samples exceed the limits of task &apos;%1&apos;, so the limits were ignored</source>
         <translation>fast alles Gemessene liegt jenseits der Grenzwerte der Aufgabe &apos;%1&apos;, darum blieben diese außer Betracht</translation>
     </message>
 </context>
@@ -19953,14 +19953,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.no_address_with_port</name>
     <message>
-        <source>it is no IPv4 address with a port</source>
+        <source>it is not an IPv4 address with a port</source>
         <translation>es ist keine IPv4-Adresse mit Port</translation>
     </message>
 </context>
 <context>
     <name>workflow.no_camera_gave_picture</name>
     <message>
-        <source>no camera gave a picture</source>
+        <source>no camera delivered a frame</source>
         <translation>keine Kamera lieferte ein Bild</translation>
     </message>
 </context>
@@ -19974,14 +19974,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.no_common_place</name>
     <message>
-        <source>No place was measured by both analyses.</source>
+        <source>The two analyses have no position in common.</source>
         <translation>Kein Ort wurde von beiden Auswertungen gemessen.</translation>
     </message>
 </context>
 <context>
     <name>workflow.no_common_time</name>
     <message>
-        <source>views &apos;%1&apos; and &apos;%2&apos; have no time in common with an offset of %3</source>
+        <source>views &apos;%1&apos; and &apos;%2&apos; do not overlap with a time offset of %3</source>
         <translation>die Sichten &apos;%1&apos; und &apos;%2&apos; haben bei einem Versatz von %3 keine gemeinsame Zeit</translation>
     </message>
 </context>
@@ -19995,35 +19995,35 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.no_multicast</name>
     <message>
-        <source>interface &apos;%1&apos; takes no multicast</source>
+        <source>interface &apos;%1&apos; does not support multicast</source>
         <translation>Schnittstelle &apos;%1&apos; kann kein Multicast</translation>
     </message>
 </context>
 <context>
     <name>workflow.no_picture_read</name>
     <message>
-        <source>no picture could be read</source>
+        <source>no image could be read</source>
         <translation>kein Bild konnte gelesen werden</translation>
     </message>
 </context>
 <context>
     <name>workflow.no_picture_then</name>
     <message>
-        <source>the view has no picture at that time</source>
+        <source>the view has no frame at that time</source>
         <translation>die Sicht hat zu dieser Zeit kein Bild</translation>
     </message>
 </context>
 <context>
     <name>workflow.no_pixels_no_picture</name>
     <message>
-        <source>neither their pixels nor a picture to look in was given</source>
+        <source>it needs pixels, or an image to detect the markers in</source>
         <translation>weder ihre Pixel noch ein Bild zum Suchen wurde angegeben</translation>
     </message>
 </context>
 <context>
     <name>workflow.no_robot</name>
     <message>
-        <source>the project has no robot to look for</source>
+        <source>the project has no robot to track</source>
         <translation>das Projekt hat keinen Roboter, nach dem zu suchen wäre</translation>
     </message>
 </context>
@@ -20037,21 +20037,21 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.no_socket</name>
     <message>
-        <source>this machine gives no socket</source>
+        <source>the system could not open a socket</source>
         <translation>dieser Rechner gibt keinen Socket frei</translation>
     </message>
 </context>
 <context>
     <name>workflow.no_such_frame</name>
     <message>
-        <source>there is no such frame</source>
+        <source>this frame does not exist</source>
         <translation>dieses Bild gibt es nicht</translation>
     </message>
 </context>
 <context>
     <name>workflow.no_such_interface</name>
     <message>
-        <source>this machine has none of that name</source>
+        <source>this computer has no interface of that name</source>
         <translation>dieser Rechner hat keine dieses Namens</translation>
     </message>
 </context>
@@ -20100,21 +20100,21 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.none_of_that_number</name>
     <message>
-        <source>camera &apos;%1&apos; has none of that number</source>
+        <source>camera &apos;%1&apos; has no such number</source>
         <translation>Kamera &apos;%1&apos; hat keine mit dieser Nummer</translation>
     </message>
 </context>
 <context>
     <name>workflow.not_measured_there</name>
     <message>
-        <source>the robot was not measured there, so there is nothing to judge</source>
+        <source>the robot has no measurement at that time</source>
         <translation>der Roboter wurde dort nicht gemessen, es gibt nichts zu beurteilen</translation>
     </message>
 </context>
 <context>
     <name>workflow.not_synchronised</name>
     <message>
-        <source>it is not synchronised but taken as begun together with the first view, so that a moving robot is not where the two views put it</source>
+        <source>it is not synchronised: the same start time as the first view was assumed, and positions of a moving robot are wrong</source>
         <translation>sie ist nicht synchronisiert, sondern gilt als mit der ersten Sicht begonnen, so dass ein fahrender Roboter nicht dort ist, wo ihn die beiden Sichten sehen</translation>
     </message>
 </context>
@@ -20135,7 +20135,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.nothing_came</name>
     <message>
-        <source>nothing came for %1, because %2</source>
+        <source>no frame arrived for %1 because %2</source>
         <translation>%1 lang kam nichts, denn %2</translation>
     </message>
 </context>
@@ -20149,35 +20149,35 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.nothing_said_there</name>
     <message>
-        <source>nothing was said by hand there</source>
+        <source>that frame has no manual override</source>
         <translation>dort wurde nichts von Hand festgelegt</translation>
     </message>
 </context>
 <context>
     <name>workflow.nothing_stands_out</name>
     <message>
-        <source>nothing stands out from the floor at %1,%2 at %3 for some frames</source>
+        <source>no foreground object was found at pixel %1,%2 at %3</source>
         <translation>bei %1,%2 hebt sich zur Zeit %3 einige Bilder lang nichts vom Boden ab</translation>
     </message>
 </context>
 <context>
     <name>workflow.nothing_to_analyse_again</name>
     <message>
-        <source>it has not been tracked yet, so there is nothing to analyse again</source>
+        <source>it has not been tracked yet, so it cannot be reanalysed</source>
         <translation>er wurde noch nicht verfolgt, es gibt also nichts neu auszuwerten</translation>
     </message>
 </context>
 <context>
     <name>workflow.nothing_to_do</name>
     <message>
-        <source>there is nothing to do</source>
+        <source>no action is needed</source>
         <translation>es gibt nichts zu tun</translation>
     </message>
 </context>
 <context>
     <name>workflow.offsets_of_other_count</name>
     <message>
-        <source>%1 views were given and the offsets of %2</source>
+        <source>the number of views is %1, the number of offsets %2</source>
         <translation>angegeben sind %1 Sichten und der Versatz von %2</translation>
     </message>
 </context>
@@ -20198,14 +20198,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.one_follows_something_else</name>
     <message>
-        <source>one of them follows something else, or is not where it was registered</source>
+        <source>one of them tracks another object, or has moved since its registration</source>
         <translation>eine von ihnen folgt etwas anderem oder steht nicht dort, wo sie eingemessen wurde</translation>
     </message>
 </context>
 <context>
     <name>workflow.only_frame</name>
     <message>
-        <source>its only one is frame 0</source>
+        <source>its only frame is 0</source>
         <translation>das einzige ist Bild 0</translation>
     </message>
 </context>
@@ -20219,77 +20219,77 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.other_sample_judged</name>
     <message>
-        <source>another sample was judged by hand while this one was analysed</source>
+        <source>another sample was overridden while this one was analysed</source>
         <translation>ein anderer Messpunkt wurde von Hand beurteilt, während dieser ausgewertet wurde</translation>
     </message>
 </context>
 <context>
     <name>workflow.outside_picture</name>
     <message>
-        <source>the place lies outside the picture</source>
+        <source>the position is outside the frame</source>
         <translation>die Stelle liegt außerhalb des Bildes</translation>
     </message>
 </context>
 <context>
     <name>workflow.pick_or_take_colour</name>
     <message>
-        <source>pick its colour again, or take the colour from it</source>
+        <source>pick its colour again, or remove its colour</source>
         <translation>nehmen Sie seine Farbe neu auf, oder nehmen Sie sie ihm</translation>
     </message>
 </context>
 <context>
     <name>workflow.picture_lost_here</name>
     <message>
-        <source>1 picture was lost because this computer or its disk was too slow</source>
+        <source>1 frame was lost because this computer or its disk was too slow</source>
         <translation>1 Bild ging verloren, weil dieser Rechner oder seine Platte zu langsam war</translation>
     </message>
 </context>
 <context>
     <name>workflow.picture_lost_on_wire</name>
     <message>
-        <source>1 picture was lost between the camera and this program</source>
+        <source>1 frame was lost between the camera and this program</source>
         <translation>1 Bild ging zwischen Kamera und Programm verloren</translation>
     </message>
 </context>
 <context>
     <name>workflow.picture_made_too_late</name>
     <message>
-        <source>1 picture was lost because this machine was too slow to make them in time</source>
+        <source>1 frame was lost: this computer was too slow to generate it in time</source>
         <translation>1 Bild ging verloren, weil dieser Rechner zu langsam war, es rechtzeitig zu erzeugen</translation>
     </message>
 </context>
 <context>
     <name>workflow.picture_size_not_known</name>
     <message>
-        <source>the size of its pictures is not known</source>
+        <source>the size of its images is not known</source>
         <translation>die Größe ihrer Bilder ist nicht bekannt</translation>
     </message>
 </context>
 <context>
     <name>workflow.pictures_lost_here</name>
     <message>
-        <source>%1 pictures were lost because this computer or its disk was too slow</source>
+        <source>%1 frames were lost because this computer or its disk was too slow</source>
         <translation>%1 Bilder gingen verloren, weil dieser Rechner oder seine Platte zu langsam war</translation>
     </message>
 </context>
 <context>
     <name>workflow.pictures_lost_on_wire</name>
     <message>
-        <source>%1 pictures were lost between the camera and this program</source>
+        <source>%1 frames were lost between the camera and this program</source>
         <translation>%1 Bilder gingen zwischen Kamera und Programm verloren</translation>
     </message>
 </context>
 <context>
     <name>workflow.pictures_made_too_late</name>
     <message>
-        <source>%1 pictures were lost because this machine was too slow to make them in time</source>
+        <source>%1 frames were lost: this computer was too slow to generate them in time</source>
         <translation>%1 Bilder gingen verloren, weil dieser Rechner zu langsam war, sie rechtzeitig zu erzeugen</translation>
     </message>
 </context>
 <context>
     <name>workflow.point_out_whole_robot</name>
     <message>
-        <source>point it out where all of it is seen and it moves</source>
+        <source>point it out where the whole robot is visible and moving</source>
         <translation>zeigen Sie ihn dort, wo er ganz zu sehen ist und sich bewegt</translation>
     </message>
 </context>
@@ -20303,35 +20303,35 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.project_file_gone</name>
     <message>
-        <source>the project&apos;s file is no longer there</source>
+        <source>the project file no longer exists</source>
         <translation>die Datei des Projekts ist nicht mehr da</translation>
     </message>
 </context>
 <context>
     <name>workflow.project_lost</name>
     <message>
-        <source>the project&apos;s file was deleted, renamed or replaced; recording goes on, and what is in it is rescued at the end</source>
+        <source>the project file was deleted, renamed or replaced; recording continues, and its contents will be saved at the end</source>
         <translation>die Datei des Projekts wurde gelöscht, umbenannt oder ersetzt; die Aufnahme geht weiter, und am Ende wird ihr Inhalt gerettet</translation>
     </message>
 </context>
 <context>
     <name>workflow.project_rescued</name>
     <message>
-        <source>the project&apos;s file was deleted, renamed or replaced meanwhile; what was in it is rescued in &apos;%1&apos;, which is the project from now on</source>
+        <source>the project file was deleted, renamed or replaced; its contents were saved in &apos;%1&apos;, the project from now on</source>
         <translation>die Datei des Projekts wurde inzwischen gelöscht, umbenannt oder ersetzt; ihr Inhalt ist in &apos;%1&apos; gerettet, das von nun an das Projekt ist</translation>
     </message>
 </context>
 <context>
     <name>workflow.put_axes_elsewhere</name>
     <message>
-        <source>put the axes of layout %1 elsewhere</source>
+        <source>change the world axes of layout %1</source>
         <translation>Achsen des Plans %1 verlegen</translation>
     </message>
 </context>
 <context>
     <name>workflow.put_plate_on_it</name>
     <message>
-        <source>put a plate of another colour on it, or tell the colour it really has</source>
+        <source>put a plate of another colour on it, or set its true colour</source>
         <translation>setzen Sie eine Platte anderer Farbe darauf, oder geben Sie seine wirkliche Farbe an</translation>
     </message>
 </context>
@@ -20394,7 +20394,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.register_camera_through</name>
     <message>
-        <source>register camera %1 through camera %2</source>
+        <source>register camera %1 via camera %2</source>
         <translation>Kamera %1 über Kamera %2 einmessen</translation>
     </message>
 </context>
@@ -20408,7 +20408,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.register_cameras_together</name>
     <message>
-        <source>register the cameras of layout %1 together</source>
+        <source>register the cameras of layout %1 jointly</source>
         <translation>Kameras des Plans %1 gemeinsam einmessen</translation>
     </message>
 </context>
@@ -20422,7 +20422,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.register_it_first</name>
     <message>
-        <source>register it first, by markers or through another camera</source>
+        <source>register it first, with markers or via another camera</source>
         <translation>messen Sie sie zuerst ein, über Marker oder über eine andere Kamera</translation>
     </message>
 </context>
@@ -20436,14 +20436,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.register_through_it_again</name>
     <message>
-        <source>register it through that camera again</source>
+        <source>register it via that camera again</source>
         <translation>messen Sie sie über jene Kamera neu ein</translation>
     </message>
 </context>
 <context>
     <name>workflow.registered_at_another_size</name>
     <message>
-        <source>the picture is %1, the camera was registered at %2</source>
+        <source>the image is %1, the camera was registered at %2</source>
         <translation>das Bild hat %1, die Kamera wurde bei %2 eingemessen</translation>
     </message>
 </context>
@@ -20457,14 +20457,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.registered_through_another</name>
     <message>
-        <source>it was registered through another camera</source>
+        <source>it was registered via another camera</source>
         <translation>sie wurde über eine andere Kamera eingemessen</translation>
     </message>
 </context>
 <context>
     <name>workflow.registered_with_other_lens</name>
     <message>
-        <source>The floor registration of camera &apos;%1&apos; was made with another calibration of its lens than the one in force</source>
+        <source>The floor registration of camera &apos;%1&apos; uses another lens calibration than the current one</source>
         <translation>Die Einmessung der Kamera &apos;%1&apos; wurde mit einer anderen Kalibrierung als der gültigen gemacht</translation>
     </message>
 </context>
@@ -20485,14 +20485,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.registration_through</name>
     <message>
-        <source>registration of camera &apos;%1&apos; through &apos;%2&apos;</source>
+        <source>registration of camera &apos;%1&apos; via &apos;%2&apos;</source>
         <translation>Einmessung der Kamera &apos;%1&apos; über &apos;%2&apos;</translation>
     </message>
 </context>
 <context>
     <name>workflow.registration_with_lens_in_force</name>
     <message>
-        <source>registration of camera &apos;%1&apos; with the lens in force</source>
+        <source>registration of camera &apos;%1&apos; with the current lens calibration</source>
         <translation>Einmessung der Kamera &apos;%1&apos; mit dem gültigen Objektiv</translation>
     </message>
 </context>
@@ -20520,14 +20520,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.replaced_not_packed</name>
     <message>
-        <source>the video of camera %1 in trial &apos;%2&apos; lies elsewhere and is another file than it was, and not in the packed project</source>
+        <source>the video of camera %1 in trial &apos;%2&apos; is outside the media folder and has changed since; it is not in the packed project</source>
         <translation>das Video der Kamera %1 im Versuch &apos;%2&apos; liegt anderswo und ist eine andere Datei als früher, und nicht im gepackten Projekt</translation>
     </message>
 </context>
 <context>
     <name>workflow.results_changed</name>
     <message>
-        <source>its results are not those that its analysis gave</source>
+        <source>its results differ from those of its analysis</source>
         <translation>seine Ergebnisse sind nicht die, die seine Auswertung ergeben hat</translation>
     </message>
 </context>
@@ -20555,7 +20555,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.robot_not_tracked</name>
     <message>
-        <source>robot &apos;%1&apos; was not tracked in it, but %2</source>
+        <source>robot &apos;%1&apos; was not tracked in it, only %2</source>
         <translation>Roboter &apos;%1&apos; wurde darin nicht verfolgt, wohl aber %2</translation>
     </message>
 </context>
@@ -20597,7 +20597,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.say_it_again</name>
     <message>
-        <source>say it again for frame %1</source>
+        <source>repeat it for frame %1</source>
         <translation>geben Sie es für Bild %1 noch einmal an</translation>
     </message>
 </context>
@@ -20611,14 +20611,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.see_revisions</name>
     <message>
-        <source>see its revisions for those there are</source>
+        <source>see the list of its revisions</source>
         <translation>die Liste ihrer Revisionen zeigt, welche es gibt</translation>
     </message>
 </context>
 <context>
     <name>workflow.settling_names</name>
     <message>
-        <source>settling which robot is which</source>
+        <source>assigning names to the robots</source>
         <translation>Roboter werden zugeordnet</translation>
     </message>
 </context>
@@ -20653,42 +20653,42 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.take_fewer_cameras</name>
     <message>
-        <source>close other programs, or take fewer such cameras at once</source>
+        <source>close other programs, or use fewer such cameras at once</source>
         <translation>schließen Sie andere Programme, oder nehmen Sie weniger solche Kameras zugleich</translation>
     </message>
 </context>
 <context>
     <name>workflow.take_over_set_up</name>
     <message>
-        <source>take over the set-up of %1</source>
+        <source>copy the set-up of %1</source>
         <translation>Aufbau von %1 übernehmen</translation>
     </message>
 </context>
 <context>
     <name>workflow.taken_as_begun_together</name>
     <message>
-        <source>%1, so it is taken as begun together</source>
+        <source>%1; the same start time was assumed</source>
         <translation>%1, darum gilt sie als gemeinsam begonnen</translation>
     </message>
 </context>
 <context>
     <name>workflow.taking_over_set_up</name>
     <message>
-        <source>taking over the set-up</source>
+        <source>copying the set-up</source>
         <translation>Aufbau wird übernommen</translation>
     </message>
 </context>
 <context>
     <name>workflow.task_was_changed</name>
     <message>
-        <source>its task was changed while it was measured</source>
+        <source>its task changed during the analysis</source>
         <translation>seine Aufgabe wurde während der Auswertung geändert</translation>
     </message>
 </context>
 <context>
     <name>workflow.through_itself</name>
     <message>
-        <source>a camera cannot be registered through itself</source>
+        <source>a camera cannot be registered via itself</source>
         <translation>eine Kamera kann nicht über sich selbst eingemessen werden</translation>
     </message>
 </context>
@@ -20702,7 +20702,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.times_count_from</name>
     <message>
-        <source>its times count from %1</source>
+        <source>its times start at %1</source>
         <translation>die Zeiten zählen ab %1</translation>
     </message>
 </context>
@@ -20744,7 +20744,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.track_those_seen</name>
     <message>
-        <source>track only the robots that are in the pictures (--robot)</source>
+        <source>track only the robots that are in view (--robot)</source>
         <translation>messen Sie nur die Roboter, die in den Bildern sind (--robot)</translation>
     </message>
 </context>
@@ -20758,14 +20758,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.tracking_picture</name>
     <message>
-        <source>tracking, picture %1 of %2</source>
+        <source>tracking, frame %1 of %2</source>
         <translation>Verfolgung, Bild %1 von %2</translation>
     </message>
 </context>
 <context>
     <name>workflow.tracks_were_imported</name>
     <message>
-        <source>its tracks were imported, so there is no video to track in</source>
+        <source>its tracks were imported, so it has no video to track</source>
         <translation>seine Spuren wurden importiert, es gibt kein Video zum Verfolgen</translation>
     </message>
 </context>
@@ -20779,21 +20779,21 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.trial_is_there</name>
     <message>
-        <source>the project has a trial of that name</source>
+        <source>the project already has a trial of that name</source>
         <translation>das Projekt hat einen Versuch dieses Namens</translation>
     </message>
 </context>
 <context>
     <name>workflow.trial_left_out</name>
     <message>
-        <source>nothing of it had reached the disk, and it is left out</source>
+        <source>nothing of it had reached the disk, and it was removed</source>
         <translation>nichts davon war auf der Platte, er wird weggelassen</translation>
     </message>
 </context>
 <context>
     <name>workflow.turn_or_flash</name>
     <message>
-        <source>let the robot turn, or flash the room&apos;s light, where both cameras see it</source>
+        <source>turn the robot, or flash the room light, in view of both cameras</source>
         <translation>lassen Sie den Roboter wenden oder das Raumlicht aufblitzen, wo es beide Kameras sehen</translation>
     </message>
 </context>
@@ -20821,14 +20821,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.unusual_length</name>
     <message>
-        <source>it would take no time, or more than a day</source>
+        <source>the duration must be above zero and at most a day</source>
         <translation>die Dauer ist null, oder mehr als ein Tag</translation>
     </message>
 </context>
 <context>
     <name>workflow.unusual_pre_roll</name>
     <message>
-        <source>what is kept from before is no time, or more than 10 s</source>
+        <source>the pre-roll must be from 0 s to 10 s</source>
         <translation>was von vorher behalten wird, ist keine Zeit, oder mehr als 10 s</translation>
     </message>
 </context>
@@ -20849,7 +20849,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.video_without_picture</name>
     <message>
-        <source>the video has no picture</source>
+        <source>the video has no frame</source>
         <translation>das Video hat kein Bild</translation>
     </message>
 </context>
@@ -20863,21 +20863,21 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.view_ended_early</name>
     <message>
-        <source>it ended early, because %1</source>
+        <source>it ended early because %1</source>
         <translation>sie endete vorzeitig, denn %1</translation>
     </message>
 </context>
 <context>
     <name>workflow.view_is_kept</name>
     <message>
-        <source>%1 of %2 view are kept, all but the last second at most</source>
+        <source>%1 of %2 view were saved, at most the last second is missing</source>
         <translation>%1 von %2 Sicht sind erhalten, alles bis auf höchstens die letzte Sekunde</translation>
     </message>
 </context>
 <context>
     <name>workflow.view_left_out</name>
     <message>
-        <source>it is left out, because nothing was recorded of it</source>
+        <source>it recorded nothing and was left out</source>
         <translation>sie wird weggelassen, weil nichts von ihr aufgenommen wurde</translation>
     </message>
 </context>
@@ -20891,42 +20891,42 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.views_are_kept</name>
     <message>
-        <source>%1 of %2 views are kept, all but the last second at most</source>
+        <source>%1 of %2 views were saved, at most the last second is missing</source>
         <translation>%1 von %2 Sichten sind erhalten, alles bis auf höchstens die letzte Sekunde</translation>
     </message>
 </context>
 <context>
     <name>workflow.views_contradict</name>
     <message>
-        <source>in %1 of %2 pictures the views contradict one another</source>
+        <source>in %1 of %2 frames the views contradict each other</source>
         <translation>in %1 von %2 Bildern widersprechen sich die Sichten</translation>
     </message>
 </context>
 <context>
     <name>workflow.views_far_apart</name>
     <message>
-        <source>in %1 of %2 pictures the views have it at places far apart</source>
+        <source>in %1 of %2 frames the views show it at positions far apart</source>
         <translation>in %1 von %2 Bildern sehen ihn die Sichten an weit entfernten Orten</translation>
     </message>
 </context>
 <context>
     <name>workflow.views_put_it_apart</name>
     <message>
-        <source>they put it %1 apart</source>
+        <source>their floor positions differ by %1</source>
         <translation>sie setzen ihn %1 auseinander</translation>
     </message>
 </context>
 <context>
     <name>workflow.waited_for_disk</name>
     <message>
-        <source>pictures waited up to %1 for the disk, and none was lost</source>
+        <source>frames waited up to %1 for the disk, and none was lost</source>
         <translation>Bilder warteten bis zu %1 auf die Platte, keines ging verloren</translation>
     </message>
 </context>
 <context>
     <name>workflow.why_views_contradict</name>
     <message>
-        <source>a camera was moved after it was registered, the views are out of step, or the robot&apos;s height is not what was told</source>
+        <source>a camera has moved since its registration, the views are not synchronised, or the robot&apos;s height is wrong</source>
         <translation>eine Kamera wurde nach dem Einmessen bewegt, die Sichten laufen nicht synchron, oder der Roboter ist nicht so hoch wie angegeben</translation>
     </message>
 </context>
@@ -20940,14 +20940,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>workflow.writing_last_pictures</name>
     <message>
-        <source>writing the last pictures</source>
+        <source>writing the last frames</source>
         <translation>die letzten Bilder werden geschrieben</translation>
     </message>
 </context>
 <context>
     <name>workflow.written_just_now</name>
     <message>
-        <source>another program is writing or removing it just now</source>
+        <source>another program is writing or removing it</source>
         <translation>gerade schreibt oder entfernt es ein anderes Programm</translation>
     </message>
 </context>

@@ -3138,14 +3138,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.add_floor_points</name>
     <message>
-        <source>add points of the floor, such as corners of tiles</source>
+        <source>add floor points, such as corners of tiles</source>
         <translation>añada puntos del suelo, como esquinas de baldosas</translation>
     </message>
 </context>
 <context>
     <name>calibration.all_agree</name>
     <message>
-        <source>The markers and the cameras agree with one another.</source>
+        <source>The markers and the cameras agree with each other.</source>
         <translation>Los marcadores y las cámaras concuerdan entre sí.</translation>
     </message>
 </context>
@@ -3180,7 +3180,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.best_place</name>
     <message>
-        <source>the best place for a camera</source>
+        <source>the best camera position</source>
         <translation>el mejor lugar para una cámara</translation>
     </message>
 </context>
@@ -3201,21 +3201,21 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.board_fills</name>
     <message>
-        <source>it fills %1 of the picture</source>
+        <source>it fills %1 of the image</source>
         <translation>ocupa el %1 de la imagen</translation>
     </message>
 </context>
 <context>
     <name>calibration.board_in_one_place</name>
     <message>
-        <source>all %1 pictures show the board in one place, the %2 %3 of the picture</source>
+        <source>all %1 images show the board in one position, the %2 %3 of the image</source>
         <translation>las %1 imágenes muestran el tablero en un mismo lugar (%2, %3 de la imagen)</translation>
     </message>
 </context>
 <context>
     <name>calibration.board_not_flat</name>
     <message>
-        <source>the corners do not lie as on a flat board</source>
+        <source>the corners do not match a flat board</source>
         <translation>las esquinas no están como en un tablero plano</translation>
     </message>
 </context>
@@ -3229,35 +3229,35 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.board_of_other_size</name>
     <message>
-        <source>this board has %1 inner corners, %2 was asked for</source>
+        <source>this board has %1 inner corners, not %2</source>
         <translation>este tablero tiene %1 esquinas interiores, se pidió %2</translation>
     </message>
 </context>
 <context>
     <name>calibration.board_part_seen</name>
     <message>
-        <source>only %1 of its %2 inner corners are seen</source>
+        <source>only %1 of its %2 inner corners are visible</source>
         <translation>solo se ven %1 de sus %2 esquinas interiores</translation>
     </message>
 </context>
 <context>
     <name>calibration.board_stands_as_before</name>
     <message>
-        <source>the board stands as in a picture already taken</source>
+        <source>the board is in the same position as in an earlier image</source>
         <translation>el tablero está igual que en una imagen ya tomada</translation>
     </message>
 </context>
 <context>
     <name>calibration.board_stands_as_in</name>
     <message>
-        <source>the board stands as in %1 already</source>
+        <source>the board is in the same position as in %1</source>
         <translation>el tablero está igual que en %1</translation>
     </message>
 </context>
 <context>
     <name>calibration.board_too_oblique</name>
     <message>
-        <source>the board is seen too obliquely, at %1 degrees</source>
+        <source>the board is tilted too far, by %1 degrees</source>
         <translation>el tablero se ve demasiado oblicuo, a %1 grados</translation>
     </message>
 </context>
@@ -3271,21 +3271,21 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.calibrate_to_rely</name>
     <message>
-        <source>Calibrate it for positions to rely on.</source>
+        <source>Calibrate it for reliable positions.</source>
         <translation>Calíbrela para obtener posiciones fiables.</translation>
     </message>
 </context>
 <context>
     <name>calibration.camera_alone_says</name>
     <message>
-        <source>Camera &apos;%1&apos; alone says %2</source>
+        <source>Camera &apos;%1&apos; alone measures %2</source>
         <translation>La cámara &apos;%1&apos; por sí sola indica %2</translation>
     </message>
 </context>
 <context>
     <name>calibration.camera_below_floor</name>
     <message>
-        <source>seen in this order the camera would be below the floor</source>
+        <source>in this order the camera would be below the floor</source>
         <translation>en este orden la cámara estaría bajo el suelo</translation>
     </message>
 </context>
@@ -3299,7 +3299,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.camera_sees_elsewhere</name>
     <message>
-        <source>%1 sees %2 %3 from where the others do</source>
+        <source>%1 sees %2 %3 from where the others see it</source>
         <translation>%1 ve %2 a %3 de donde lo ven las demás</translation>
     </message>
 </context>
@@ -3313,42 +3313,42 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.camera_stands_low</name>
     <message>
-        <source>The camera would stand only %1 above the floor</source>
+        <source>The camera would be only %1 above the floor</source>
         <translation>La cámara estaría a solo %1 del suelo</translation>
     </message>
 </context>
 <context>
     <name>calibration.camera_still</name>
     <message>
-        <source>%1 stands where it was registered</source>
+        <source>%1 has not moved</source>
         <translation>%1 está donde se registró</translation>
     </message>
 </context>
 <context>
     <name>calibration.camera_too_high</name>
     <message>
-        <source>the camera would stand %1 above the floor</source>
+        <source>the camera would be %1 above the floor</source>
         <translation>la cámara estaría a %1 del suelo</translation>
     </message>
 </context>
 <context>
     <name>calibration.camera_too_low</name>
     <message>
-        <source>the camera would stand only %1 above the floor</source>
+        <source>the camera would be only %1 above the floor</source>
         <translation>la cámara estaría a solo %1 del suelo</translation>
     </message>
 </context>
 <context>
     <name>calibration.camera_twice</name>
     <message>
-        <source>camera &apos;%1&apos; is there twice</source>
+        <source>camera &apos;%1&apos; appears twice</source>
         <translation>la cámara &apos;%1&apos; está dos veces</translation>
     </message>
 </context>
 <context>
     <name>calibration.cameras_undetermined</name>
     <message>
-        <source>the markers do not determine where the cameras stand</source>
+        <source>the markers do not determine the camera positions</source>
         <translation>los marcadores no determinan dónde están las cámaras</translation>
     </message>
 </context>
@@ -3383,7 +3383,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.check_both_pixels</name>
     <message>
-        <source>check its pixels in both pictures</source>
+        <source>check its pixels in both images</source>
         <translation>compruebe sus píxeles en ambas imágenes</translation>
     </message>
 </context>
@@ -3404,14 +3404,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.check_layout_places</name>
     <message>
-        <source>check the layout&apos;s places and their unit, cover other round things, or mark the markers by hand</source>
+        <source>check the layout&apos;s positions and their unit, cover other round objects, or mark the markers by hand</source>
         <translation>compruebe los lugares del plano y su unidad, tape otras cosas redondas, o marque los marcadores a mano</translation>
     </message>
 </context>
 <context>
     <name>calibration.check_length</name>
     <message>
-        <source>Check the length itself, whether it lies on the floor, and the places of the markers.</source>
+        <source>Check the length itself, that it lies on the floor, and the marker positions.</source>
         <translation>Compruebe la longitud misma, si está en el suelo y los lugares de los marcadores.</translation>
     </message>
 </context>
@@ -3425,7 +3425,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.check_pictures</name>
     <message>
-        <source>check that all pictures are sharp, of one flat board and of one camera at one zoom and focus</source>
+        <source>check that all images are sharp, of one flat board and of one camera at one zoom and focus</source>
         <translation>compruebe que todas las imágenes son nítidas, de un mismo tablero plano y de una cámara con un mismo zoom y enfoque</translation>
     </message>
 </context>
@@ -3439,7 +3439,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.check_place_and_pixel</name>
     <message>
-        <source>check its place and its pixel</source>
+        <source>check its position and its pixel</source>
         <translation>compruebe su lugar y su píxel</translation>
     </message>
 </context>
@@ -3467,14 +3467,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.checking_halves</name>
     <message>
-        <source>checking halves against one another</source>
+        <source>checking the halves against each other</source>
         <translation>comprobando las mitades entre sí</translation>
     </message>
 </context>
 <context>
     <name>calibration.choose_floor_points</name>
     <message>
-        <source>choose points of the floor</source>
+        <source>choose points on the floor</source>
         <translation>elija puntos del suelo</translation>
     </message>
 </context>
@@ -3495,14 +3495,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.common_and_unknown_markers</name>
     <message>
-        <source>there are %1 (%2), and the layout does not know %3</source>
+        <source>they have %1 (%2), and the layout does not contain %3</source>
         <translation>hay %1 (%2), y el plano no conoce %3</translation>
     </message>
 </context>
 <context>
     <name>calibration.common_markers</name>
     <message>
-        <source>there are %1 (%2)</source>
+        <source>they have %1 (%2)</source>
         <translation>hay %1 (%2)</translation>
     </message>
 </context>
@@ -3516,7 +3516,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.corner_left_out</name>
     <message>
-        <source>1 corner that stands out was left out, in %1.</source>
+        <source>1 outlier corner was left out, in %1.</source>
         <translation>se omitió 1 esquina que se aparta, en %1.</translation>
     </message>
 </context>
@@ -3530,7 +3530,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.corner_unclear</name>
     <message>
-        <source>a corner of the board cannot be made out</source>
+        <source>one corner of the board is unclear</source>
         <translation>no se distingue una esquina del tablero</translation>
     </message>
 </context>
@@ -3544,35 +3544,35 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.corners_kept_in</name>
     <message>
-        <source>%1 corners that stand out side by side were kept, in %2</source>
+        <source>%1 neighbouring outlier corners were kept, in %2</source>
         <translation>se conservaron %1 esquinas contiguas que se apartan, en %2</translation>
     </message>
 </context>
 <context>
     <name>calibration.corners_kept_most_in</name>
     <message>
-        <source>%1 corners that stand out side by side were kept, most in %2</source>
+        <source>%1 neighbouring outlier corners were kept, most in %2</source>
         <translation>se conservaron %1 esquinas contiguas que se apartan, la mayoría en %2</translation>
     </message>
 </context>
 <context>
     <name>calibration.corners_left_out_in</name>
     <message>
-        <source>%1 corners that stand out were left out, in %2.</source>
+        <source>%1 outlier corners were left out, in %2.</source>
         <translation>se omitieron %1 esquinas que se apartan, en %2.</translation>
     </message>
 </context>
 <context>
     <name>calibration.corners_left_out_most_in</name>
     <message>
-        <source>%1 corners that stand out were left out, most in %2.</source>
+        <source>%1 outlier corners were left out, most in %2.</source>
         <translation>se omitieron %1 esquinas que se apartan, la mayoría en %2.</translation>
     </message>
 </context>
 <context>
     <name>calibration.corners_not_flat</name>
     <message>
-        <source>its corners do not lie as on a flat board</source>
+        <source>its corners do not match a flat board</source>
         <translation>sus esquinas no están como en un tablero plano</translation>
     </message>
 </context>
@@ -3628,7 +3628,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.ends_on_one_pixel</name>
     <message>
-        <source>both ends lie on one pixel of camera &apos;%1&apos;</source>
+        <source>both ends are on the same pixel of camera &apos;%1&apos;</source>
         <translation>ambos extremos están en un mismo píxel de la cámara &apos;%1&apos;</translation>
     </message>
 </context>
@@ -3656,28 +3656,28 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.few_corners_seen</name>
     <message>
-        <source>only %1 corners of the board are seen</source>
+        <source>only %1 corners of the board are visible</source>
         <translation>solo se ven %1 esquinas del tablero</translation>
     </message>
 </context>
 <context>
     <name>calibration.fifth_would</name>
     <message>
-        <source>a fifth would.</source>
+        <source>add a fifth.</source>
         <translation>un quinto sí lo haría.</translation>
     </message>
 </context>
 <context>
     <name>calibration.find_board_again</name>
     <message>
-        <source>let the board be found in it again</source>
+        <source>detect the board in it again</source>
         <translation>haga que se busque de nuevo el tablero en ella</translation>
     </message>
 </context>
 <context>
     <name>calibration.first_end_beyond</name>
     <message>
-        <source>the first end lies at or beyond the horizon of camera &apos;%1&apos;</source>
+        <source>the first end is at or beyond the horizon of camera &apos;%1&apos;</source>
         <translation>el primer extremo está en el horizonte de la cámara &apos;%1&apos; o más allá</translation>
     </message>
 </context>
@@ -3698,7 +3698,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.fitting_lens</name>
     <message>
-        <source>fitting the lens to %1 pictures</source>
+        <source>fitting the lens model to %1 images</source>
         <translation>ajustando la lente a %1 imágenes</translation>
     </message>
 </context>
@@ -3712,56 +3712,56 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.floor_part_unseen</name>
     <message>
-        <source>%1 of the floor among the markers is not seen.</source>
+        <source>%1 of the floor between the markers is out of view.</source>
         <translation>No se ve el %1 del suelo entre los marcadores.</translation>
     </message>
 </context>
 <context>
     <name>calibration.floor_unseen</name>
     <message>
-        <source>None of the floor among the markers is seen.</source>
+        <source>None of the floor between the markers is in view.</source>
         <translation>No se ve nada del suelo entre los marcadores.</translation>
     </message>
 </context>
 <context>
     <name>calibration.floor_unsure</name>
     <message>
-        <source>the floor among the points is known only to ±%1</source>
+        <source>the floor uncertainty between the points is too large, ±%1</source>
         <translation>el suelo entre los puntos se conoce solo a ±%1</translation>
     </message>
 </context>
 <context>
     <name>calibration.focal_length_estimated</name>
     <message>
-        <source>The camera was taken as free of distortion, its focal length estimated from the markers (%1 ± %2).</source>
+        <source>The lens is not calibrated: no distortion was assumed, and the focal length was estimated from the markers (%1 ± %2).</source>
         <translation>La cámara se tomó como libre de distorsión y su distancia focal se estimó a partir de los marcadores (%1 ± %2).</translation>
     </message>
 </context>
 <context>
     <name>calibration.focal_length_groups</name>
     <message>
-        <source>%1 for about %2, %3 (such as %4) for about %5</source>
+        <source>%1 give about %2, %3 (such as %4) give about %5</source>
         <translation>%1 unos %2, %3 (como %4) unos %5</translation>
     </message>
 </context>
 <context>
     <name>calibration.focal_length_guessed</name>
     <message>
-        <source>The camera was taken as free of distortion, its focal length guessed (%1), since this view does not determine it.</source>
+        <source>The lens is not calibrated: no distortion was assumed, and the focal length was guessed (%1) because this view does not determine it.</source>
         <translation>La cámara se tomó como libre de distorsión y su distancia focal se supuso (%1), porque esta vista no la determina.</translation>
     </message>
 </context>
 <context>
     <name>calibration.focal_length_taken</name>
     <message>
-        <source>The camera was taken as free of distortion, its focal length as %1.</source>
+        <source>The lens is not calibrated: no distortion and a focal length of %1 were assumed.</source>
         <translation>La cámara se tomó como libre de distorsión y su distancia focal como %1.</translation>
     </message>
 </context>
 <context>
     <name>calibration.focal_length_unsure</name>
     <message>
-        <source>the pictures determine the focal length only to %1</source>
+        <source>the images determine the focal length only to %1</source>
         <translation>las imágenes determinan la distancia focal solo al %1</translation>
     </message>
 </context>
@@ -3775,56 +3775,56 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.foretells_as_well</name>
     <message>
-        <source>it foretells pictures held out to %1, the %2 one no better (%3)</source>
+        <source>it predicts held-out images to %1, the %2 model no better (%3)</source>
         <translation>predice imágenes reservadas a %1, el modelo %2 no lo hace mejor (%3)</translation>
     </message>
 </context>
 <context>
     <name>calibration.foretells_better</name>
     <message>
-        <source>it foretells pictures held out to %1, the %2 one only to %3</source>
+        <source>it predicts held-out images to %1, the %2 model only to %3</source>
         <translation>predice imágenes reservadas a %1, el modelo %2 solo a %3</translation>
     </message>
 </context>
 <context>
     <name>calibration.foretells_by_chance</name>
     <message>
-        <source>it foretells pictures held out to %1, the %2 one to %3, which may be chance</source>
+        <source>it predicts held-out images to %1, the %2 model to %3; the difference may be chance</source>
         <translation>predice imágenes reservadas a %1, el modelo %2 a %3, lo que puede ser casualidad</translation>
     </message>
 </context>
 <context>
     <name>calibration.four_common_markers</name>
     <message>
-        <source>four markers are needed that the layout and the picture have in common</source>
+        <source>the layout and the image must have four markers in common</source>
         <translation>se necesitan cuatro marcadores comunes al plano y a la imagen</translation>
     </message>
 </context>
 <context>
     <name>calibration.four_markers_unchecked</name>
     <message>
-        <source>Four markers hardly check one another</source>
+        <source>Four markers are too few to check each other</source>
         <translation>Cuatro marcadores apenas se comprueban entre sí</translation>
     </message>
 </context>
 <context>
     <name>calibration.four_points_unchecked</name>
     <message>
-        <source>Four points hardly check one another</source>
+        <source>Four points are too few to check each other</source>
         <translation>Cuatro puntos apenas se comprueban entre sí</translation>
     </message>
 </context>
 <context>
     <name>calibration.four_shared_points</name>
     <message>
-        <source>four points are needed that both cameras see</source>
+        <source>both cameras must see the same four points or more</source>
         <translation>se necesitan cuatro puntos que vean ambas cámaras</translation>
     </message>
 </context>
 <context>
     <name>calibration.give_board_size</name>
     <message>
-        <source>give 3x3 at least, like 9x6, or leave the size out</source>
+        <source>give at least 3x3, such as 9x6, or leave the size out</source>
         <translation>dé al menos 3x3, como 9x6, u omita el tamaño</translation>
     </message>
 </context>
@@ -3838,7 +3838,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.give_field_of_view</name>
     <message>
-        <source>give 2° to 150°, and the size of its pictures</source>
+        <source>give 2° to 150°, and the image size</source>
         <translation>dé de 2° a 150°, y el tamaño de sus imágenes</translation>
     </message>
 </context>
@@ -3873,21 +3873,21 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.give_square_size</name>
     <message>
-        <source>give it like 25mm</source>
+        <source>give a size such as 25mm</source>
         <translation>dé por ejemplo 25mm</translation>
     </message>
 </context>
 <context>
     <name>calibration.give_tape_sigma</name>
     <message>
-        <source>give some 2 mm</source>
+        <source>give about 2 mm</source>
         <translation>dé unos 2 mm</translation>
     </message>
 </context>
 <context>
     <name>calibration.give_taped_length</name>
     <message>
-        <source>give the length as it was measured with a tape</source>
+        <source>enter the length measured with a tape</source>
         <translation>dé la longitud medida con una cinta métrica</translation>
     </message>
 </context>
@@ -3915,21 +3915,21 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.halves_contradict</name>
     <message>
-        <source>two halves of the pictures give focal lengths that differ by %1</source>
+        <source>two halves of the images give focal lengths that differ by %1</source>
         <translation>dos mitades de las imágenes dan distancias focales que difieren en un %1</translation>
     </message>
 </context>
 <context>
     <name>calibration.halves_foretell</name>
     <message>
-        <source>each half of them foretells the other to %1</source>
+        <source>each half of the images predicts the other to %1</source>
         <translation>cada mitad predice la otra a %1</translation>
     </message>
 </context>
 <context>
     <name>calibration.halves_foretell_apart</name>
     <message>
-        <source>each half of them foretells the other to %1, %2 apart at worst on that floor</source>
+        <source>each half of the images predicts the other to %1, at most %2 apart on that floor</source>
         <translation>cada mitad predice la otra a %1, con %2 de separación como máximo en ese suelo</translation>
     </message>
 </context>
@@ -3964,7 +3964,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.inside_expected_error</name>
     <message>
-        <source>inside the expected error of %1.</source>
+        <source>within the limit of %1 (2.5 σ).</source>
         <translation>dentro del error esperado de %1.</translation>
     </message>
 </context>
@@ -3978,7 +3978,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.keep_whole_board</name>
     <message>
-        <source>keep the whole board in the picture</source>
+        <source>keep the whole board in view</source>
         <translation>mantenga todo el tablero en la imagen</translation>
     </message>
 </context>
@@ -3999,35 +3999,35 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.labels_called</name>
     <message>
-        <source>with %1 called %2 they fit to %3</source>
+        <source>with %1 renamed %2 they fit to %3</source>
         <translation>llamando a %1 como %2 encajan a %3</translation>
     </message>
 </context>
 <context>
     <name>calibration.labels_exchanged</name>
     <message>
-        <source>with %1 and %2 exchanged they fit to %3</source>
+        <source>with %1 and %2 swapped they fit to %3</source>
         <translation>con %1 y %2 intercambiados encajan a %3</translation>
     </message>
 </context>
 <context>
     <name>calibration.lay_stick_nearer</name>
     <message>
-        <source>lay the stick on the floor, nearer to the camera</source>
+        <source>put the stick on the floor, nearer to the camera</source>
         <translation>ponga la vara en el suelo, más cerca de la cámara</translation>
     </message>
 </context>
 <context>
     <name>calibration.layout_in_mm</name>
     <message>
-        <source>it is given in mm</source>
+        <source>it must be in mm</source>
         <translation>se da en mm</translation>
     </message>
 </context>
 <context>
     <name>calibration.layout_not_in_mm</name>
     <message>
-        <source>if that is wrong, the layout&apos;s numbers are no mm</source>
+        <source>if that is wrong, the layout is not in mm</source>
         <translation>si no es así, los números del plano no son mm</translation>
     </message>
 </context>
@@ -4041,7 +4041,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.layout_written_mirrored</name>
     <message>
-        <source>if the layout was written down mirrored, correct its signs and add it anew</source>
+        <source>if the layout was written down mirrored, correct its signs and add it again</source>
         <translation>si el plano se anotó en espejo, corrija sus signos y añádalo de nuevo</translation>
     </message>
 </context>
@@ -4055,7 +4055,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.leave_out_pictures</name>
     <message>
-        <source>leave out these pictures if the board is bent, cut or covered there.</source>
+        <source>leave out these images if the board is bent, cut or covered there.</source>
         <translation>omita estas imágenes si el tablero está doblado, cortado o tapado ahí.</translation>
     </message>
 </context>
@@ -4069,7 +4069,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.length_factor</name>
     <message>
-        <source>a length factor of %1 makes no floor</source>
+        <source>a length factor of %1 is not possible</source>
         <translation>un factor de longitud de %1 no da un suelo</translation>
     </message>
 </context>
@@ -4083,14 +4083,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.length_longer</name>
     <message>
-        <source>It is %1 longer than the %2 told</source>
+        <source>It is %1 longer than the %2 entered</source>
         <translation>Es %1 más larga que los %2 indicados</translation>
     </message>
 </context>
 <context>
     <name>calibration.length_shorter</name>
     <message>
-        <source>It is %1 shorter than the %2 told</source>
+        <source>It is %1 shorter than the %2 entered</source>
         <translation>Es %1 más corta que los %2 indicados</translation>
     </message>
 </context>
@@ -4104,63 +4104,63 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.length_unseen</name>
     <message>
-        <source>no camera was given that sees it</source>
+        <source>no camera shows it</source>
         <translation>no se dio ninguna cámara que la vea</translation>
     </message>
 </context>
 <context>
     <name>calibration.lens_on_floor</name>
     <message>
-        <source>±%1 in the middle and ±%2 at worst (%3) on %4, as far as the lens is concerned</source>
+        <source>±%1 in the middle and at most ±%2 (%3) on %4, from the lens calibration alone</source>
         <translation>±%1 en el centro y ±%2 en el peor caso (%3) en %4, en lo que respecta a la lente</translation>
     </message>
 </context>
 <context>
     <name>calibration.lens_told</name>
     <message>
-        <source>told</source>
+        <source>as specified</source>
         <translation>indicado</translation>
     </message>
 </context>
 <context>
     <name>calibration.lens_unknown_elsewhere</name>
     <message>
-        <source>how the lens bends elsewhere stays unknown</source>
+        <source>the distortion elsewhere stays unknown</source>
         <translation>se desconoce cómo deforma la lente en otros lugares</translation>
     </message>
 </context>
 <context>
     <name>calibration.likely_unit</name>
     <message>
-        <source>its numbers look like %1, then it would stand %2 above the floor</source>
+        <source>its numbers look like %1, with the camera %2 above the floor</source>
         <translation>sus números parecen %1, y entonces estaría a %2 sobre el suelo</translation>
     </message>
 </context>
 <context>
     <name>calibration.look_at</name>
     <message>
-        <source>Look at %1</source>
+        <source>Check %1</source>
         <translation>Mire %1</translation>
     </message>
 </context>
 <context>
     <name>calibration.look_at_ends</name>
     <message>
-        <source>look whether the same ends are marked in each picture, and register it again if they are.</source>
+        <source>check that the same ends are marked in each image; if they are, register it again.</source>
         <translation>mire si están marcados los mismos extremos en cada imagen y, si lo están, regístrela de nuevo.</translation>
     </message>
 </context>
 <context>
     <name>calibration.look_at_pictures</name>
     <message>
-        <source>look at these pictures and leave out those that are blurred, bent or of another board.</source>
+        <source>check these images and leave out those that are blurred, bent or of another board.</source>
         <translation>mire estas imágenes y omita las borrosas, dobladas o de otro tablero.</translation>
     </message>
 </context>
 <context>
     <name>calibration.looking_about</name>
     <message>
-        <source>looking about the best place</source>
+        <source>searching around the best position</source>
         <translation>buscando alrededor del mejor lugar</translation>
     </message>
 </context>
@@ -4174,49 +4174,49 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.mark_ends_in_one</name>
     <message>
-        <source>mark its ends in one picture at least</source>
+        <source>mark its ends in at least one image</source>
         <translation>marque sus extremos en al menos una imagen</translation>
     </message>
 </context>
 <context>
     <name>calibration.mark_more</name>
     <message>
-        <source>mark more of the layout&apos;s markers, under the layout&apos;s names</source>
+        <source>mark more of the layout&apos;s markers, by their names in the layout</source>
         <translation>marque más marcadores del plano, con los nombres del plano</translation>
     </message>
 </context>
 <context>
     <name>calibration.mark_there_again</name>
     <message>
-        <source>mark it there again.</source>
+        <source>mark it again in that view.</source>
         <translation>márquelo ahí de nuevo.</translation>
     </message>
 </context>
 <context>
     <name>calibration.mark_two_ends</name>
     <message>
-        <source>mark the two ends where they are seen</source>
+        <source>mark each end at its own position in the image</source>
         <translation>marque los dos extremos donde se ven</translation>
     </message>
 </context>
 <context>
     <name>calibration.mark_where_seen</name>
     <message>
-        <source>mark each of them where it is seen</source>
+        <source>mark each of them at its own position in the image</source>
         <translation>marque cada uno donde se ve</translation>
     </message>
 </context>
 <context>
     <name>calibration.marker_against_lens</name>
     <message>
-        <source>%1 lies where this camera&apos;s lens cannot have put it</source>
+        <source>this camera&apos;s lens model cannot project %1</source>
         <translation>%1 está donde la lente de esta cámara no puede haberlo puesto</translation>
     </message>
 </context>
 <context>
     <name>calibration.marker_beyond_horizon</name>
     <message>
-        <source>marker %1 would lie at or beyond the horizon</source>
+        <source>marker %1 would be at or beyond the horizon</source>
         <translation>el marcador %1 estaría en el horizonte o más allá</translation>
     </message>
 </context>
@@ -4230,14 +4230,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.marker_off_by_all</name>
     <message>
-        <source>%1 is %2 off by all cameras</source>
+        <source>%1 is %2 off in all cameras</source>
         <translation>%1 está desviado %2 según todas las cámaras</translation>
     </message>
 </context>
 <context>
     <name>calibration.marker_off_by_one</name>
     <message>
-        <source>%1 is %2 off by the one camera that sees it</source>
+        <source>%1 is %2 off in the one camera that sees it</source>
         <translation>%1 está desviado %2 según la única cámara que lo ve</translation>
     </message>
 </context>
@@ -4251,49 +4251,49 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.marker_place_no_number</name>
     <message>
-        <source>the place of marker %1 is not a finite number</source>
+        <source>the position of marker %1 is not a finite number</source>
         <translation>el lugar del marcador %1 no es un número finito</translation>
     </message>
 </context>
 <context>
     <name>calibration.marker_twice_in_layout</name>
     <message>
-        <source>marker %1 stands twice in the layout</source>
+        <source>marker %1 appears twice in the layout</source>
         <translation>el marcador %1 está dos veces en el plano</translation>
     </message>
 </context>
 <context>
     <name>calibration.marker_twice_in_picture</name>
     <message>
-        <source>marker %1 stands twice in the picture</source>
+        <source>marker %1 appears twice in the image</source>
         <translation>el marcador %1 está dos veces en la imagen</translation>
     </message>
 </context>
 <context>
     <name>calibration.markers_at_one_place</name>
     <message>
-        <source>markers %1 and %2 lie at one place of the floor</source>
+        <source>markers %1 and %2 have the same floor position</source>
         <translation>los marcadores %1 y %2 están en un mismo lugar del suelo</translation>
     </message>
 </context>
 <context>
     <name>calibration.markers_fit</name>
     <message>
-        <source>%1 markers fit to %2 RMS (worst %3, %4), and the floor among them is known to ±%5</source>
+        <source>%1 markers fit to %2 RMS (worst %3, %4); floor uncertainty ±%5</source>
         <translation>%1 marcadores se ajustan a %2 RMS (el peor %3, %4), y el suelo entre ellos se conoce a ±%5</translation>
     </message>
 </context>
 <context>
     <name>calibration.markers_fit_many_ways</name>
     <message>
-        <source>in %1 ways they fit the layout equally well, which looks the same from several sides</source>
+        <source>they fit the layout equally well in %1 ways, because it looks the same from several sides</source>
         <translation>se ajustan igual de bien al plano de %1 maneras, ya que se ve igual desde varios lados</translation>
     </message>
 </context>
 <context>
     <name>calibration.markers_fit_together</name>
     <message>
-        <source>with %1 together %2 markers fit to %3 RMS, and the floor among them is known to ±%4</source>
+        <source>registered jointly with %1: %2 markers fit to %3 RMS; floor uncertainty ±%4</source>
         <translation>junto con %1, %2 marcadores se ajustan a %3 RMS, y el suelo entre ellos se conoce a ±%4</translation>
     </message>
 </context>
@@ -4307,7 +4307,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.markers_in_place</name>
     <message>
-        <source>%1 markers lie within %2 = %3 of their places.</source>
+        <source>%1 markers are within %2 = %3 of their positions.</source>
         <translation>%1 marcadores están a menos de %2 = %3 de su sitio.</translation>
     </message>
 </context>
@@ -4335,7 +4335,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.markers_nearly_on_line</name>
     <message>
-        <source>the markers lie so nearly on one line (%1 the most) that the floor is known only to ±%2</source>
+        <source>the markers are so close to one line (%1 the most) that the floor uncertainty is ±%2</source>
         <translation>los marcadores están casi en una línea (%1 los que más), de modo que el suelo solo se conoce a ±%2</translation>
     </message>
 </context>
@@ -4349,14 +4349,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.markers_not_told_apart</name>
     <message>
-        <source>the markers cannot be told apart</source>
+        <source>the markers cannot be distinguished</source>
         <translation>los marcadores no se distinguen entre sí</translation>
     </message>
 </context>
 <context>
     <name>calibration.markers_on_one_pixel</name>
     <message>
-        <source>markers %1 and %2 lie on one pixel</source>
+        <source>markers %1 and %2 are on the same pixel</source>
         <translation>los marcadores %1 y %2 están en un mismo píxel</translation>
     </message>
 </context>
@@ -4370,28 +4370,28 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.markers_too_close</name>
     <message>
-        <source>markers %1 and %2 lie only %3 apart, too close for two of four</source>
+        <source>markers %1 and %2 are only %3 apart, too close for two of four</source>
         <translation>los marcadores %1 y %2 están a solo %3, demasiado cerca para ser dos de cuatro</translation>
     </message>
 </context>
 <context>
     <name>calibration.measure_again</name>
     <message>
-        <source>mark and measure them again, or add another</source>
+        <source>mark and remeasure them, or add another</source>
         <translation>márquelos y mídalos de nuevo, o añada otro</translation>
     </message>
 </context>
 <context>
     <name>calibration.measure_it_again</name>
     <message>
-        <source>measure it again.</source>
+        <source>remeasure it.</source>
         <translation>mídalo de nuevo.</translation>
     </message>
 </context>
 <context>
     <name>calibration.measure_or_mark_again</name>
     <message>
-        <source>measure it, or mark it in the picture, again.</source>
+        <source>measure it, or mark it in the image, again.</source>
         <translation>mídalo de nuevo, o márquelo de nuevo en la imagen.</translation>
     </message>
 </context>
@@ -4433,14 +4433,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.misfit_unexplained</name>
     <message>
-        <source>the %1 markers misfit by %2 (%3) and check one another too little to tell which of them</source>
+        <source>the %1 markers misfit by %2 (%3), and are too few to identify the wrong one</source>
         <translation>los %1 marcadores se desajustan %2 (%3) y se comprueban demasiado poco entre sí para saber cuál de ellos es</translation>
     </message>
 </context>
 <context>
     <name>calibration.more_pictures</name>
     <message>
-        <source>More pictures (%1 or more) would make it surer.</source>
+        <source>More images (%1 or more) would make it more certain.</source>
         <translation>Más imágenes (%1 o más) lo harían más seguro.</translation>
     </message>
 </context>
@@ -4489,7 +4489,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.name_two_apart</name>
     <message>
-        <source>name two that lie apart</source>
+        <source>name two at different positions</source>
         <translation>nombre dos que estén separados</translation>
     </message>
 </context>
@@ -4524,14 +4524,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.no_charuco</name>
     <message>
-        <source>the markers that were read do not lie as on a ChArUco board</source>
+        <source>the detected markers do not match a ChArUco board</source>
         <translation>los marcadores leídos no están como en un tablero ChArUco</translation>
     </message>
 </context>
 <context>
     <name>calibration.no_charuco_of_size</name>
     <message>
-        <source>the markers that were read do not lie as on a ChArUco board of %1 inner corners</source>
+        <source>the detected markers do not match a ChArUco board of %1 inner corners</source>
         <translation>los marcadores leídos no están como en un tablero ChArUco de %1 esquinas interiores</translation>
     </message>
 </context>
@@ -4545,7 +4545,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.no_dictionary</name>
     <message>
-        <source>there is no marker dictionary %1</source>
+        <source>marker dictionary %1 does not exist</source>
         <translation>no existe el diccionario de marcadores %1</translation>
     </message>
 </context>
@@ -4559,14 +4559,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.no_lens_fits</name>
     <message>
-        <source>no lens fits these pictures</source>
+        <source>no lens model fits these images</source>
         <translation>ninguna lente se ajusta a estas imágenes</translation>
     </message>
 </context>
 <context>
     <name>calibration.no_millimetres</name>
     <message>
-        <source>no figure in millimetres, since this lens holds only for a part of the picture</source>
+        <source>no value in millimetres: this calibration holds for only part of the image</source>
         <translation>sin valor en milímetros, porque esta lente solo vale para una parte de la imagen</translation>
     </message>
 </context>
@@ -4608,14 +4608,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.not_registered_through</name>
     <message>
-        <source>the camera cannot be registered through another</source>
+        <source>the camera cannot be registered via another camera</source>
         <translation>la cámara no se puede registrar mediante otra</translation>
     </message>
 </context>
 <context>
     <name>calibration.not_registered_together</name>
     <message>
-        <source>the cameras cannot be registered together</source>
+        <source>the cameras cannot be registered jointly</source>
         <translation>las cámaras no se pueden registrar juntas</translation>
     </message>
 </context>
@@ -4629,35 +4629,35 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.other_picture_size</name>
     <message>
-        <source>it is %1×%2, the first picture %3×%4</source>
+        <source>it is %1×%2, the first image %3×%4</source>
         <translation>tiene %1×%2, la primera imagen %3×%4</translation>
     </message>
 </context>
 <context>
     <name>calibration.outside_expected_error</name>
     <message>
-        <source>outside the expected error of %1.</source>
+        <source>beyond the limit of %1 (2.5 σ).</source>
         <translation>fuera del error esperado de %1.</translation>
     </message>
 </context>
 <context>
     <name>calibration.picture_covered</name>
     <message>
-        <source>Only %1 of the picture was covered</source>
+        <source>The board covered only %1 of the image</source>
         <translation>Solo se cubrió el %1 de la imagen</translation>
     </message>
 </context>
 <context>
     <name>calibration.picture_stands_out</name>
     <message>
-        <source>its %1 stand out.</source>
+        <source>its %1 is an outlier.</source>
         <translation>sus %1 se apartan.</translation>
     </message>
 </context>
 <context>
     <name>calibration.picture_too_small</name>
     <message>
-        <source>the picture is too small</source>
+        <source>the image is too small</source>
         <translation>la imagen es demasiado pequeña</translation>
     </message>
 </context>
@@ -4671,21 +4671,21 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.picture_without_size</name>
     <message>
-        <source>the picture has no size</source>
+        <source>the image has no size</source>
         <translation>la imagen no tiene tamaño</translation>
     </message>
 </context>
 <context>
     <name>calibration.pictures_fit</name>
     <message>
-        <source>%1 pictures fit to %2, focal length %3 ± %4</source>
+        <source>%1 images fit to %2, focal length %3 ± %4</source>
         <translation>%1 imágenes se ajustan a %2, distancia focal %3 ± %4</translation>
     </message>
 </context>
 <context>
     <name>calibration.pictures_fit_halves_apart</name>
     <message>
-        <source>%1 pictures fit to %2, focal length %3 ± %4, %5 apart at worst on that floor</source>
+        <source>%1 images fit to %2, focal length %3 ± %4, halves at most %5 apart on that floor</source>
         <translation>%1 imágenes se ajustan a %2, distancia focal %3 ± %4, con %5 de separación como máximo en ese suelo</translation>
     </message>
 </context>
@@ -4762,7 +4762,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.planned_distance</name>
     <message>
-        <source>it cannot stand %1 away</source>
+        <source>its distance cannot be %1</source>
         <translation>no puede estar a %1 de distancia</translation>
     </message>
 </context>
@@ -4776,56 +4776,56 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.planned_height</name>
     <message>
-        <source>it cannot stand %1 above the floor</source>
+        <source>its height above the floor cannot be %1</source>
         <translation>no puede estar a %1 sobre el suelo</translation>
     </message>
 </context>
 <context>
     <name>calibration.planned_not_held</name>
     <message>
-        <source>the markers that it would see do not hold it</source>
+        <source>the markers it would see do not determine its pose</source>
         <translation>los marcadores que vería no fijan su posición</translation>
     </message>
 </context>
 <context>
     <name>calibration.planned_sees_too_few</name>
     <message>
-        <source>from there it would see %1 of the layout&apos;s markers (%2), four are needed</source>
+        <source>it would see only %1 of the layout&apos;s markers (%2), four are needed</source>
         <translation>desde ahí vería %1 de los marcadores del plano (%2), hacen falta cuatro</translation>
     </message>
 </context>
 <context>
     <name>calibration.point_against_lens</name>
     <message>
-        <source>point %1 lies where a lens cannot have put it</source>
+        <source>the lens model cannot project point %1</source>
         <translation>el punto %1 está donde ninguna lente puede haberlo puesto</translation>
     </message>
 </context>
 <context>
     <name>calibration.point_beyond_horizon</name>
     <message>
-        <source>point %1 would lie at or beyond the horizon</source>
+        <source>point %1 would be at or beyond the horizon</source>
         <translation>el punto %1 estaría en el horizonte o más allá</translation>
     </message>
 </context>
 <context>
     <name>calibration.point_beyond_through</name>
     <message>
-        <source>point %1 lies at or beyond the horizon of %2</source>
+        <source>point %1 is at or beyond the horizon of %2</source>
         <translation>el punto %1 está en el horizonte de %2 o más allá</translation>
     </message>
 </context>
 <context>
     <name>calibration.point_outside_own</name>
     <message>
-        <source>point %1 lies outside the picture of the camera to register (%2)</source>
+        <source>point %1 is outside the image of the camera to register (%2)</source>
         <translation>el punto %1 está fuera de la imagen de la cámara por registrar (%2)</translation>
     </message>
 </context>
 <context>
     <name>calibration.point_outside_through</name>
     <message>
-        <source>point %1 lies outside the picture of %2 (%3)</source>
+        <source>point %1 is outside the image of %2 (%3)</source>
         <translation>el punto %1 está fuera de la imagen de %2 (%3)</translation>
     </message>
 </context>
@@ -4839,35 +4839,35 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.point_twice</name>
     <message>
-        <source>point %1 is there twice</source>
+        <source>point %1 appears twice</source>
         <translation>el punto %1 está dos veces</translation>
     </message>
 </context>
 <context>
     <name>calibration.points_fit</name>
     <message>
-        <source>through %1 %2 points of the floor fit to %3 RMS (worst %4, %5), and the floor among them is known to ±%6, of which ±%7 come from %8</source>
+        <source>via %1, %2 floor points fit to %3 RMS (worst %4, %5); floor uncertainty ±%6, of which %8 contributes ±%7</source>
         <translation>mediante %1, %2 puntos del suelo se ajustan a %3 RMS (el peor %4, %5), y el suelo entre ellos se conoce a ±%6, de los que ±%7 vienen de %8</translation>
     </message>
 </context>
 <context>
     <name>calibration.points_mirrored</name>
     <message>
-        <source>the points are mirrored between the pictures of the two cameras</source>
+        <source>the points are mirrored between the images of the two cameras</source>
         <translation>los puntos están en espejo entre las imágenes de las dos cámaras</translation>
     </message>
 </context>
 <context>
     <name>calibration.points_on_one_pixel</name>
     <message>
-        <source>points %1 and %2 lie on one pixel</source>
+        <source>points %1 and %2 are on the same pixel</source>
         <translation>los puntos %1 y %2 están en un mismo píxel</translation>
     </message>
 </context>
 <context>
     <name>calibration.points_undetermined</name>
     <message>
-        <source>the points do not determine where the camera stands</source>
+        <source>the points do not determine the camera position</source>
         <translation>los puntos no determinan dónde está la cámara</translation>
     </message>
 </context>
@@ -4888,14 +4888,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.put_marker_back</name>
     <message>
-        <source>put it back, or measure again and register all cameras.</source>
+        <source>move it back, or measure the markers again and register all cameras.</source>
         <translation>vuelva a ponerlo en su sitio, o mida de nuevo y registre todas las cámaras.</translation>
     </message>
 </context>
 <context>
     <name>calibration.put_markers_back</name>
     <message>
-        <source>put them back, or measure again and register all cameras.</source>
+        <source>move them back, or measure the markers again and register all cameras.</source>
         <translation>vuelva a ponerlos en su sitio, o mida de nuevo y registre todas las cámaras.</translation>
     </message>
 </context>
@@ -4923,21 +4923,21 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.register_by_more</name>
     <message>
-        <source>register it by more of them first</source>
+        <source>register it with more of them first</source>
         <translation>regístrela antes con más de ellos</translation>
     </message>
 </context>
 <context>
     <name>calibration.register_if_gone</name>
     <message>
-        <source>if they are gone or the camera looks elsewhere, register it again</source>
+        <source>if they are gone or the camera points elsewhere, register it again</source>
         <translation>si ya no están o la cámara mira a otro lado, regístrela de nuevo</translation>
     </message>
 </context>
 <context>
     <name>calibration.register_one_by_one</name>
     <message>
-        <source>register the cameras one by one by this layout first</source>
+        <source>first register the cameras one by one with this layout</source>
         <translation>registre antes las cámaras una a una con este plano</translation>
     </message>
 </context>
@@ -4951,14 +4951,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.reversed_x_alone</name>
     <message>
-        <source>reversing X alone would mirror the floor, and no camera above it sees it so</source>
+        <source>reversing X alone would mirror the floor; no camera above it sees it that way</source>
         <translation>invertir solo X reflejaría el suelo, y ninguna cámara sobre él lo ve así</translation>
     </message>
 </context>
 <context>
     <name>calibration.reversed_y_alone</name>
     <message>
-        <source>reversing Y alone would mirror the floor, and no camera above it sees it so</source>
+        <source>reversing Y alone would mirror the floor; no camera above it sees it that way</source>
         <translation>invertir solo Y reflejaría el suelo, y ninguna cámara sobre él lo ve así</translation>
     </message>
 </context>
@@ -4972,28 +4972,28 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.same_attitude</name>
     <message>
-        <source>all %1 pictures show the board in nearly the same attitude, which does not determine the focal length</source>
+        <source>all %1 images show the board at nearly the same tilt, too little to determine the focal length</source>
         <translation>las %1 imágenes muestran el tablero casi en la misma postura, lo que no determina la distancia focal</translation>
     </message>
 </context>
 <context>
     <name>calibration.second_end_beyond</name>
     <message>
-        <source>the second end lies at or beyond the horizon of camera &apos;%1&apos;</source>
+        <source>the second end is at or beyond the horizon of camera &apos;%1&apos;</source>
         <translation>el segundo extremo está en el horizonte de la cámara &apos;%1&apos; o más allá</translation>
     </message>
 </context>
 <context>
     <name>calibration.see_same_floor</name>
     <message>
-        <source>let them see some of the same floor</source>
+        <source>aim them at a common part of the floor</source>
         <translation>haga que vean parte del mismo suelo</translation>
     </message>
 </context>
 <context>
     <name>calibration.sees_too_few_anywhere</name>
     <message>
-        <source>from nowhere within %1 beyond the markers would it see four of them at the height and with the lens given</source>
+        <source>at this height and field of view, no position within %1 of the markers shows four of them</source>
         <translation>desde ningún lugar a menos de %1 de los marcadores vería cuatro de ellos con la altura y la lente dadas</translation>
     </message>
 </context>
@@ -5007,14 +5007,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.shapes_fit_nowhere</name>
     <message>
-        <source>none of the ways to name the %1 rings and dots fits the layout</source>
+        <source>no assignment of the %1 rings and dots fits the layout</source>
         <translation>ninguna forma de nombrar los %1 anillos y puntos se ajusta al plano</translation>
     </message>
 </context>
 <context>
     <name>calibration.shared_points</name>
     <message>
-        <source>there are %1</source>
+        <source>%1 given</source>
         <translation>hay %1</translation>
     </message>
 </context>
@@ -5028,7 +5028,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.show_everywhere</name>
     <message>
-        <source>show the board in the middle and near each corner of the picture, and closer</source>
+        <source>show the board in the middle and near each corner of the image, and closer</source>
         <translation>muestre el tablero en el centro y cerca de cada esquina de la imagen, y más cerca</translation>
     </message>
 </context>
@@ -5119,7 +5119,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.stand_higher</name>
     <message>
-        <source>let it stand higher or farther away, or choose a wider lens</source>
+        <source>mount it higher or farther away, or choose a wider lens</source>
         <translation>colóquela más alta o más lejos, o elija una lente más angular</translation>
     </message>
 </context>
@@ -5140,7 +5140,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.tag_seen_often</name>
     <message>
-        <source>tag %1 (marker %2) is seen %3 times</source>
+        <source>tag %1 (marker %2) appears %3 times</source>
         <translation>el tag %1 (marcador %2) se ve %3 veces</translation>
     </message>
 </context>
@@ -5161,7 +5161,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.tell_by_hand</name>
     <message>
-        <source>tell by hand which of them is %1</source>
+        <source>mark by hand which of them is %1</source>
         <translation>indique a mano cuál de ellos es %1</translation>
     </message>
 </context>
@@ -5182,7 +5182,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.tilt_board</name>
     <message>
-        <source>take pictures with the board tilted by 30 to 45 degrees, to each side</source>
+        <source>take images with the board tilted by 30 to 45 degrees, to each side</source>
         <translation>tome imágenes con el tablero inclinado de 30 a 45 grados, hacia cada lado</translation>
     </message>
 </context>
@@ -5203,7 +5203,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.told_length_not_positive</name>
     <message>
-        <source>the told length is not above 0</source>
+        <source>the entered length is not above 0</source>
         <translation>la longitud indicada no es mayor que 0</translation>
     </message>
 </context>
@@ -5224,7 +5224,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.too_few_pictures</name>
     <message>
-        <source>three pictures of the board are needed, %1 can be used</source>
+        <source>calibration needs three images of the board, %1 can be used</source>
         <translation>se necesitan tres imágenes del tablero, %1 sirven</translation>
     </message>
 </context>
@@ -5238,28 +5238,28 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.too_few_to_compare</name>
     <message>
-        <source>too few pictures to compare it with others</source>
+        <source>too few images to compare it with other models</source>
         <translation>muy pocas imágenes para compararlo con otros</translation>
     </message>
 </context>
 <context>
     <name>calibration.too_frontal</name>
     <message>
-        <source>the board is seen too nearly frontal</source>
+        <source>the board faces the camera too directly</source>
         <translation>el tablero se ve demasiado de frente</translation>
     </message>
 </context>
 <context>
     <name>calibration.too_small_for_board</name>
     <message>
-        <source>the picture is too small to hold a board</source>
+        <source>the image is too small for a board</source>
         <translation>la imagen es demasiado pequeña para un tablero</translation>
     </message>
 </context>
 <context>
     <name>calibration.two_cameras_needed</name>
     <message>
-        <source>there is %1 camera on layout &apos;%2&apos;, two are needed</source>
+        <source>layout &apos;%2&apos; has %1 registered camera, two are needed</source>
         <translation>hay %1 cámara en el plano &apos;%2&apos;, hacen falta dos</translation>
     </message>
 </context>
@@ -5273,7 +5273,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.two_focal_lengths</name>
     <message>
-        <source>the pictures ask for two focal lengths</source>
+        <source>the images do not agree on one focal length</source>
         <translation>las imágenes piden dos distancias focales</translation>
     </message>
 </context>
@@ -5308,21 +5308,21 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.unseen_middle_corner</name>
     <message>
-        <source>The middle is not seen, ±%1 in the corner near %2.</source>
+        <source>The middle is out of view, ±%1 in the corner near %2.</source>
         <translation>El centro no se ve, ±%1 en la esquina cercana a %2.</translation>
     </message>
 </context>
 <context>
     <name>calibration.unseen_middle_edge</name>
     <message>
-        <source>The middle is not seen, ±%1 at the edge near %2.</source>
+        <source>The middle is out of view, ±%1 at the edge near %2.</source>
         <translation>El centro no se ve, ±%1 en el borde cercano a %2.</translation>
     </message>
 </context>
 <context>
     <name>calibration.unseen_middle_near</name>
     <message>
-        <source>The middle is not seen, ±%1 near %2.</source>
+        <source>The middle is out of view, ±%1 near %2.</source>
         <translation>El centro no se ve, ±%1 cerca de %2.</translation>
     </message>
 </context>
@@ -5336,14 +5336,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.use_camera_picture</name>
     <message>
-        <source>use a picture of the camera</source>
+        <source>use an image from the camera</source>
         <translation>use una imagen de la cámara</translation>
     </message>
 </context>
 <context>
     <name>calibration.use_camera_pictures</name>
     <message>
-        <source>use pictures of the camera</source>
+        <source>use images from the camera</source>
         <translation>use imágenes de la cámara</translation>
     </message>
 </context>
@@ -5357,14 +5357,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.use_one_camera</name>
     <message>
-        <source>use pictures of one camera at one zoom and focus</source>
+        <source>use images of one camera at one zoom and focus</source>
         <translation>use imágenes de una cámara con un mismo zoom y enfoque</translation>
     </message>
 </context>
 <context>
     <name>calibration.use_one_resolution</name>
     <message>
-        <source>use pictures of one camera at one resolution</source>
+        <source>use images of one camera at one resolution</source>
         <translation>use imágenes de una cámara con una misma resolución</translation>
     </message>
 </context>
@@ -5378,7 +5378,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.whether_moved</name>
     <message>
-        <source>whether %1 has moved cannot be told</source>
+        <source>cannot determine whether %1 has moved</source>
         <translation>no se puede saber si %1 se ha movido</translation>
     </message>
 </context>
@@ -5392,7 +5392,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>calibration.x_without_length</name>
     <message>
-        <source>the markers that X is to run along lie at one place</source>
+        <source>the two markers for the X axis have the same position</source>
         <translation>los marcadores por los que debe ir X están en un mismo lugar</translation>
     </message>
 </context>
@@ -7968,21 +7968,21 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>geometry.at_one_place</name>
     <message>
-        <source>%1 lie at one place</source>
+        <source>%1 have the same position</source>
         <translation>%1 están en un mismo lugar</translation>
     </message>
 </context>
 <context>
     <name>geometry.at_one_place_in_picture</name>
     <message>
-        <source>%1 lie at one place in the picture</source>
+        <source>%1 have the same position in the image</source>
         <translation>%1 están en un mismo lugar de la imagen</translation>
     </message>
 </context>
 <context>
     <name>geometry.beyond_horizon</name>
     <message>
-        <source>%1 would lie beyond the horizon</source>
+        <source>%1 would be beyond the horizon</source>
         <translation>%1 estaría más allá del horizonte</translation>
     </message>
 </context>
@@ -8080,7 +8080,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>geometry.on_one_line_in_picture</name>
     <message>
-        <source>%1 lie on one line in the picture</source>
+        <source>%1 lie on one line in the image</source>
         <translation>%1 están en una línea de la imagen</translation>
     </message>
 </context>
@@ -8108,7 +8108,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>geometry.size_not_positive</name>
     <message>
-        <source>the picture size %1 is not positive</source>
+        <source>the image size %1 is not positive</source>
         <translation>el tamaño de imagen %1 no es positivo</translation>
     </message>
 </context>
@@ -8143,7 +8143,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>geometry.wrong_coefficients</name>
     <message>
-        <source>%1 distortion coefficients do not belong to this lens model</source>
+        <source>this lens model does not take %1 distortion coefficients</source>
         <translation>%1 coeficientes de distorsión no corresponden a este modelo de lente</translation>
     </message>
 </context>
@@ -18987,7 +18987,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.analyse_anew_with</name>
     <message>
-        <source>analyse them anew with</source>
+        <source>reanalyse them with</source>
         <translation>analícelas de nuevo con</translation>
     </message>
 </context>
@@ -19008,28 +19008,28 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.another_picture_size</name>
     <message>
-        <source>its pictures are %1 but the camera was calibrated at %2</source>
+        <source>its frames are %1 but the camera was calibrated at %2</source>
         <translation>sus imágenes son de %1 pero la cámara se calibró a %2</translation>
     </message>
 </context>
 <context>
     <name>workflow.beyond_limits</name>
     <message>
-        <source>%1 of what was measured is beyond the limits of task &apos;%2&apos;, so that they were left out</source>
+        <source>%1 of the samples exceed the limits of task &apos;%2&apos;, so the limits were ignored</source>
         <translation>el %1 de lo medido supera los límites de la tarea &apos;%2&apos;, por lo que se omitieron</translation>
     </message>
 </context>
 <context>
     <name>workflow.board_in_no_picture</name>
     <message>
-        <source>the board was found in none of %1 pictures (%2)</source>
+        <source>the board was found in none of %1 images (%2)</source>
         <translation>no se encontró el tablero en ninguna de %1 imágenes (%2)</translation>
     </message>
 </context>
 <context>
     <name>workflow.by_layout_and_lens</name>
     <message>
-        <source>layout &apos;%1&apos;, lens of calibration %2</source>
+        <source>layout &apos;%1&apos;, lens calibration %2</source>
         <translation>plano &apos;%1&apos;, lente de la calibración %2</translation>
     </message>
 </context>
@@ -19064,7 +19064,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.calibrate_if_touched</name>
     <message>
-        <source>if zoom, focus or the camera&apos;s settings were touched since, calibrate it again.</source>
+        <source>if zoom, focus or the camera&apos;s settings have changed since, calibrate it again.</source>
         <translation>si desde entonces se tocaron el zoom, el enfoque o los ajustes de la cámara, calíbrela de nuevo.</translation>
     </message>
 </context>
@@ -19078,7 +19078,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.calibrate_lens_first</name>
     <message>
-        <source>calibrate the lens first, or put another calibration in force</source>
+        <source>calibrate the lens first, or choose another calibration</source>
         <translation>calibre antes la lente, o ponga en vigor otra calibración</translation>
     </message>
 </context>
@@ -19099,7 +19099,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.calibrated_from_pictures</name>
     <message>
-        <source>calibrated from %1 pictures</source>
+        <source>calibrated from %1 images</source>
         <translation>calibrada con %1 imágenes</translation>
     </message>
 </context>
@@ -19127,14 +19127,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.calibration_picture</name>
     <message>
-        <source>calibration picture &apos;%1&apos;</source>
+        <source>calibration image &apos;%1&apos;</source>
         <translation>imagen de calibración &apos;%1&apos;</translation>
     </message>
 </context>
 <context>
     <name>workflow.camera_gave_no_picture</name>
     <message>
-        <source>camera &apos;%1&apos; gave no picture</source>
+        <source>camera &apos;%1&apos; delivered no frame</source>
         <translation>la cámara &apos;%1&apos; no dio ninguna imagen</translation>
     </message>
 </context>
@@ -19176,7 +19176,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.check_cable_and_bandwidth</name>
     <message>
-        <source>check cable, bandwidth and what else this machine does</source>
+        <source>check the cable, the bandwidth and what else this computer is doing</source>
         <translation>compruebe el cable, el ancho de banda y qué más hace esta computadora</translation>
     </message>
 </context>
@@ -19204,7 +19204,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.check_or_analyse_again</name>
     <message>
-        <source>run odograph check, or analyse the trial again</source>
+        <source>run odograph check, or reanalyse the trial</source>
         <translation>ejecute odograph check o analice de nuevo el ensayo</translation>
     </message>
 </context>
@@ -19218,7 +19218,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.check_rate</name>
     <message>
-        <source>the views are joined by time, check --rate if one is slow motion</source>
+        <source>views are matched by time: check --rate if one is in slow motion</source>
         <translation>las vistas se unen por el tiempo; compruebe --rate si una está en cámara lenta</translation>
     </message>
 </context>
@@ -19232,7 +19232,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.check_views_of_one_run</name>
     <message>
-        <source>outside it only one view measures, so check that both belong to one run</source>
+        <source>only one view measures the rest, so check that both belong to one run</source>
         <translation>fuera de eso solo mide una vista, así que compruebe que ambas sean de un mismo recorrido</translation>
     </message>
 </context>
@@ -19281,7 +19281,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.choose_interface</name>
     <message>
-        <source>choose one that `ip link` names, or lo to stay on this machine</source>
+        <source>choose one that `ip link` lists, or lo to stay on this computer</source>
         <translation>elija una que nombre `ip link`, o lo para quedarse en esta computadora</translation>
     </message>
 </context>
@@ -19400,56 +19400,56 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.demo_is_there</name>
     <message>
-        <source>%1 is there already</source>
+        <source>%1 already exists</source>
         <translation>%1 ya existe</translation>
     </message>
 </context>
 <context>
     <name>workflow.doubtful_name</name>
     <message>
-        <source>from %1 to %2 it is doubtful whether this is %3 or %4</source>
+        <source>from %1 to %2 this may be %3 or %4</source>
         <translation>de %1 a %2 es dudoso si se trata de %3 o de %4</translation>
     </message>
 </context>
 <context>
     <name>workflow.doubtful_name_unknown</name>
     <message>
-        <source>from %1 to %2 it is doubtful whether this is %3 or another robot of its look</source>
+        <source>from %1 to %2 this may be %3 or another robot that looks the same</source>
         <translation>de %1 a %2 es dudoso si se trata de %3 o de otro robot del mismo aspecto</translation>
     </message>
 </context>
 <context>
     <name>workflow.doubtful_names</name>
     <message>
-        <source>from %1 to %2 (the first of %3 times) it is doubtful whether this is %4 or %5</source>
+        <source>from %1 to %2 (the first of %3 times) this may be %4 or %5</source>
         <translation>de %1 a %2 (la primera de %3 veces) es dudoso si se trata de %4 o de %5</translation>
     </message>
 </context>
 <context>
     <name>workflow.doubtful_names_unknown</name>
     <message>
-        <source>from %1 to %2 (the first of %3 times) it is doubtful whether this is %4 or another robot of its look</source>
+        <source>from %1 to %2 (the first of %3 times) this may be %4 or another robot that looks the same</source>
         <translation>de %1 a %2 (la primera de %3 veces) es dudoso si se trata de %4 o de otro robot del mismo aspecto</translation>
     </message>
 </context>
 <context>
     <name>workflow.doubtful_step</name>
     <message>
-        <source>it is in step to %1 only, which is %2 at 1 m/s</source>
+        <source>it is synchronised only to %1, which is %2 at 1 m/s</source>
         <translation>está sincronizada solo a %1, que son %2 a 1 m/s</translation>
     </message>
 </context>
 <context>
     <name>workflow.error_estimated</name>
     <message>
-        <source>positions to %1, as estimated from them</source>
+        <source>positions to %1, estimated from the track</source>
         <translation>posiciones a %1, estimado a partir de ellas</translation>
     </message>
 </context>
 <context>
     <name>workflow.error_stated</name>
     <message>
-        <source>positions to %1, as the file says</source>
+        <source>positions to %1, as stated in the file</source>
         <translation>posiciones a %1, según el archivo</translation>
     </message>
 </context>
@@ -19470,21 +19470,21 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.file_without_picture</name>
     <message>
-        <source>it has no picture</source>
+        <source>it contains no image</source>
         <translation>no tiene ninguna imagen</translation>
     </message>
 </context>
 <context>
     <name>workflow.fitting_cameras_together</name>
     <message>
-        <source>fitting %1 cameras together</source>
+        <source>fitting %1 cameras jointly</source>
         <translation>ajustando %1 cámaras juntas</translation>
     </message>
 </context>
 <context>
     <name>workflow.floor_has_its_colour</name>
     <message>
-        <source>its colour %1 is also that of the floor (%2 of view %3&apos;s picture)</source>
+        <source>its colour %1 is also the floor&apos;s (%2 of the frame in view %3)</source>
         <translation>su color %1 es también el del suelo (%2 de la imagen de la vista %3)</translation>
     </message>
 </context>
@@ -19498,7 +19498,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.found_by_colour</name>
     <message>
-        <source>it is found by its colour</source>
+        <source>it is detected by its colour</source>
         <translation>se encuentra por su color</translation>
     </message>
 </context>
@@ -19568,21 +19568,21 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.give_own_colours</name>
     <message>
-        <source>give each a colour of its own</source>
+        <source>give each its own colour</source>
         <translation>dé a cada uno un color propio</translation>
     </message>
 </context>
 <context>
     <name>workflow.give_picture_of_that_size</name>
     <message>
-        <source>give a picture of that size</source>
+        <source>give an image of that size</source>
         <translation>dé una imagen de ese tamaño</translation>
     </message>
 </context>
 <context>
     <name>workflow.give_pixels_or_picture</name>
     <message>
-        <source>give --pixels pixels.csv, --image picture.png or --video clip.mp4</source>
+        <source>give --pixels pixels.csv, --image image.png or --video clip.mp4</source>
         <translation>dé --pixels pixels.csv, --image picture.png o --video clip.mp4</translation>
     </message>
 </context>
@@ -19596,7 +19596,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.give_seconds</name>
     <message>
-        <source>give the seconds, like 10</source>
+        <source>give the seconds, such as 10</source>
         <translation>dé los segundos, como 10</translation>
     </message>
 </context>
@@ -19624,14 +19624,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.import_again_for_offset</name>
     <message>
-        <source>import the videos again and let the offset be found, or tell it</source>
+        <source>import the videos again with automatic synchronisation, or enter the time offset</source>
         <translation>importe de nuevo los videos y deje que se encuentre el desfase, o indíquelo</translation>
     </message>
 </context>
 <context>
     <name>workflow.import_lens</name>
     <message>
-        <source>import the lens of camera %1 from %2</source>
+        <source>import the lens calibration of camera %1 from %2</source>
         <translation>importar la lente de la cámara %1 de %2</translation>
     </message>
 </context>
@@ -19673,21 +19673,21 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.keeping_pictures</name>
     <message>
-        <source>keeping the pictures</source>
+        <source>saving the images</source>
         <translation>guardando las imágenes</translation>
     </message>
 </context>
 <context>
     <name>workflow.leave_frame</name>
     <message>
-        <source>leave frame %1 of %2 to the program</source>
+        <source>remove the override of frame %1 of %2</source>
         <translation>dejar el fotograma %1 de %2 al programa</translation>
     </message>
 </context>
 <context>
     <name>workflow.leave_out_trial</name>
     <message>
-        <source>leave out %1, of which nothing was recorded</source>
+        <source>remove %1, which recorded nothing</source>
         <translation>omitir %1, del que no se grabó nada</translation>
     </message>
 </context>
@@ -19701,7 +19701,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.lens_never_calibrated</name>
     <message>
-        <source>The lens of camera &apos;%1&apos; was never calibrated, its distortion is taken as none</source>
+        <source>The lens of camera &apos;%1&apos; is not calibrated, so no distortion is assumed</source>
         <translation>La lente de la cámara &apos;%1&apos; nunca se calibró, su distorsión se toma como nula</translation>
     </message>
 </context>
@@ -19743,63 +19743,63 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.look_at_outlines</name>
     <message>
-        <source>look at the outlines, and tell the robot&apos;s colour or keep others out of the pictures</source>
+        <source>check the outlines, and set the robot&apos;s colour or keep other objects out of view</source>
         <translation>mire los contornos e indique el color del robot, o deje a los demás fuera de las imágenes</translation>
     </message>
 </context>
 <context>
     <name>workflow.look_for_lost_videos</name>
     <message>
-        <source>look for lost videos</source>
+        <source>search for lost videos</source>
         <translation>buscar videos perdidos</translation>
     </message>
 </context>
 <context>
     <name>workflow.looking_for_board_in</name>
     <message>
-        <source>looking for the board in %1</source>
+        <source>detecting the board in %1</source>
         <translation>buscando el tablero en %1</translation>
     </message>
 </context>
 <context>
     <name>workflow.looking_for_files</name>
     <message>
-        <source>looking for files</source>
+        <source>searching for files</source>
         <translation>buscando archivos</translation>
     </message>
 </context>
 <context>
     <name>workflow.looking_for_markers_again</name>
     <message>
-        <source>looking for the markers again</source>
+        <source>detecting the markers again</source>
         <translation>buscando los marcadores de nuevo</translation>
     </message>
 </context>
 <context>
     <name>workflow.looking_for_markers_in</name>
     <message>
-        <source>looking for the markers in %1</source>
+        <source>detecting the markers in %1</source>
         <translation>buscando los marcadores en %1</translation>
     </message>
 </context>
 <context>
     <name>workflow.looking_through_media</name>
     <message>
-        <source>looking through the media folder</source>
+        <source>searching the media folder</source>
         <translation>examinando la carpeta de medios</translation>
     </message>
 </context>
 <context>
     <name>workflow.lost_not_packed</name>
     <message>
-        <source>the video of camera %1 in trial &apos;%2&apos; is lost, and not in the packed project</source>
+        <source>the video of camera %1 in trial &apos;%2&apos; is lost and is not in the packed project</source>
         <translation>el video de la cámara %1 en el ensayo &apos;%2&apos; se perdió y no está en el proyecto empaquetado</translation>
     </message>
 </context>
 <context>
     <name>workflow.lost_video_not_there</name>
     <message>
-        <source>the lost video is not there</source>
+        <source>the lost video is not in this folder</source>
         <translation>el video perdido no está ahí</translation>
     </message>
 </context>
@@ -19813,42 +19813,42 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.lost_videos_not_there</name>
     <message>
-        <source>none of the %1 lost videos is there</source>
+        <source>none of the %1 lost videos is in this folder</source>
         <translation>ninguno de los %1 videos perdidos está ahí</translation>
     </message>
 </context>
 <context>
     <name>workflow.made_through_registration</name>
     <message>
-        <source>It was made through registration %1 of the project.</source>
+        <source>It was made via registration %1 of the project.</source>
         <translation>Se hizo mediante el registro %1 del proyecto.</translation>
     </message>
 </context>
 <context>
     <name>workflow.made_with_it_already</name>
     <message>
-        <source>it was made with it already</source>
+        <source>it already uses that calibration</source>
         <translation>ya se hizo con ella</translation>
     </message>
 </context>
 <context>
     <name>workflow.making_hash</name>
     <message>
-        <source>making the hash of %1</source>
+        <source>computing the hash of %1</source>
         <translation>calculando la suma de comprobación de %1</translation>
     </message>
 </context>
 <context>
     <name>workflow.map_behind</name>
     <message>
-        <source>the map is %1 behind, none skipped</source>
+        <source>the map is %1 behind, no frame skipped</source>
         <translation>el mapa va %1 por detrás, nada omitido</translation>
     </message>
 </context>
 <context>
     <name>workflow.map_behind_and_skipping</name>
     <message>
-        <source>the map is %1 behind, %2 skipped</source>
+        <source>the map is %1 behind, %2 frames skipped</source>
         <translation>el mapa va %1 por detrás, %2 omitidos</translation>
     </message>
 </context>
@@ -19869,14 +19869,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.measure_again</name>
     <message>
-        <source>measure %1 again</source>
+        <source>reanalyse %1</source>
         <translation>volver a medir %1</translation>
     </message>
 </context>
 <context>
     <name>workflow.measure_it_again</name>
     <message>
-        <source>measure it again</source>
+        <source>repeat the analysis</source>
         <translation>mídalo de nuevo</translation>
     </message>
 </context>
@@ -19904,7 +19904,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.name_place_in_pixels</name>
     <message>
-        <source>name it in pixels from the picture&apos;s top left corner</source>
+        <source>give it in pixels from the frame&apos;s top left corner</source>
         <translation>indíquelo en píxeles desde la esquina superior izquierda de la imagen</translation>
     </message>
 </context>
@@ -19925,7 +19925,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.nearly_all_beyond_limits</name>
     <message>
-        <source>nearly all that was measured is beyond the limits of task &apos;%1&apos;, so that they were left out</source>
+        <source>nearly all samples exceed the limits of task &apos;%1&apos;, so the limits were ignored</source>
         <translation>casi todo lo medido supera los límites de la tarea &apos;%1&apos;, por lo que se omitieron</translation>
     </message>
 </context>
@@ -19953,14 +19953,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.no_address_with_port</name>
     <message>
-        <source>it is no IPv4 address with a port</source>
+        <source>it is not an IPv4 address with a port</source>
         <translation>no es una dirección IPv4 con puerto</translation>
     </message>
 </context>
 <context>
     <name>workflow.no_camera_gave_picture</name>
     <message>
-        <source>no camera gave a picture</source>
+        <source>no camera delivered a frame</source>
         <translation>ninguna cámara dio una imagen</translation>
     </message>
 </context>
@@ -19974,14 +19974,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.no_common_place</name>
     <message>
-        <source>No place was measured by both analyses.</source>
+        <source>The two analyses have no position in common.</source>
         <translation>Ningún lugar fue medido por ambos análisis.</translation>
     </message>
 </context>
 <context>
     <name>workflow.no_common_time</name>
     <message>
-        <source>views &apos;%1&apos; and &apos;%2&apos; have no time in common with an offset of %3</source>
+        <source>views &apos;%1&apos; and &apos;%2&apos; do not overlap with a time offset of %3</source>
         <translation>las vistas &apos;%1&apos; y &apos;%2&apos; no tienen tiempo en común con un desfase de %3</translation>
     </message>
 </context>
@@ -19995,35 +19995,35 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.no_multicast</name>
     <message>
-        <source>interface &apos;%1&apos; takes no multicast</source>
+        <source>interface &apos;%1&apos; does not support multicast</source>
         <translation>la interfaz &apos;%1&apos; no admite multidifusión</translation>
     </message>
 </context>
 <context>
     <name>workflow.no_picture_read</name>
     <message>
-        <source>no picture could be read</source>
+        <source>no image could be read</source>
         <translation>no se pudo leer ninguna imagen</translation>
     </message>
 </context>
 <context>
     <name>workflow.no_picture_then</name>
     <message>
-        <source>the view has no picture at that time</source>
+        <source>the view has no frame at that time</source>
         <translation>la vista no tiene ninguna imagen en ese momento</translation>
     </message>
 </context>
 <context>
     <name>workflow.no_pixels_no_picture</name>
     <message>
-        <source>neither their pixels nor a picture to look in was given</source>
+        <source>it needs pixels, or an image to detect the markers in</source>
         <translation>no se dieron ni sus píxeles ni una imagen donde buscar</translation>
     </message>
 </context>
 <context>
     <name>workflow.no_robot</name>
     <message>
-        <source>the project has no robot to look for</source>
+        <source>the project has no robot to track</source>
         <translation>el proyecto no tiene ningún robot que buscar</translation>
     </message>
 </context>
@@ -20037,21 +20037,21 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.no_socket</name>
     <message>
-        <source>this machine gives no socket</source>
+        <source>the system could not open a socket</source>
         <translation>esta computadora no da ningún socket</translation>
     </message>
 </context>
 <context>
     <name>workflow.no_such_frame</name>
     <message>
-        <source>there is no such frame</source>
+        <source>this frame does not exist</source>
         <translation>no existe ese fotograma</translation>
     </message>
 </context>
 <context>
     <name>workflow.no_such_interface</name>
     <message>
-        <source>this machine has none of that name</source>
+        <source>this computer has no interface of that name</source>
         <translation>esta computadora no tiene ninguna con ese nombre</translation>
     </message>
 </context>
@@ -20100,21 +20100,21 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.none_of_that_number</name>
     <message>
-        <source>camera &apos;%1&apos; has none of that number</source>
+        <source>camera &apos;%1&apos; has no such number</source>
         <translation>la cámara &apos;%1&apos; no tiene ninguna con ese número</translation>
     </message>
 </context>
 <context>
     <name>workflow.not_measured_there</name>
     <message>
-        <source>the robot was not measured there, so there is nothing to judge</source>
+        <source>the robot has no measurement at that time</source>
         <translation>el robot no se midió ahí, así que no hay nada que juzgar</translation>
     </message>
 </context>
 <context>
     <name>workflow.not_synchronised</name>
     <message>
-        <source>it is not synchronised but taken as begun together with the first view, so that a moving robot is not where the two views put it</source>
+        <source>it is not synchronised: the same start time as the first view was assumed, and positions of a moving robot are wrong</source>
         <translation>no está sincronizada sino tomada como iniciada con la primera vista, de modo que un robot en movimiento no está donde lo sitúan las dos vistas</translation>
     </message>
 </context>
@@ -20135,7 +20135,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.nothing_came</name>
     <message>
-        <source>nothing came for %1, because %2</source>
+        <source>no frame arrived for %1 because %2</source>
         <translation>no llegó nada durante %1, porque %2</translation>
     </message>
 </context>
@@ -20149,35 +20149,35 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.nothing_said_there</name>
     <message>
-        <source>nothing was said by hand there</source>
+        <source>that frame has no manual override</source>
         <translation>ahí no se dijo nada a mano</translation>
     </message>
 </context>
 <context>
     <name>workflow.nothing_stands_out</name>
     <message>
-        <source>nothing stands out from the floor at %1,%2 at %3 for some frames</source>
+        <source>no foreground object was found at pixel %1,%2 at %3</source>
         <translation>nada se distingue del suelo en %1,%2 a los %3 durante algunas imágenes</translation>
     </message>
 </context>
 <context>
     <name>workflow.nothing_to_analyse_again</name>
     <message>
-        <source>it has not been tracked yet, so there is nothing to analyse again</source>
+        <source>it has not been tracked yet, so it cannot be reanalysed</source>
         <translation>aún no se ha rastreado, así que no hay nada que volver a analizar</translation>
     </message>
 </context>
 <context>
     <name>workflow.nothing_to_do</name>
     <message>
-        <source>there is nothing to do</source>
+        <source>no action is needed</source>
         <translation>no hay nada que hacer</translation>
     </message>
 </context>
 <context>
     <name>workflow.offsets_of_other_count</name>
     <message>
-        <source>%1 views were given and the offsets of %2</source>
+        <source>the number of views is %1, the number of offsets %2</source>
         <translation>se dieron %1 vistas y los desfases de %2</translation>
     </message>
 </context>
@@ -20198,14 +20198,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.one_follows_something_else</name>
     <message>
-        <source>one of them follows something else, or is not where it was registered</source>
+        <source>one of them tracks another object, or has moved since its registration</source>
         <translation>una de ellas sigue otra cosa, o no está donde se registró</translation>
     </message>
 </context>
 <context>
     <name>workflow.only_frame</name>
     <message>
-        <source>its only one is frame 0</source>
+        <source>its only frame is 0</source>
         <translation>el único es el fotograma 0</translation>
     </message>
 </context>
@@ -20219,77 +20219,77 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.other_sample_judged</name>
     <message>
-        <source>another sample was judged by hand while this one was analysed</source>
+        <source>another sample was overridden while this one was analysed</source>
         <translation>otra muestra se juzgó a mano mientras se analizaba esta</translation>
     </message>
 </context>
 <context>
     <name>workflow.outside_picture</name>
     <message>
-        <source>the place lies outside the picture</source>
+        <source>the position is outside the frame</source>
         <translation>el lugar está fuera de la imagen</translation>
     </message>
 </context>
 <context>
     <name>workflow.pick_or_take_colour</name>
     <message>
-        <source>pick its colour again, or take the colour from it</source>
+        <source>pick its colour again, or remove its colour</source>
         <translation>vuelva a tomar su color, o quítele el color</translation>
     </message>
 </context>
 <context>
     <name>workflow.picture_lost_here</name>
     <message>
-        <source>1 picture was lost because this computer or its disk was too slow</source>
+        <source>1 frame was lost because this computer or its disk was too slow</source>
         <translation>se perdió 1 imagen porque esta computadora o su disco eran demasiado lentos</translation>
     </message>
 </context>
 <context>
     <name>workflow.picture_lost_on_wire</name>
     <message>
-        <source>1 picture was lost between the camera and this program</source>
+        <source>1 frame was lost between the camera and this program</source>
         <translation>se perdió 1 imagen entre la cámara y este programa</translation>
     </message>
 </context>
 <context>
     <name>workflow.picture_made_too_late</name>
     <message>
-        <source>1 picture was lost because this machine was too slow to make them in time</source>
+        <source>1 frame was lost: this computer was too slow to generate it in time</source>
         <translation>se perdió 1 imagen porque esta computadora era demasiado lenta para generarla a tiempo</translation>
     </message>
 </context>
 <context>
     <name>workflow.picture_size_not_known</name>
     <message>
-        <source>the size of its pictures is not known</source>
+        <source>the size of its images is not known</source>
         <translation>no se conoce el tamaño de sus imágenes</translation>
     </message>
 </context>
 <context>
     <name>workflow.pictures_lost_here</name>
     <message>
-        <source>%1 pictures were lost because this computer or its disk was too slow</source>
+        <source>%1 frames were lost because this computer or its disk was too slow</source>
         <translation>se perdieron %1 imágenes porque esta computadora o su disco eran demasiado lentos</translation>
     </message>
 </context>
 <context>
     <name>workflow.pictures_lost_on_wire</name>
     <message>
-        <source>%1 pictures were lost between the camera and this program</source>
+        <source>%1 frames were lost between the camera and this program</source>
         <translation>se perdieron %1 imágenes entre la cámara y este programa</translation>
     </message>
 </context>
 <context>
     <name>workflow.pictures_made_too_late</name>
     <message>
-        <source>%1 pictures were lost because this machine was too slow to make them in time</source>
+        <source>%1 frames were lost: this computer was too slow to generate them in time</source>
         <translation>se perdieron %1 imágenes porque esta computadora era demasiado lenta para generarlas a tiempo</translation>
     </message>
 </context>
 <context>
     <name>workflow.point_out_whole_robot</name>
     <message>
-        <source>point it out where all of it is seen and it moves</source>
+        <source>point it out where the whole robot is visible and moving</source>
         <translation>señálelo donde se vea entero y se mueva</translation>
     </message>
 </context>
@@ -20303,35 +20303,35 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.project_file_gone</name>
     <message>
-        <source>the project&apos;s file is no longer there</source>
+        <source>the project file no longer exists</source>
         <translation>el archivo del proyecto ya no está</translation>
     </message>
 </context>
 <context>
     <name>workflow.project_lost</name>
     <message>
-        <source>the project&apos;s file was deleted, renamed or replaced; recording goes on, and what is in it is rescued at the end</source>
+        <source>the project file was deleted, renamed or replaced; recording continues, and its contents will be saved at the end</source>
         <translation>el archivo del proyecto se ha borrado, renombrado o sustituido; la grabación continúa y su contenido se rescata al final</translation>
     </message>
 </context>
 <context>
     <name>workflow.project_rescued</name>
     <message>
-        <source>the project&apos;s file was deleted, renamed or replaced meanwhile; what was in it is rescued in &apos;%1&apos;, which is the project from now on</source>
+        <source>the project file was deleted, renamed or replaced; its contents were saved in &apos;%1&apos;, the project from now on</source>
         <translation>el archivo del proyecto se ha borrado, renombrado o sustituido entretanto; su contenido se ha rescatado en &apos;%1&apos;, que es el proyecto a partir de ahora</translation>
     </message>
 </context>
 <context>
     <name>workflow.put_axes_elsewhere</name>
     <message>
-        <source>put the axes of layout %1 elsewhere</source>
+        <source>change the world axes of layout %1</source>
         <translation>poner los ejes del plano %1 en otro lugar</translation>
     </message>
 </context>
 <context>
     <name>workflow.put_plate_on_it</name>
     <message>
-        <source>put a plate of another colour on it, or tell the colour it really has</source>
+        <source>put a plate of another colour on it, or set its true colour</source>
         <translation>póngale una placa de otro color, o indique el color que tiene en realidad</translation>
     </message>
 </context>
@@ -20394,7 +20394,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.register_camera_through</name>
     <message>
-        <source>register camera %1 through camera %2</source>
+        <source>register camera %1 via camera %2</source>
         <translation>registrar la cámara %1 mediante la cámara %2</translation>
     </message>
 </context>
@@ -20408,7 +20408,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.register_cameras_together</name>
     <message>
-        <source>register the cameras of layout %1 together</source>
+        <source>register the cameras of layout %1 jointly</source>
         <translation>registrar juntas las cámaras del plano %1</translation>
     </message>
 </context>
@@ -20422,7 +20422,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.register_it_first</name>
     <message>
-        <source>register it first, by markers or through another camera</source>
+        <source>register it first, with markers or via another camera</source>
         <translation>regístrela antes, con marcadores o mediante otra cámara</translation>
     </message>
 </context>
@@ -20436,14 +20436,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.register_through_it_again</name>
     <message>
-        <source>register it through that camera again</source>
+        <source>register it via that camera again</source>
         <translation>regístrela de nuevo mediante esa cámara</translation>
     </message>
 </context>
 <context>
     <name>workflow.registered_at_another_size</name>
     <message>
-        <source>the picture is %1, the camera was registered at %2</source>
+        <source>the image is %1, the camera was registered at %2</source>
         <translation>la imagen es de %1, la cámara se registró a %2</translation>
     </message>
 </context>
@@ -20457,14 +20457,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.registered_through_another</name>
     <message>
-        <source>it was registered through another camera</source>
+        <source>it was registered via another camera</source>
         <translation>se registró mediante otra cámara</translation>
     </message>
 </context>
 <context>
     <name>workflow.registered_with_other_lens</name>
     <message>
-        <source>The floor registration of camera &apos;%1&apos; was made with another calibration of its lens than the one in force</source>
+        <source>The floor registration of camera &apos;%1&apos; uses another lens calibration than the current one</source>
         <translation>El registro al suelo de la cámara &apos;%1&apos; se hizo con otra calibración de su lente que la vigente</translation>
     </message>
 </context>
@@ -20485,14 +20485,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.registration_through</name>
     <message>
-        <source>registration of camera &apos;%1&apos; through &apos;%2&apos;</source>
+        <source>registration of camera &apos;%1&apos; via &apos;%2&apos;</source>
         <translation>registro de la cámara &apos;%1&apos; mediante &apos;%2&apos;</translation>
     </message>
 </context>
 <context>
     <name>workflow.registration_with_lens_in_force</name>
     <message>
-        <source>registration of camera &apos;%1&apos; with the lens in force</source>
+        <source>registration of camera &apos;%1&apos; with the current lens calibration</source>
         <translation>registro de la cámara &apos;%1&apos; con la lente vigente</translation>
     </message>
 </context>
@@ -20520,14 +20520,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.replaced_not_packed</name>
     <message>
-        <source>the video of camera %1 in trial &apos;%2&apos; lies elsewhere and is another file than it was, and not in the packed project</source>
+        <source>the video of camera %1 in trial &apos;%2&apos; is outside the media folder and has changed since; it is not in the packed project</source>
         <translation>el video de la cámara %1 en el ensayo &apos;%2&apos; está en otro lugar y es otro archivo que antes, y no está en el proyecto empaquetado</translation>
     </message>
 </context>
 <context>
     <name>workflow.results_changed</name>
     <message>
-        <source>its results are not those that its analysis gave</source>
+        <source>its results differ from those of its analysis</source>
         <translation>sus resultados no son los que dio su análisis</translation>
     </message>
 </context>
@@ -20555,7 +20555,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.robot_not_tracked</name>
     <message>
-        <source>robot &apos;%1&apos; was not tracked in it, but %2</source>
+        <source>robot &apos;%1&apos; was not tracked in it, only %2</source>
         <translation>el robot &apos;%1&apos; no fue rastreado en él, pero sí %2</translation>
     </message>
 </context>
@@ -20597,7 +20597,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.say_it_again</name>
     <message>
-        <source>say it again for frame %1</source>
+        <source>repeat it for frame %1</source>
         <translation>indíquelo otra vez para el fotograma %1</translation>
     </message>
 </context>
@@ -20611,14 +20611,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.see_revisions</name>
     <message>
-        <source>see its revisions for those there are</source>
+        <source>see the list of its revisions</source>
         <translation>vea en sus revisiones las que hay</translation>
     </message>
 </context>
 <context>
     <name>workflow.settling_names</name>
     <message>
-        <source>settling which robot is which</source>
+        <source>assigning names to the robots</source>
         <translation>determinando qué robot es cuál</translation>
     </message>
 </context>
@@ -20653,42 +20653,42 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.take_fewer_cameras</name>
     <message>
-        <source>close other programs, or take fewer such cameras at once</source>
+        <source>close other programs, or use fewer such cameras at once</source>
         <translation>cierre otros programas, o use menos cámaras de este tipo a la vez</translation>
     </message>
 </context>
 <context>
     <name>workflow.take_over_set_up</name>
     <message>
-        <source>take over the set-up of %1</source>
+        <source>copy the set-up of %1</source>
         <translation>tomar el montaje de %1</translation>
     </message>
 </context>
 <context>
     <name>workflow.taken_as_begun_together</name>
     <message>
-        <source>%1, so it is taken as begun together</source>
+        <source>%1; the same start time was assumed</source>
         <translation>%1, así que se toma como iniciada a la vez</translation>
     </message>
 </context>
 <context>
     <name>workflow.taking_over_set_up</name>
     <message>
-        <source>taking over the set-up</source>
+        <source>copying the set-up</source>
         <translation>tomando el montaje</translation>
     </message>
 </context>
 <context>
     <name>workflow.task_was_changed</name>
     <message>
-        <source>its task was changed while it was measured</source>
+        <source>its task changed during the analysis</source>
         <translation>su tarea se cambió mientras se medía</translation>
     </message>
 </context>
 <context>
     <name>workflow.through_itself</name>
     <message>
-        <source>a camera cannot be registered through itself</source>
+        <source>a camera cannot be registered via itself</source>
         <translation>una cámara no se puede registrar mediante sí misma</translation>
     </message>
 </context>
@@ -20702,7 +20702,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.times_count_from</name>
     <message>
-        <source>its times count from %1</source>
+        <source>its times start at %1</source>
         <translation>sus tiempos cuentan desde %1</translation>
     </message>
 </context>
@@ -20744,7 +20744,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.track_those_seen</name>
     <message>
-        <source>track only the robots that are in the pictures (--robot)</source>
+        <source>track only the robots that are in view (--robot)</source>
         <translation>siga solo los robots que están en las imágenes (--robot)</translation>
     </message>
 </context>
@@ -20758,14 +20758,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.tracking_picture</name>
     <message>
-        <source>tracking, picture %1 of %2</source>
+        <source>tracking, frame %1 of %2</source>
         <translation>rastreo, imagen %1 de %2</translation>
     </message>
 </context>
 <context>
     <name>workflow.tracks_were_imported</name>
     <message>
-        <source>its tracks were imported, so there is no video to track in</source>
+        <source>its tracks were imported, so it has no video to track</source>
         <translation>sus trazas se importaron, así que no hay video que rastrear</translation>
     </message>
 </context>
@@ -20779,21 +20779,21 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.trial_is_there</name>
     <message>
-        <source>the project has a trial of that name</source>
+        <source>the project already has a trial of that name</source>
         <translation>el proyecto tiene un ensayo con ese nombre</translation>
     </message>
 </context>
 <context>
     <name>workflow.trial_left_out</name>
     <message>
-        <source>nothing of it had reached the disk, and it is left out</source>
+        <source>nothing of it had reached the disk, and it was removed</source>
         <translation>nada había llegado al disco, y se omite</translation>
     </message>
 </context>
 <context>
     <name>workflow.turn_or_flash</name>
     <message>
-        <source>let the robot turn, or flash the room&apos;s light, where both cameras see it</source>
+        <source>turn the robot, or flash the room light, in view of both cameras</source>
         <translation>haga girar el robot, o destelle la luz de la sala, donde lo vean ambas cámaras</translation>
     </message>
 </context>
@@ -20821,14 +20821,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.unusual_length</name>
     <message>
-        <source>it would take no time, or more than a day</source>
+        <source>the duration must be above zero and at most a day</source>
         <translation>no duraría nada, o más de un día</translation>
     </message>
 </context>
 <context>
     <name>workflow.unusual_pre_roll</name>
     <message>
-        <source>what is kept from before is no time, or more than 10 s</source>
+        <source>the pre-roll must be from 0 s to 10 s</source>
         <translation>lo que se guarda de antes no es un tiempo, o es más de 10 s</translation>
     </message>
 </context>
@@ -20849,7 +20849,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.video_without_picture</name>
     <message>
-        <source>the video has no picture</source>
+        <source>the video has no frame</source>
         <translation>el video no tiene ninguna imagen</translation>
     </message>
 </context>
@@ -20863,21 +20863,21 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.view_ended_early</name>
     <message>
-        <source>it ended early, because %1</source>
+        <source>it ended early because %1</source>
         <translation>terminó antes de tiempo, porque %1</translation>
     </message>
 </context>
 <context>
     <name>workflow.view_is_kept</name>
     <message>
-        <source>%1 of %2 view are kept, all but the last second at most</source>
+        <source>%1 of %2 view were saved, at most the last second is missing</source>
         <translation>se conservan %1 de %2 vista, todo salvo como mucho el último segundo</translation>
     </message>
 </context>
 <context>
     <name>workflow.view_left_out</name>
     <message>
-        <source>it is left out, because nothing was recorded of it</source>
+        <source>it recorded nothing and was left out</source>
         <translation>se omite, porque no se grabó nada de ella</translation>
     </message>
 </context>
@@ -20891,42 +20891,42 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.views_are_kept</name>
     <message>
-        <source>%1 of %2 views are kept, all but the last second at most</source>
+        <source>%1 of %2 views were saved, at most the last second is missing</source>
         <translation>se conservan %1 de %2 vistas, todo salvo como mucho el último segundo</translation>
     </message>
 </context>
 <context>
     <name>workflow.views_contradict</name>
     <message>
-        <source>in %1 of %2 pictures the views contradict one another</source>
+        <source>in %1 of %2 frames the views contradict each other</source>
         <translation>en %1 de %2 imágenes las vistas se contradicen</translation>
     </message>
 </context>
 <context>
     <name>workflow.views_far_apart</name>
     <message>
-        <source>in %1 of %2 pictures the views have it at places far apart</source>
+        <source>in %1 of %2 frames the views show it at positions far apart</source>
         <translation>en %1 de %2 imágenes las vistas lo sitúan en lugares muy separados</translation>
     </message>
 </context>
 <context>
     <name>workflow.views_put_it_apart</name>
     <message>
-        <source>they put it %1 apart</source>
+        <source>their floor positions differ by %1</source>
         <translation>lo sitúan a %1 de distancia</translation>
     </message>
 </context>
 <context>
     <name>workflow.waited_for_disk</name>
     <message>
-        <source>pictures waited up to %1 for the disk, and none was lost</source>
+        <source>frames waited up to %1 for the disk, and none was lost</source>
         <translation>las imágenes esperaron hasta %1 al disco y ninguna se perdió</translation>
     </message>
 </context>
 <context>
     <name>workflow.why_views_contradict</name>
     <message>
-        <source>a camera was moved after it was registered, the views are out of step, or the robot&apos;s height is not what was told</source>
+        <source>a camera has moved since its registration, the views are not synchronised, or the robot&apos;s height is wrong</source>
         <translation>una cámara se movió después de registrarla, las vistas no están sincronizadas o la altura del robot no es la indicada</translation>
     </message>
 </context>
@@ -20940,14 +20940,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>workflow.writing_last_pictures</name>
     <message>
-        <source>writing the last pictures</source>
+        <source>writing the last frames</source>
         <translation>escribiendo las últimas imágenes</translation>
     </message>
 </context>
 <context>
     <name>workflow.written_just_now</name>
     <message>
-        <source>another program is writing or removing it just now</source>
+        <source>another program is writing or removing it</source>
         <translation>otro programa lo está escribiendo o eliminando ahora mismo</translation>
     </message>
 </context>

@@ -3138,14 +3138,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.add_floor_points</name>
     <message>
-        <source>add points of the floor, such as corners of tiles</source>
+        <source>add floor points, such as corners of tiles</source>
         <translation>ajoutez des points du sol, tels que des coins de carreaux</translation>
     </message>
 </context>
 <context>
     <name>calibration.all_agree</name>
     <message>
-        <source>The markers and the cameras agree with one another.</source>
+        <source>The markers and the cameras agree with each other.</source>
         <translation>Les marqueurs et les caméras concordent.</translation>
     </message>
 </context>
@@ -3180,7 +3180,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.best_place</name>
     <message>
-        <source>the best place for a camera</source>
+        <source>the best camera position</source>
         <translation>la meilleure place pour une caméra</translation>
     </message>
 </context>
@@ -3201,21 +3201,21 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.board_fills</name>
     <message>
-        <source>it fills %1 of the picture</source>
+        <source>it fills %1 of the image</source>
         <translation>elle remplit %1 de l’image</translation>
     </message>
 </context>
 <context>
     <name>calibration.board_in_one_place</name>
     <message>
-        <source>all %1 pictures show the board in one place, the %2 %3 of the picture</source>
+        <source>all %1 images show the board in one position, the %2 %3 of the image</source>
         <translation>les %1 photos montrent la mire à une seule place (%2, %3 de l’image)</translation>
     </message>
 </context>
 <context>
     <name>calibration.board_not_flat</name>
     <message>
-        <source>the corners do not lie as on a flat board</source>
+        <source>the corners do not match a flat board</source>
         <translation>les coins ne sont pas placés comme sur une mire plane</translation>
     </message>
 </context>
@@ -3229,35 +3229,35 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.board_of_other_size</name>
     <message>
-        <source>this board has %1 inner corners, %2 was asked for</source>
+        <source>this board has %1 inner corners, not %2</source>
         <translation>cette mire a %1 coins intérieurs, %2 était demandé</translation>
     </message>
 </context>
 <context>
     <name>calibration.board_part_seen</name>
     <message>
-        <source>only %1 of its %2 inner corners are seen</source>
+        <source>only %1 of its %2 inner corners are visible</source>
         <translation>seuls %1 de ses %2 coins intérieurs sont vus</translation>
     </message>
 </context>
 <context>
     <name>calibration.board_stands_as_before</name>
     <message>
-        <source>the board stands as in a picture already taken</source>
+        <source>the board is in the same position as in an earlier image</source>
         <translation>la mire est placée comme dans une photo déjà prise</translation>
     </message>
 </context>
 <context>
     <name>calibration.board_stands_as_in</name>
     <message>
-        <source>the board stands as in %1 already</source>
+        <source>the board is in the same position as in %1</source>
         <translation>la mire est placée comme déjà dans %1</translation>
     </message>
 </context>
 <context>
     <name>calibration.board_too_oblique</name>
     <message>
-        <source>the board is seen too obliquely, at %1 degrees</source>
+        <source>the board is tilted too far, by %1 degrees</source>
         <translation>la mire est vue trop en biais, à %1 degrés</translation>
     </message>
 </context>
@@ -3271,21 +3271,21 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.calibrate_to_rely</name>
     <message>
-        <source>Calibrate it for positions to rely on.</source>
+        <source>Calibrate it for reliable positions.</source>
         <translation>Étalonnez-la pour des positions fiables.</translation>
     </message>
 </context>
 <context>
     <name>calibration.camera_alone_says</name>
     <message>
-        <source>Camera &apos;%1&apos; alone says %2</source>
+        <source>Camera &apos;%1&apos; alone measures %2</source>
         <translation>La caméra &apos;%1&apos; seule donne %2</translation>
     </message>
 </context>
 <context>
     <name>calibration.camera_below_floor</name>
     <message>
-        <source>seen in this order the camera would be below the floor</source>
+        <source>in this order the camera would be below the floor</source>
         <translation>vue dans cet ordre, la caméra serait sous le sol</translation>
     </message>
 </context>
@@ -3299,7 +3299,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.camera_sees_elsewhere</name>
     <message>
-        <source>%1 sees %2 %3 from where the others do</source>
+        <source>%1 sees %2 %3 from where the others see it</source>
         <translation>%1 voit %2 à %3 de là où les autres le voient</translation>
     </message>
 </context>
@@ -3313,42 +3313,42 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.camera_stands_low</name>
     <message>
-        <source>The camera would stand only %1 above the floor</source>
+        <source>The camera would be only %1 above the floor</source>
         <translation>La caméra ne serait qu’à %1 du sol</translation>
     </message>
 </context>
 <context>
     <name>calibration.camera_still</name>
     <message>
-        <source>%1 stands where it was registered</source>
+        <source>%1 has not moved</source>
         <translation>%1 est là où elle a été localisée</translation>
     </message>
 </context>
 <context>
     <name>calibration.camera_too_high</name>
     <message>
-        <source>the camera would stand %1 above the floor</source>
+        <source>the camera would be %1 above the floor</source>
         <translation>la caméra serait à %1 du sol</translation>
     </message>
 </context>
 <context>
     <name>calibration.camera_too_low</name>
     <message>
-        <source>the camera would stand only %1 above the floor</source>
+        <source>the camera would be only %1 above the floor</source>
         <translation>la caméra ne serait qu’à %1 du sol</translation>
     </message>
 </context>
 <context>
     <name>calibration.camera_twice</name>
     <message>
-        <source>camera &apos;%1&apos; is there twice</source>
+        <source>camera &apos;%1&apos; appears twice</source>
         <translation>la caméra &apos;%1&apos; y est deux fois</translation>
     </message>
 </context>
 <context>
     <name>calibration.cameras_undetermined</name>
     <message>
-        <source>the markers do not determine where the cameras stand</source>
+        <source>the markers do not determine the camera positions</source>
         <translation>les marqueurs ne déterminent pas où sont les caméras</translation>
     </message>
 </context>
@@ -3383,7 +3383,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.check_both_pixels</name>
     <message>
-        <source>check its pixels in both pictures</source>
+        <source>check its pixels in both images</source>
         <translation>vérifiez ses pixels dans les deux images</translation>
     </message>
 </context>
@@ -3404,14 +3404,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.check_layout_places</name>
     <message>
-        <source>check the layout&apos;s places and their unit, cover other round things, or mark the markers by hand</source>
+        <source>check the layout&apos;s positions and their unit, cover other round objects, or mark the markers by hand</source>
         <translation>vérifiez les places du plan et leur unité, masquez les autres objets ronds, ou pointez les marqueurs à la main</translation>
     </message>
 </context>
 <context>
     <name>calibration.check_length</name>
     <message>
-        <source>Check the length itself, whether it lies on the floor, and the places of the markers.</source>
+        <source>Check the length itself, that it lies on the floor, and the marker positions.</source>
         <translation>Vérifiez la longueur elle-même, si elle est posée au sol, et les places des marqueurs.</translation>
     </message>
 </context>
@@ -3425,7 +3425,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.check_pictures</name>
     <message>
-        <source>check that all pictures are sharp, of one flat board and of one camera at one zoom and focus</source>
+        <source>check that all images are sharp, of one flat board and of one camera at one zoom and focus</source>
         <translation>vérifiez que toutes les photos sont nettes, d’une même mire plate et d’une caméra au même zoom et à la même mise au point</translation>
     </message>
 </context>
@@ -3439,7 +3439,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.check_place_and_pixel</name>
     <message>
-        <source>check its place and its pixel</source>
+        <source>check its position and its pixel</source>
         <translation>vérifiez sa place et son pixel</translation>
     </message>
 </context>
@@ -3467,14 +3467,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.checking_halves</name>
     <message>
-        <source>checking halves against one another</source>
+        <source>checking the halves against each other</source>
         <translation>contrôle des moitiés l’une par l’autre</translation>
     </message>
 </context>
 <context>
     <name>calibration.choose_floor_points</name>
     <message>
-        <source>choose points of the floor</source>
+        <source>choose points on the floor</source>
         <translation>choisissez des points du sol</translation>
     </message>
 </context>
@@ -3495,14 +3495,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.common_and_unknown_markers</name>
     <message>
-        <source>there are %1 (%2), and the layout does not know %3</source>
+        <source>they have %1 (%2), and the layout does not contain %3</source>
         <translation>il y en a %1 (%2), et le plan ne connaît pas %3</translation>
     </message>
 </context>
 <context>
     <name>calibration.common_markers</name>
     <message>
-        <source>there are %1 (%2)</source>
+        <source>they have %1 (%2)</source>
         <translation>il y en a %1 (%2)</translation>
     </message>
 </context>
@@ -3516,7 +3516,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.corner_left_out</name>
     <message>
-        <source>1 corner that stands out was left out, in %1.</source>
+        <source>1 outlier corner was left out, in %1.</source>
         <translation>1 coin qui s’écarte a été écarté, dans %1.</translation>
     </message>
 </context>
@@ -3530,7 +3530,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.corner_unclear</name>
     <message>
-        <source>a corner of the board cannot be made out</source>
+        <source>one corner of the board is unclear</source>
         <translation>un coin de la mire ne se distingue pas</translation>
     </message>
 </context>
@@ -3544,35 +3544,35 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.corners_kept_in</name>
     <message>
-        <source>%1 corners that stand out side by side were kept, in %2</source>
+        <source>%1 neighbouring outlier corners were kept, in %2</source>
         <translation>%1 coins voisins qui s’écartent ont été gardés, dans %2</translation>
     </message>
 </context>
 <context>
     <name>calibration.corners_kept_most_in</name>
     <message>
-        <source>%1 corners that stand out side by side were kept, most in %2</source>
+        <source>%1 neighbouring outlier corners were kept, most in %2</source>
         <translation>%1 coins voisins qui s’écartent ont été gardés, surtout dans %2</translation>
     </message>
 </context>
 <context>
     <name>calibration.corners_left_out_in</name>
     <message>
-        <source>%1 corners that stand out were left out, in %2.</source>
+        <source>%1 outlier corners were left out, in %2.</source>
         <translation>%1 coins qui s’écartent ont été écartés, dans %2.</translation>
     </message>
 </context>
 <context>
     <name>calibration.corners_left_out_most_in</name>
     <message>
-        <source>%1 corners that stand out were left out, most in %2.</source>
+        <source>%1 outlier corners were left out, most in %2.</source>
         <translation>%1 coins qui s’écartent ont été écartés, surtout dans %2.</translation>
     </message>
 </context>
 <context>
     <name>calibration.corners_not_flat</name>
     <message>
-        <source>its corners do not lie as on a flat board</source>
+        <source>its corners do not match a flat board</source>
         <translation>ses coins ne sont pas placés comme sur une mire plane</translation>
     </message>
 </context>
@@ -3628,7 +3628,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.ends_on_one_pixel</name>
     <message>
-        <source>both ends lie on one pixel of camera &apos;%1&apos;</source>
+        <source>both ends are on the same pixel of camera &apos;%1&apos;</source>
         <translation>les deux extrémités sont sur le même pixel de la caméra &apos;%1&apos;</translation>
     </message>
 </context>
@@ -3656,28 +3656,28 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.few_corners_seen</name>
     <message>
-        <source>only %1 corners of the board are seen</source>
+        <source>only %1 corners of the board are visible</source>
         <translation>seuls %1 coins de la mire sont vus</translation>
     </message>
 </context>
 <context>
     <name>calibration.fifth_would</name>
     <message>
-        <source>a fifth would.</source>
+        <source>add a fifth.</source>
         <translation>un cinquième le ferait.</translation>
     </message>
 </context>
 <context>
     <name>calibration.find_board_again</name>
     <message>
-        <source>let the board be found in it again</source>
+        <source>detect the board in it again</source>
         <translation>faites-y rechercher la mire à nouveau</translation>
     </message>
 </context>
 <context>
     <name>calibration.first_end_beyond</name>
     <message>
-        <source>the first end lies at or beyond the horizon of camera &apos;%1&apos;</source>
+        <source>the first end is at or beyond the horizon of camera &apos;%1&apos;</source>
         <translation>la première extrémité est à l’horizon de la caméra &apos;%1&apos; ou au-delà</translation>
     </message>
 </context>
@@ -3698,7 +3698,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.fitting_lens</name>
     <message>
-        <source>fitting the lens to %1 pictures</source>
+        <source>fitting the lens model to %1 images</source>
         <translation>ajustement de l’objectif à %1 photos</translation>
     </message>
 </context>
@@ -3712,56 +3712,56 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.floor_part_unseen</name>
     <message>
-        <source>%1 of the floor among the markers is not seen.</source>
+        <source>%1 of the floor between the markers is out of view.</source>
         <translation>%1 du sol entre les marqueurs ne sont pas vus.</translation>
     </message>
 </context>
 <context>
     <name>calibration.floor_unseen</name>
     <message>
-        <source>None of the floor among the markers is seen.</source>
+        <source>None of the floor between the markers is in view.</source>
         <translation>Rien du sol entre les marqueurs n’est vu.</translation>
     </message>
 </context>
 <context>
     <name>calibration.floor_unsure</name>
     <message>
-        <source>the floor among the points is known only to ±%1</source>
+        <source>the floor uncertainty between the points is too large, ±%1</source>
         <translation>le sol entre les points n’est connu qu’à ±%1</translation>
     </message>
 </context>
 <context>
     <name>calibration.focal_length_estimated</name>
     <message>
-        <source>The camera was taken as free of distortion, its focal length estimated from the markers (%1 ± %2).</source>
+        <source>The lens is not calibrated: no distortion was assumed, and the focal length was estimated from the markers (%1 ± %2).</source>
         <translation>La caméra a été prise comme sans distorsion, sa distance focale estimée d’après les marqueurs (%1 ± %2).</translation>
     </message>
 </context>
 <context>
     <name>calibration.focal_length_groups</name>
     <message>
-        <source>%1 for about %2, %3 (such as %4) for about %5</source>
+        <source>%1 give about %2, %3 (such as %4) give about %5</source>
         <translation>%1 environ %2, %3 (dont %4) environ %5</translation>
     </message>
 </context>
 <context>
     <name>calibration.focal_length_guessed</name>
     <message>
-        <source>The camera was taken as free of distortion, its focal length guessed (%1), since this view does not determine it.</source>
+        <source>The lens is not calibrated: no distortion was assumed, and the focal length was guessed (%1) because this view does not determine it.</source>
         <translation>La caméra a été prise comme sans distorsion, sa distance focale supposée (%1), car cette vue ne la détermine pas.</translation>
     </message>
 </context>
 <context>
     <name>calibration.focal_length_taken</name>
     <message>
-        <source>The camera was taken as free of distortion, its focal length as %1.</source>
+        <source>The lens is not calibrated: no distortion and a focal length of %1 were assumed.</source>
         <translation>La caméra a été prise comme sans distorsion, sa distance focale comme %1.</translation>
     </message>
 </context>
 <context>
     <name>calibration.focal_length_unsure</name>
     <message>
-        <source>the pictures determine the focal length only to %1</source>
+        <source>the images determine the focal length only to %1</source>
         <translation>les photos ne déterminent la distance focale qu’à %1</translation>
     </message>
 </context>
@@ -3775,56 +3775,56 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.foretells_as_well</name>
     <message>
-        <source>it foretells pictures held out to %1, the %2 one no better (%3)</source>
+        <source>it predicts held-out images to %1, the %2 model no better (%3)</source>
         <translation>il prédit les photos mises à part à %1, le modèle %2 pas mieux (%3)</translation>
     </message>
 </context>
 <context>
     <name>calibration.foretells_better</name>
     <message>
-        <source>it foretells pictures held out to %1, the %2 one only to %3</source>
+        <source>it predicts held-out images to %1, the %2 model only to %3</source>
         <translation>il prédit les photos mises à part à %1, le modèle %2 seulement à %3</translation>
     </message>
 </context>
 <context>
     <name>calibration.foretells_by_chance</name>
     <message>
-        <source>it foretells pictures held out to %1, the %2 one to %3, which may be chance</source>
+        <source>it predicts held-out images to %1, the %2 model to %3; the difference may be chance</source>
         <translation>il prédit les photos mises à part à %1, le modèle %2 à %3, ce qui peut être un hasard</translation>
     </message>
 </context>
 <context>
     <name>calibration.four_common_markers</name>
     <message>
-        <source>four markers are needed that the layout and the picture have in common</source>
+        <source>the layout and the image must have four markers in common</source>
         <translation>il faut quatre marqueurs communs au plan et à l’image</translation>
     </message>
 </context>
 <context>
     <name>calibration.four_markers_unchecked</name>
     <message>
-        <source>Four markers hardly check one another</source>
+        <source>Four markers are too few to check each other</source>
         <translation>Quatre marqueurs ne se contrôlent guère</translation>
     </message>
 </context>
 <context>
     <name>calibration.four_points_unchecked</name>
     <message>
-        <source>Four points hardly check one another</source>
+        <source>Four points are too few to check each other</source>
         <translation>Quatre points ne se contrôlent guère</translation>
     </message>
 </context>
 <context>
     <name>calibration.four_shared_points</name>
     <message>
-        <source>four points are needed that both cameras see</source>
+        <source>both cameras must see the same four points or more</source>
         <translation>il faut quatre points vus par les deux caméras</translation>
     </message>
 </context>
 <context>
     <name>calibration.give_board_size</name>
     <message>
-        <source>give 3x3 at least, like 9x6, or leave the size out</source>
+        <source>give at least 3x3, such as 9x6, or leave the size out</source>
         <translation>donnez au moins 3x3, comme 9x6, ou omettez la taille</translation>
     </message>
 </context>
@@ -3838,7 +3838,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.give_field_of_view</name>
     <message>
-        <source>give 2° to 150°, and the size of its pictures</source>
+        <source>give 2° to 150°, and the image size</source>
         <translation>donnez de 2° à 150°, et la taille de ses images</translation>
     </message>
 </context>
@@ -3873,21 +3873,21 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.give_square_size</name>
     <message>
-        <source>give it like 25mm</source>
+        <source>give a size such as 25mm</source>
         <translation>donnez-la comme 25mm</translation>
     </message>
 </context>
 <context>
     <name>calibration.give_tape_sigma</name>
     <message>
-        <source>give some 2 mm</source>
+        <source>give about 2 mm</source>
         <translation>donnez environ 2 mm</translation>
     </message>
 </context>
 <context>
     <name>calibration.give_taped_length</name>
     <message>
-        <source>give the length as it was measured with a tape</source>
+        <source>enter the length measured with a tape</source>
         <translation>donnez la longueur mesurée au mètre ruban</translation>
     </message>
 </context>
@@ -3915,21 +3915,21 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.halves_contradict</name>
     <message>
-        <source>two halves of the pictures give focal lengths that differ by %1</source>
+        <source>two halves of the images give focal lengths that differ by %1</source>
         <translation>deux moitiés des photos donnent des distances focales différant de %1</translation>
     </message>
 </context>
 <context>
     <name>calibration.halves_foretell</name>
     <message>
-        <source>each half of them foretells the other to %1</source>
+        <source>each half of the images predicts the other to %1</source>
         <translation>chaque moitié prédit l’autre à %1</translation>
     </message>
 </context>
 <context>
     <name>calibration.halves_foretell_apart</name>
     <message>
-        <source>each half of them foretells the other to %1, %2 apart at worst on that floor</source>
+        <source>each half of the images predicts the other to %1, at most %2 apart on that floor</source>
         <translation>chaque moitié prédit l’autre à %1, à %2 l’une de l’autre au pire sur ce sol</translation>
     </message>
 </context>
@@ -3964,7 +3964,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.inside_expected_error</name>
     <message>
-        <source>inside the expected error of %1.</source>
+        <source>within the limit of %1 (2.5 σ).</source>
         <translation>dans l’erreur attendue de %1.</translation>
     </message>
 </context>
@@ -3978,7 +3978,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.keep_whole_board</name>
     <message>
-        <source>keep the whole board in the picture</source>
+        <source>keep the whole board in view</source>
         <translation>gardez toute la mire dans l’image</translation>
     </message>
 </context>
@@ -3999,35 +3999,35 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.labels_called</name>
     <message>
-        <source>with %1 called %2 they fit to %3</source>
+        <source>with %1 renamed %2 they fit to %3</source>
         <translation>avec %1 nommés %2, ils conviennent à %3</translation>
     </message>
 </context>
 <context>
     <name>calibration.labels_exchanged</name>
     <message>
-        <source>with %1 and %2 exchanged they fit to %3</source>
+        <source>with %1 and %2 swapped they fit to %3</source>
         <translation>avec %1 et %2 échangés, ils conviennent à %3</translation>
     </message>
 </context>
 <context>
     <name>calibration.lay_stick_nearer</name>
     <message>
-        <source>lay the stick on the floor, nearer to the camera</source>
+        <source>put the stick on the floor, nearer to the camera</source>
         <translation>posez la règle au sol, plus près de la caméra</translation>
     </message>
 </context>
 <context>
     <name>calibration.layout_in_mm</name>
     <message>
-        <source>it is given in mm</source>
+        <source>it must be in mm</source>
         <translation>il est donné en mm</translation>
     </message>
 </context>
 <context>
     <name>calibration.layout_not_in_mm</name>
     <message>
-        <source>if that is wrong, the layout&apos;s numbers are no mm</source>
+        <source>if that is wrong, the layout is not in mm</source>
         <translation>si c’est faux, les nombres du plan ne sont pas des mm</translation>
     </message>
 </context>
@@ -4041,7 +4041,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.layout_written_mirrored</name>
     <message>
-        <source>if the layout was written down mirrored, correct its signs and add it anew</source>
+        <source>if the layout was written down mirrored, correct its signs and add it again</source>
         <translation>si le plan a été noté en miroir, corrigez ses signes et ajoutez-le à nouveau</translation>
     </message>
 </context>
@@ -4055,7 +4055,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.leave_out_pictures</name>
     <message>
-        <source>leave out these pictures if the board is bent, cut or covered there.</source>
+        <source>leave out these images if the board is bent, cut or covered there.</source>
         <translation>écartez ces photos si la mire y est déformée, coupée ou masquée.</translation>
     </message>
 </context>
@@ -4069,7 +4069,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.length_factor</name>
     <message>
-        <source>a length factor of %1 makes no floor</source>
+        <source>a length factor of %1 is not possible</source>
         <translation>un facteur de longueur de %1 ne donne pas de sol</translation>
     </message>
 </context>
@@ -4083,14 +4083,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.length_longer</name>
     <message>
-        <source>It is %1 longer than the %2 told</source>
+        <source>It is %1 longer than the %2 entered</source>
         <translation>Elle est plus longue de %1 que les %2 indiqués</translation>
     </message>
 </context>
 <context>
     <name>calibration.length_shorter</name>
     <message>
-        <source>It is %1 shorter than the %2 told</source>
+        <source>It is %1 shorter than the %2 entered</source>
         <translation>Elle est plus courte de %1 que les %2 indiqués</translation>
     </message>
 </context>
@@ -4104,63 +4104,63 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.length_unseen</name>
     <message>
-        <source>no camera was given that sees it</source>
+        <source>no camera shows it</source>
         <translation>aucune caméra qui la voit n’a été donnée</translation>
     </message>
 </context>
 <context>
     <name>calibration.lens_on_floor</name>
     <message>
-        <source>±%1 in the middle and ±%2 at worst (%3) on %4, as far as the lens is concerned</source>
+        <source>±%1 in the middle and at most ±%2 (%3) on %4, from the lens calibration alone</source>
         <translation>±%1 au milieu et ±%2 au pire (%3) sur %4, pour ce qui tient à l’objectif</translation>
     </message>
 </context>
 <context>
     <name>calibration.lens_told</name>
     <message>
-        <source>told</source>
+        <source>as specified</source>
         <translation>indiqué</translation>
     </message>
 </context>
 <context>
     <name>calibration.lens_unknown_elsewhere</name>
     <message>
-        <source>how the lens bends elsewhere stays unknown</source>
+        <source>the distortion elsewhere stays unknown</source>
         <translation>la distorsion ailleurs reste inconnue</translation>
     </message>
 </context>
 <context>
     <name>calibration.likely_unit</name>
     <message>
-        <source>its numbers look like %1, then it would stand %2 above the floor</source>
+        <source>its numbers look like %1, with the camera %2 above the floor</source>
         <translation>ses nombres semblent être des %1, elle serait alors à %2 au-dessus du sol</translation>
     </message>
 </context>
 <context>
     <name>calibration.look_at</name>
     <message>
-        <source>Look at %1</source>
+        <source>Check %1</source>
         <translation>Regardez %1</translation>
     </message>
 </context>
 <context>
     <name>calibration.look_at_ends</name>
     <message>
-        <source>look whether the same ends are marked in each picture, and register it again if they are.</source>
+        <source>check that the same ends are marked in each image; if they are, register it again.</source>
         <translation>regardez si les mêmes extrémités sont pointées dans chaque image et, si oui, localisez-la à nouveau.</translation>
     </message>
 </context>
 <context>
     <name>calibration.look_at_pictures</name>
     <message>
-        <source>look at these pictures and leave out those that are blurred, bent or of another board.</source>
+        <source>check these images and leave out those that are blurred, bent or of another board.</source>
         <translation>regardez ces photos et écartez celles qui sont floues, déformées ou d’une autre mire.</translation>
     </message>
 </context>
 <context>
     <name>calibration.looking_about</name>
     <message>
-        <source>looking about the best place</source>
+        <source>searching around the best position</source>
         <translation>recherche autour de la meilleure place</translation>
     </message>
 </context>
@@ -4174,49 +4174,49 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.mark_ends_in_one</name>
     <message>
-        <source>mark its ends in one picture at least</source>
+        <source>mark its ends in at least one image</source>
         <translation>pointez ses extrémités dans au moins une image</translation>
     </message>
 </context>
 <context>
     <name>calibration.mark_more</name>
     <message>
-        <source>mark more of the layout&apos;s markers, under the layout&apos;s names</source>
+        <source>mark more of the layout&apos;s markers, by their names in the layout</source>
         <translation>pointez davantage de marqueurs du plan, sous les noms du plan</translation>
     </message>
 </context>
 <context>
     <name>calibration.mark_there_again</name>
     <message>
-        <source>mark it there again.</source>
+        <source>mark it again in that view.</source>
         <translation>pointez-le là à nouveau.</translation>
     </message>
 </context>
 <context>
     <name>calibration.mark_two_ends</name>
     <message>
-        <source>mark the two ends where they are seen</source>
+        <source>mark each end at its own position in the image</source>
         <translation>pointez les deux extrémités là où elles sont vues</translation>
     </message>
 </context>
 <context>
     <name>calibration.mark_where_seen</name>
     <message>
-        <source>mark each of them where it is seen</source>
+        <source>mark each of them at its own position in the image</source>
         <translation>pointez chacun là où il est vu</translation>
     </message>
 </context>
 <context>
     <name>calibration.marker_against_lens</name>
     <message>
-        <source>%1 lies where this camera&apos;s lens cannot have put it</source>
+        <source>this camera&apos;s lens model cannot project %1</source>
         <translation>%1 est là où l’objectif de cette caméra ne peut pas l’avoir mis</translation>
     </message>
 </context>
 <context>
     <name>calibration.marker_beyond_horizon</name>
     <message>
-        <source>marker %1 would lie at or beyond the horizon</source>
+        <source>marker %1 would be at or beyond the horizon</source>
         <translation>le marqueur %1 serait à l’horizon ou au-delà</translation>
     </message>
 </context>
@@ -4230,14 +4230,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.marker_off_by_all</name>
     <message>
-        <source>%1 is %2 off by all cameras</source>
+        <source>%1 is %2 off in all cameras</source>
         <translation>%1 est décalé de %2 selon toutes les caméras</translation>
     </message>
 </context>
 <context>
     <name>calibration.marker_off_by_one</name>
     <message>
-        <source>%1 is %2 off by the one camera that sees it</source>
+        <source>%1 is %2 off in the one camera that sees it</source>
         <translation>%1 est décalé de %2 selon la seule caméra qui le voit</translation>
     </message>
 </context>
@@ -4251,49 +4251,49 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.marker_place_no_number</name>
     <message>
-        <source>the place of marker %1 is not a finite number</source>
+        <source>the position of marker %1 is not a finite number</source>
         <translation>la place du marqueur %1 n’est pas un nombre fini</translation>
     </message>
 </context>
 <context>
     <name>calibration.marker_twice_in_layout</name>
     <message>
-        <source>marker %1 stands twice in the layout</source>
+        <source>marker %1 appears twice in the layout</source>
         <translation>le marqueur %1 est deux fois dans le plan</translation>
     </message>
 </context>
 <context>
     <name>calibration.marker_twice_in_picture</name>
     <message>
-        <source>marker %1 stands twice in the picture</source>
+        <source>marker %1 appears twice in the image</source>
         <translation>le marqueur %1 est deux fois dans l’image</translation>
     </message>
 </context>
 <context>
     <name>calibration.markers_at_one_place</name>
     <message>
-        <source>markers %1 and %2 lie at one place of the floor</source>
+        <source>markers %1 and %2 have the same floor position</source>
         <translation>les marqueurs %1 et %2 sont au même endroit du sol</translation>
     </message>
 </context>
 <context>
     <name>calibration.markers_fit</name>
     <message>
-        <source>%1 markers fit to %2 RMS (worst %3, %4), and the floor among them is known to ±%5</source>
+        <source>%1 markers fit to %2 RMS (worst %3, %4); floor uncertainty ±%5</source>
         <translation>%1 marqueurs s’ajustent à %2 RMS (le pire %3, %4), et le sol entre eux est connu à ±%5</translation>
     </message>
 </context>
 <context>
     <name>calibration.markers_fit_many_ways</name>
     <message>
-        <source>in %1 ways they fit the layout equally well, which looks the same from several sides</source>
+        <source>they fit the layout equally well in %1 ways, because it looks the same from several sides</source>
         <translation>ils s’ajustent aussi bien au plan de %1 façons, car il est identique vu de plusieurs côtés</translation>
     </message>
 </context>
 <context>
     <name>calibration.markers_fit_together</name>
     <message>
-        <source>with %1 together %2 markers fit to %3 RMS, and the floor among them is known to ±%4</source>
+        <source>registered jointly with %1: %2 markers fit to %3 RMS; floor uncertainty ±%4</source>
         <translation>avec %1, %2 marqueurs s’ajustent à %3 RMS, et le sol entre eux est connu à ±%4</translation>
     </message>
 </context>
@@ -4307,7 +4307,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.markers_in_place</name>
     <message>
-        <source>%1 markers lie within %2 = %3 of their places.</source>
+        <source>%1 markers are within %2 = %3 of their positions.</source>
         <translation>%1 marqueurs sont à moins de %2 = %3 de leur place.</translation>
     </message>
 </context>
@@ -4335,7 +4335,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.markers_nearly_on_line</name>
     <message>
-        <source>the markers lie so nearly on one line (%1 the most) that the floor is known only to ±%2</source>
+        <source>the markers are so close to one line (%1 the most) that the floor uncertainty is ±%2</source>
         <translation>les marqueurs sont presque alignés (surtout %1), si bien que le sol n’est connu qu’à ±%2</translation>
     </message>
 </context>
@@ -4349,14 +4349,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.markers_not_told_apart</name>
     <message>
-        <source>the markers cannot be told apart</source>
+        <source>the markers cannot be distinguished</source>
         <translation>les marqueurs ne se distinguent pas</translation>
     </message>
 </context>
 <context>
     <name>calibration.markers_on_one_pixel</name>
     <message>
-        <source>markers %1 and %2 lie on one pixel</source>
+        <source>markers %1 and %2 are on the same pixel</source>
         <translation>les marqueurs %1 et %2 sont sur le même pixel</translation>
     </message>
 </context>
@@ -4370,28 +4370,28 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.markers_too_close</name>
     <message>
-        <source>markers %1 and %2 lie only %3 apart, too close for two of four</source>
+        <source>markers %1 and %2 are only %3 apart, too close for two of four</source>
         <translation>les marqueurs %1 et %2 ne sont qu’à %3 l’un de l’autre, trop proches pour deux sur quatre</translation>
     </message>
 </context>
 <context>
     <name>calibration.measure_again</name>
     <message>
-        <source>mark and measure them again, or add another</source>
+        <source>mark and remeasure them, or add another</source>
         <translation>pointez-les et mesurez-les à nouveau, ou ajoutez-en un</translation>
     </message>
 </context>
 <context>
     <name>calibration.measure_it_again</name>
     <message>
-        <source>measure it again.</source>
+        <source>remeasure it.</source>
         <translation>mesurez-le à nouveau.</translation>
     </message>
 </context>
 <context>
     <name>calibration.measure_or_mark_again</name>
     <message>
-        <source>measure it, or mark it in the picture, again.</source>
+        <source>measure it, or mark it in the image, again.</source>
         <translation>mesurez-le, ou pointez-le dans l’image, à nouveau.</translation>
     </message>
 </context>
@@ -4433,14 +4433,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.misfit_unexplained</name>
     <message>
-        <source>the %1 markers misfit by %2 (%3) and check one another too little to tell which of them</source>
+        <source>the %1 markers misfit by %2 (%3), and are too few to identify the wrong one</source>
         <translation>les %1 marqueurs s’écartent de %2 (%3) et se contrôlent trop peu pour dire lequel</translation>
     </message>
 </context>
 <context>
     <name>calibration.more_pictures</name>
     <message>
-        <source>More pictures (%1 or more) would make it surer.</source>
+        <source>More images (%1 or more) would make it more certain.</source>
         <translation>Davantage de photos (%1 ou plus) le rendraient plus sûr.</translation>
     </message>
 </context>
@@ -4489,7 +4489,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.name_two_apart</name>
     <message>
-        <source>name two that lie apart</source>
+        <source>name two at different positions</source>
         <translation>nommez-en deux qui soient écartés</translation>
     </message>
 </context>
@@ -4524,14 +4524,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.no_charuco</name>
     <message>
-        <source>the markers that were read do not lie as on a ChArUco board</source>
+        <source>the detected markers do not match a ChArUco board</source>
         <translation>les marqueurs lus ne sont pas placés comme sur une mire ChArUco</translation>
     </message>
 </context>
 <context>
     <name>calibration.no_charuco_of_size</name>
     <message>
-        <source>the markers that were read do not lie as on a ChArUco board of %1 inner corners</source>
+        <source>the detected markers do not match a ChArUco board of %1 inner corners</source>
         <translation>les marqueurs lus ne sont pas placés comme sur une mire ChArUco de %1 coins intérieurs</translation>
     </message>
 </context>
@@ -4545,7 +4545,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.no_dictionary</name>
     <message>
-        <source>there is no marker dictionary %1</source>
+        <source>marker dictionary %1 does not exist</source>
         <translation>il n’y a pas de dictionnaire de marqueurs %1</translation>
     </message>
 </context>
@@ -4559,14 +4559,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.no_lens_fits</name>
     <message>
-        <source>no lens fits these pictures</source>
+        <source>no lens model fits these images</source>
         <translation>aucun objectif ne convient à ces photos</translation>
     </message>
 </context>
 <context>
     <name>calibration.no_millimetres</name>
     <message>
-        <source>no figure in millimetres, since this lens holds only for a part of the picture</source>
+        <source>no value in millimetres: this calibration holds for only part of the image</source>
         <translation>pas de valeur en millimètres, car cet objectif ne vaut que pour une partie de l’image</translation>
     </message>
 </context>
@@ -4608,14 +4608,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.not_registered_through</name>
     <message>
-        <source>the camera cannot be registered through another</source>
+        <source>the camera cannot be registered via another camera</source>
         <translation>la caméra ne peut pas être localisée par une autre</translation>
     </message>
 </context>
 <context>
     <name>calibration.not_registered_together</name>
     <message>
-        <source>the cameras cannot be registered together</source>
+        <source>the cameras cannot be registered jointly</source>
         <translation>les caméras ne peuvent pas être localisées ensemble</translation>
     </message>
 </context>
@@ -4629,35 +4629,35 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.other_picture_size</name>
     <message>
-        <source>it is %1×%2, the first picture %3×%4</source>
+        <source>it is %1×%2, the first image %3×%4</source>
         <translation>elle fait %1×%2, la première photo %3×%4</translation>
     </message>
 </context>
 <context>
     <name>calibration.outside_expected_error</name>
     <message>
-        <source>outside the expected error of %1.</source>
+        <source>beyond the limit of %1 (2.5 σ).</source>
         <translation>hors de l’erreur attendue de %1.</translation>
     </message>
 </context>
 <context>
     <name>calibration.picture_covered</name>
     <message>
-        <source>Only %1 of the picture was covered</source>
+        <source>The board covered only %1 of the image</source>
         <translation>Seulement %1 de l’image ont été couverts</translation>
     </message>
 </context>
 <context>
     <name>calibration.picture_stands_out</name>
     <message>
-        <source>its %1 stand out.</source>
+        <source>its %1 is an outlier.</source>
         <translation>ses %1 sortent du lot.</translation>
     </message>
 </context>
 <context>
     <name>calibration.picture_too_small</name>
     <message>
-        <source>the picture is too small</source>
+        <source>the image is too small</source>
         <translation>l’image est trop petite</translation>
     </message>
 </context>
@@ -4671,21 +4671,21 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.picture_without_size</name>
     <message>
-        <source>the picture has no size</source>
+        <source>the image has no size</source>
         <translation>l’image n’a pas de taille</translation>
     </message>
 </context>
 <context>
     <name>calibration.pictures_fit</name>
     <message>
-        <source>%1 pictures fit to %2, focal length %3 ± %4</source>
+        <source>%1 images fit to %2, focal length %3 ± %4</source>
         <translation>%1 photos s’ajustent à %2, distance focale %3 ± %4</translation>
     </message>
 </context>
 <context>
     <name>calibration.pictures_fit_halves_apart</name>
     <message>
-        <source>%1 pictures fit to %2, focal length %3 ± %4, %5 apart at worst on that floor</source>
+        <source>%1 images fit to %2, focal length %3 ± %4, halves at most %5 apart on that floor</source>
         <translation>%1 photos s’ajustent à %2, distance focale %3 ± %4, à %5 l’une de l’autre au pire sur ce sol</translation>
     </message>
 </context>
@@ -4762,7 +4762,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.planned_distance</name>
     <message>
-        <source>it cannot stand %1 away</source>
+        <source>its distance cannot be %1</source>
         <translation>elle ne peut pas être à %1 de distance</translation>
     </message>
 </context>
@@ -4776,56 +4776,56 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.planned_height</name>
     <message>
-        <source>it cannot stand %1 above the floor</source>
+        <source>its height above the floor cannot be %1</source>
         <translation>elle ne peut pas être à %1 au-dessus du sol</translation>
     </message>
 </context>
 <context>
     <name>calibration.planned_not_held</name>
     <message>
-        <source>the markers that it would see do not hold it</source>
+        <source>the markers it would see do not determine its pose</source>
         <translation>les marqueurs qu’elle verrait ne fixent pas sa position</translation>
     </message>
 </context>
 <context>
     <name>calibration.planned_sees_too_few</name>
     <message>
-        <source>from there it would see %1 of the layout&apos;s markers (%2), four are needed</source>
+        <source>it would see only %1 of the layout&apos;s markers (%2), four are needed</source>
         <translation>de là, elle verrait %1 des marqueurs du plan (%2), il en faut quatre</translation>
     </message>
 </context>
 <context>
     <name>calibration.point_against_lens</name>
     <message>
-        <source>point %1 lies where a lens cannot have put it</source>
+        <source>the lens model cannot project point %1</source>
         <translation>le point %1 est là où aucun objectif ne peut l’avoir mis</translation>
     </message>
 </context>
 <context>
     <name>calibration.point_beyond_horizon</name>
     <message>
-        <source>point %1 would lie at or beyond the horizon</source>
+        <source>point %1 would be at or beyond the horizon</source>
         <translation>le point %1 serait à l’horizon ou au-delà</translation>
     </message>
 </context>
 <context>
     <name>calibration.point_beyond_through</name>
     <message>
-        <source>point %1 lies at or beyond the horizon of %2</source>
+        <source>point %1 is at or beyond the horizon of %2</source>
         <translation>le point %1 est à l’horizon de %2 ou au-delà</translation>
     </message>
 </context>
 <context>
     <name>calibration.point_outside_own</name>
     <message>
-        <source>point %1 lies outside the picture of the camera to register (%2)</source>
+        <source>point %1 is outside the image of the camera to register (%2)</source>
         <translation>le point %1 est hors de l’image de la caméra à localiser (%2)</translation>
     </message>
 </context>
 <context>
     <name>calibration.point_outside_through</name>
     <message>
-        <source>point %1 lies outside the picture of %2 (%3)</source>
+        <source>point %1 is outside the image of %2 (%3)</source>
         <translation>le point %1 est hors de l’image de %2 (%3)</translation>
     </message>
 </context>
@@ -4839,35 +4839,35 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.point_twice</name>
     <message>
-        <source>point %1 is there twice</source>
+        <source>point %1 appears twice</source>
         <translation>le point %1 y est deux fois</translation>
     </message>
 </context>
 <context>
     <name>calibration.points_fit</name>
     <message>
-        <source>through %1 %2 points of the floor fit to %3 RMS (worst %4, %5), and the floor among them is known to ±%6, of which ±%7 come from %8</source>
+        <source>via %1, %2 floor points fit to %3 RMS (worst %4, %5); floor uncertainty ±%6, of which %8 contributes ±%7</source>
         <translation>par %1, %2 points du sol s’ajustent à %3 RMS (le pire %4, %5), et le sol entre eux est connu à ±%6, dont ±%7 viennent de %8</translation>
     </message>
 </context>
 <context>
     <name>calibration.points_mirrored</name>
     <message>
-        <source>the points are mirrored between the pictures of the two cameras</source>
+        <source>the points are mirrored between the images of the two cameras</source>
         <translation>les points sont en miroir entre les images des deux caméras</translation>
     </message>
 </context>
 <context>
     <name>calibration.points_on_one_pixel</name>
     <message>
-        <source>points %1 and %2 lie on one pixel</source>
+        <source>points %1 and %2 are on the same pixel</source>
         <translation>les points %1 et %2 sont sur le même pixel</translation>
     </message>
 </context>
 <context>
     <name>calibration.points_undetermined</name>
     <message>
-        <source>the points do not determine where the camera stands</source>
+        <source>the points do not determine the camera position</source>
         <translation>les points ne déterminent pas où est la caméra</translation>
     </message>
 </context>
@@ -4888,14 +4888,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.put_marker_back</name>
     <message>
-        <source>put it back, or measure again and register all cameras.</source>
+        <source>move it back, or measure the markers again and register all cameras.</source>
         <translation>remettez-le en place, ou mesurez à nouveau et localisez toutes les caméras.</translation>
     </message>
 </context>
 <context>
     <name>calibration.put_markers_back</name>
     <message>
-        <source>put them back, or measure again and register all cameras.</source>
+        <source>move them back, or measure the markers again and register all cameras.</source>
         <translation>remettez-les en place, ou mesurez à nouveau et localisez toutes les caméras.</translation>
     </message>
 </context>
@@ -4923,21 +4923,21 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.register_by_more</name>
     <message>
-        <source>register it by more of them first</source>
+        <source>register it with more of them first</source>
         <translation>localisez-la d’abord par davantage d’entre eux</translation>
     </message>
 </context>
 <context>
     <name>calibration.register_if_gone</name>
     <message>
-        <source>if they are gone or the camera looks elsewhere, register it again</source>
+        <source>if they are gone or the camera points elsewhere, register it again</source>
         <translation>s’ils ont disparu ou si la caméra regarde ailleurs, localisez-la à nouveau</translation>
     </message>
 </context>
 <context>
     <name>calibration.register_one_by_one</name>
     <message>
-        <source>register the cameras one by one by this layout first</source>
+        <source>first register the cameras one by one with this layout</source>
         <translation>localisez d’abord les caméras une à une par ce plan</translation>
     </message>
 </context>
@@ -4951,14 +4951,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.reversed_x_alone</name>
     <message>
-        <source>reversing X alone would mirror the floor, and no camera above it sees it so</source>
+        <source>reversing X alone would mirror the floor; no camera above it sees it that way</source>
         <translation>inverser X seul mettrait le sol en miroir, et aucune caméra au-dessus ne le voit ainsi</translation>
     </message>
 </context>
 <context>
     <name>calibration.reversed_y_alone</name>
     <message>
-        <source>reversing Y alone would mirror the floor, and no camera above it sees it so</source>
+        <source>reversing Y alone would mirror the floor; no camera above it sees it that way</source>
         <translation>inverser Y seul mettrait le sol en miroir, et aucune caméra au-dessus ne le voit ainsi</translation>
     </message>
 </context>
@@ -4972,28 +4972,28 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.same_attitude</name>
     <message>
-        <source>all %1 pictures show the board in nearly the same attitude, which does not determine the focal length</source>
+        <source>all %1 images show the board at nearly the same tilt, too little to determine the focal length</source>
         <translation>les %1 photos montrent la mire presque dans la même orientation, ce qui ne détermine pas la distance focale</translation>
     </message>
 </context>
 <context>
     <name>calibration.second_end_beyond</name>
     <message>
-        <source>the second end lies at or beyond the horizon of camera &apos;%1&apos;</source>
+        <source>the second end is at or beyond the horizon of camera &apos;%1&apos;</source>
         <translation>la seconde extrémité est à l’horizon de la caméra &apos;%1&apos; ou au-delà</translation>
     </message>
 </context>
 <context>
     <name>calibration.see_same_floor</name>
     <message>
-        <source>let them see some of the same floor</source>
+        <source>aim them at a common part of the floor</source>
         <translation>faites-leur voir une partie commune du sol</translation>
     </message>
 </context>
 <context>
     <name>calibration.sees_too_few_anywhere</name>
     <message>
-        <source>from nowhere within %1 beyond the markers would it see four of them at the height and with the lens given</source>
+        <source>at this height and field of view, no position within %1 of the markers shows four of them</source>
         <translation>à moins de %1 des marqueurs, nulle part elle n’en verrait quatre à cette hauteur et avec cet objectif</translation>
     </message>
 </context>
@@ -5007,14 +5007,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.shapes_fit_nowhere</name>
     <message>
-        <source>none of the ways to name the %1 rings and dots fits the layout</source>
+        <source>no assignment of the %1 rings and dots fits the layout</source>
         <translation>aucune façon de nommer les %1 anneaux et pastilles ne convient au plan</translation>
     </message>
 </context>
 <context>
     <name>calibration.shared_points</name>
     <message>
-        <source>there are %1</source>
+        <source>%1 given</source>
         <translation>il y en a %1</translation>
     </message>
 </context>
@@ -5028,7 +5028,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.show_everywhere</name>
     <message>
-        <source>show the board in the middle and near each corner of the picture, and closer</source>
+        <source>show the board in the middle and near each corner of the image, and closer</source>
         <translation>montrez la mire au milieu et près de chaque coin de l’image, et de plus près</translation>
     </message>
 </context>
@@ -5119,7 +5119,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.stand_higher</name>
     <message>
-        <source>let it stand higher or farther away, or choose a wider lens</source>
+        <source>mount it higher or farther away, or choose a wider lens</source>
         <translation>placez-la plus haut ou plus loin, ou choisissez un objectif plus large</translation>
     </message>
 </context>
@@ -5140,7 +5140,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.tag_seen_often</name>
     <message>
-        <source>tag %1 (marker %2) is seen %3 times</source>
+        <source>tag %1 (marker %2) appears %3 times</source>
         <translation>le tag %1 (marqueur %2) est vu %3 fois</translation>
     </message>
 </context>
@@ -5161,7 +5161,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.tell_by_hand</name>
     <message>
-        <source>tell by hand which of them is %1</source>
+        <source>mark by hand which of them is %1</source>
         <translation>indiquez à la main lequel est %1</translation>
     </message>
 </context>
@@ -5182,7 +5182,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.tilt_board</name>
     <message>
-        <source>take pictures with the board tilted by 30 to 45 degrees, to each side</source>
+        <source>take images with the board tilted by 30 to 45 degrees, to each side</source>
         <translation>prenez des photos avec la mire inclinée de 30 à 45 degrés, de chaque côté</translation>
     </message>
 </context>
@@ -5203,7 +5203,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.told_length_not_positive</name>
     <message>
-        <source>the told length is not above 0</source>
+        <source>the entered length is not above 0</source>
         <translation>la longueur indiquée n’est pas supérieure à 0</translation>
     </message>
 </context>
@@ -5224,7 +5224,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.too_few_pictures</name>
     <message>
-        <source>three pictures of the board are needed, %1 can be used</source>
+        <source>calibration needs three images of the board, %1 can be used</source>
         <translation>il faut trois photos de la mire, %1 sont utilisables</translation>
     </message>
 </context>
@@ -5238,28 +5238,28 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.too_few_to_compare</name>
     <message>
-        <source>too few pictures to compare it with others</source>
+        <source>too few images to compare it with other models</source>
         <translation>trop peu de photos pour le comparer à d’autres</translation>
     </message>
 </context>
 <context>
     <name>calibration.too_frontal</name>
     <message>
-        <source>the board is seen too nearly frontal</source>
+        <source>the board faces the camera too directly</source>
         <translation>la mire est vue trop de face</translation>
     </message>
 </context>
 <context>
     <name>calibration.too_small_for_board</name>
     <message>
-        <source>the picture is too small to hold a board</source>
+        <source>the image is too small for a board</source>
         <translation>l’image est trop petite pour une mire</translation>
     </message>
 </context>
 <context>
     <name>calibration.two_cameras_needed</name>
     <message>
-        <source>there is %1 camera on layout &apos;%2&apos;, two are needed</source>
+        <source>layout &apos;%2&apos; has %1 registered camera, two are needed</source>
         <translation>il y a %1 caméra sur le plan &apos;%2&apos;, il en faut deux</translation>
     </message>
 </context>
@@ -5273,7 +5273,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.two_focal_lengths</name>
     <message>
-        <source>the pictures ask for two focal lengths</source>
+        <source>the images do not agree on one focal length</source>
         <translation>les photos demandent deux distances focales</translation>
     </message>
 </context>
@@ -5308,21 +5308,21 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.unseen_middle_corner</name>
     <message>
-        <source>The middle is not seen, ±%1 in the corner near %2.</source>
+        <source>The middle is out of view, ±%1 in the corner near %2.</source>
         <translation>Le milieu n’est pas vu, ±%1 dans le coin près de %2.</translation>
     </message>
 </context>
 <context>
     <name>calibration.unseen_middle_edge</name>
     <message>
-        <source>The middle is not seen, ±%1 at the edge near %2.</source>
+        <source>The middle is out of view, ±%1 at the edge near %2.</source>
         <translation>Le milieu n’est pas vu, ±%1 au bord près de %2.</translation>
     </message>
 </context>
 <context>
     <name>calibration.unseen_middle_near</name>
     <message>
-        <source>The middle is not seen, ±%1 near %2.</source>
+        <source>The middle is out of view, ±%1 near %2.</source>
         <translation>Le milieu n’est pas vu, ±%1 près de %2.</translation>
     </message>
 </context>
@@ -5336,14 +5336,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.use_camera_picture</name>
     <message>
-        <source>use a picture of the camera</source>
+        <source>use an image from the camera</source>
         <translation>utilisez une image de la caméra</translation>
     </message>
 </context>
 <context>
     <name>calibration.use_camera_pictures</name>
     <message>
-        <source>use pictures of the camera</source>
+        <source>use images from the camera</source>
         <translation>utilisez des images de la caméra</translation>
     </message>
 </context>
@@ -5357,14 +5357,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.use_one_camera</name>
     <message>
-        <source>use pictures of one camera at one zoom and focus</source>
+        <source>use images of one camera at one zoom and focus</source>
         <translation>utilisez des photos d’une caméra au même zoom et à la même mise au point</translation>
     </message>
 </context>
 <context>
     <name>calibration.use_one_resolution</name>
     <message>
-        <source>use pictures of one camera at one resolution</source>
+        <source>use images of one camera at one resolution</source>
         <translation>utilisez des photos d’une même caméra à une même résolution</translation>
     </message>
 </context>
@@ -5378,7 +5378,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.whether_moved</name>
     <message>
-        <source>whether %1 has moved cannot be told</source>
+        <source>cannot determine whether %1 has moved</source>
         <translation>impossible de dire si %1 a bougé</translation>
     </message>
 </context>
@@ -5392,7 +5392,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>calibration.x_without_length</name>
     <message>
-        <source>the markers that X is to run along lie at one place</source>
+        <source>the two markers for the X axis have the same position</source>
         <translation>les marqueurs que X doit suivre sont au même endroit</translation>
     </message>
 </context>
@@ -7968,21 +7968,21 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>geometry.at_one_place</name>
     <message>
-        <source>%1 lie at one place</source>
+        <source>%1 have the same position</source>
         <translation>%1 sont au même endroit</translation>
     </message>
 </context>
 <context>
     <name>geometry.at_one_place_in_picture</name>
     <message>
-        <source>%1 lie at one place in the picture</source>
+        <source>%1 have the same position in the image</source>
         <translation>%1 sont au même endroit de l’image</translation>
     </message>
 </context>
 <context>
     <name>geometry.beyond_horizon</name>
     <message>
-        <source>%1 would lie beyond the horizon</source>
+        <source>%1 would be beyond the horizon</source>
         <translation>%1 serait au-delà de l’horizon</translation>
     </message>
 </context>
@@ -8080,7 +8080,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>geometry.on_one_line_in_picture</name>
     <message>
-        <source>%1 lie on one line in the picture</source>
+        <source>%1 lie on one line in the image</source>
         <translation>%1 sont alignés dans l’image</translation>
     </message>
 </context>
@@ -8108,7 +8108,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>geometry.size_not_positive</name>
     <message>
-        <source>the picture size %1 is not positive</source>
+        <source>the image size %1 is not positive</source>
         <translation>la taille d’image %1 n’est pas positive</translation>
     </message>
 </context>
@@ -8143,7 +8143,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>geometry.wrong_coefficients</name>
     <message>
-        <source>%1 distortion coefficients do not belong to this lens model</source>
+        <source>this lens model does not take %1 distortion coefficients</source>
         <translation>%1 coefficients de distorsion ne vont pas avec ce modèle d’objectif</translation>
     </message>
 </context>
@@ -18987,7 +18987,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.analyse_anew_with</name>
     <message>
-        <source>analyse them anew with</source>
+        <source>reanalyse them with</source>
         <translation>analysez-les à nouveau avec</translation>
     </message>
 </context>
@@ -19008,28 +19008,28 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.another_picture_size</name>
     <message>
-        <source>its pictures are %1 but the camera was calibrated at %2</source>
+        <source>its frames are %1 but the camera was calibrated at %2</source>
         <translation>ses images sont en %1 mais la caméra a été étalonnée en %2</translation>
     </message>
 </context>
 <context>
     <name>workflow.beyond_limits</name>
     <message>
-        <source>%1 of what was measured is beyond the limits of task &apos;%2&apos;, so that they were left out</source>
+        <source>%1 of the samples exceed the limits of task &apos;%2&apos;, so the limits were ignored</source>
         <translation>%1 des mesures dépassent les limites de l’épreuve &apos;%2&apos;, qui ont donc été ignorées</translation>
     </message>
 </context>
 <context>
     <name>workflow.board_in_no_picture</name>
     <message>
-        <source>the board was found in none of %1 pictures (%2)</source>
+        <source>the board was found in none of %1 images (%2)</source>
         <translation>la mire n’a été trouvée dans aucune des %1 photos (%2)</translation>
     </message>
 </context>
 <context>
     <name>workflow.by_layout_and_lens</name>
     <message>
-        <source>layout &apos;%1&apos;, lens of calibration %2</source>
+        <source>layout &apos;%1&apos;, lens calibration %2</source>
         <translation>plan &apos;%1&apos;, objectif de l’étalonnage %2</translation>
     </message>
 </context>
@@ -19064,7 +19064,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.calibrate_if_touched</name>
     <message>
-        <source>if zoom, focus or the camera&apos;s settings were touched since, calibrate it again.</source>
+        <source>if zoom, focus or the camera&apos;s settings have changed since, calibrate it again.</source>
         <translation>si le zoom, la mise au point ou les réglages de la caméra ont changé depuis, étalonnez-la à nouveau.</translation>
     </message>
 </context>
@@ -19078,7 +19078,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.calibrate_lens_first</name>
     <message>
-        <source>calibrate the lens first, or put another calibration in force</source>
+        <source>calibrate the lens first, or choose another calibration</source>
         <translation>étalonnez d’abord l’objectif, ou mettez un autre étalonnage en vigueur</translation>
     </message>
 </context>
@@ -19099,7 +19099,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.calibrated_from_pictures</name>
     <message>
-        <source>calibrated from %1 pictures</source>
+        <source>calibrated from %1 images</source>
         <translation>étalonné d’après %1 photos</translation>
     </message>
 </context>
@@ -19127,14 +19127,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.calibration_picture</name>
     <message>
-        <source>calibration picture &apos;%1&apos;</source>
+        <source>calibration image &apos;%1&apos;</source>
         <translation>photo d’étalonnage &apos;%1&apos;</translation>
     </message>
 </context>
 <context>
     <name>workflow.camera_gave_no_picture</name>
     <message>
-        <source>camera &apos;%1&apos; gave no picture</source>
+        <source>camera &apos;%1&apos; delivered no frame</source>
         <translation>la caméra &apos;%1&apos; n’a donné aucune image</translation>
     </message>
 </context>
@@ -19176,7 +19176,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.check_cable_and_bandwidth</name>
     <message>
-        <source>check cable, bandwidth and what else this machine does</source>
+        <source>check the cable, the bandwidth and what else this computer is doing</source>
         <translation>vérifiez le câble, la bande passante et ce que fait d’autre cet ordinateur</translation>
     </message>
 </context>
@@ -19204,7 +19204,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.check_or_analyse_again</name>
     <message>
-        <source>run odograph check, or analyse the trial again</source>
+        <source>run odograph check, or reanalyse the trial</source>
         <translation>lancez odograph check, ou analysez de nouveau l’essai</translation>
     </message>
 </context>
@@ -19218,7 +19218,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.check_rate</name>
     <message>
-        <source>the views are joined by time, check --rate if one is slow motion</source>
+        <source>views are matched by time: check --rate if one is in slow motion</source>
         <translation>les vues sont réunies par le temps&#xa0;; vérifiez --rate si l’une est au ralenti</translation>
     </message>
 </context>
@@ -19232,7 +19232,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.check_views_of_one_run</name>
     <message>
-        <source>outside it only one view measures, so check that both belong to one run</source>
+        <source>only one view measures the rest, so check that both belong to one run</source>
         <translation>en dehors, une seule vue mesure&#xa0;; vérifiez que les deux sont du même passage</translation>
     </message>
 </context>
@@ -19281,7 +19281,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.choose_interface</name>
     <message>
-        <source>choose one that `ip link` names, or lo to stay on this machine</source>
+        <source>choose one that `ip link` lists, or lo to stay on this computer</source>
         <translation>choisissez-en une que `ip link` nomme, ou lo pour rester sur cet ordinateur</translation>
     </message>
 </context>
@@ -19400,56 +19400,56 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.demo_is_there</name>
     <message>
-        <source>%1 is there already</source>
+        <source>%1 already exists</source>
         <translation>%1 existe déjà</translation>
     </message>
 </context>
 <context>
     <name>workflow.doubtful_name</name>
     <message>
-        <source>from %1 to %2 it is doubtful whether this is %3 or %4</source>
+        <source>from %1 to %2 this may be %3 or %4</source>
         <translation>de %1 à %2, il n’est pas sûr qu’il s’agisse de %3 ou de %4</translation>
     </message>
 </context>
 <context>
     <name>workflow.doubtful_name_unknown</name>
     <message>
-        <source>from %1 to %2 it is doubtful whether this is %3 or another robot of its look</source>
+        <source>from %1 to %2 this may be %3 or another robot that looks the same</source>
         <translation>de %1 à %2, il n’est pas sûr qu’il s’agisse de %3 ou d’un autre robot de même apparence</translation>
     </message>
 </context>
 <context>
     <name>workflow.doubtful_names</name>
     <message>
-        <source>from %1 to %2 (the first of %3 times) it is doubtful whether this is %4 or %5</source>
+        <source>from %1 to %2 (the first of %3 times) this may be %4 or %5</source>
         <translation>de %1 à %2 (la première de %3 fois), il n’est pas sûr qu’il s’agisse de %4 ou de %5</translation>
     </message>
 </context>
 <context>
     <name>workflow.doubtful_names_unknown</name>
     <message>
-        <source>from %1 to %2 (the first of %3 times) it is doubtful whether this is %4 or another robot of its look</source>
+        <source>from %1 to %2 (the first of %3 times) this may be %4 or another robot that looks the same</source>
         <translation>de %1 à %2 (la première de %3 fois), il n’est pas sûr qu’il s’agisse de %4 ou d’un autre robot de même apparence</translation>
     </message>
 </context>
 <context>
     <name>workflow.doubtful_step</name>
     <message>
-        <source>it is in step to %1 only, which is %2 at 1 m/s</source>
+        <source>it is synchronised only to %1, which is %2 at 1 m/s</source>
         <translation>elle n’est synchronisée qu’à %1 près, soit %2 à 1 m/s</translation>
     </message>
 </context>
 <context>
     <name>workflow.error_estimated</name>
     <message>
-        <source>positions to %1, as estimated from them</source>
+        <source>positions to %1, estimated from the track</source>
         <translation>positions à %1, estimé d’après elles</translation>
     </message>
 </context>
 <context>
     <name>workflow.error_stated</name>
     <message>
-        <source>positions to %1, as the file says</source>
+        <source>positions to %1, as stated in the file</source>
         <translation>positions à %1, d’après le fichier</translation>
     </message>
 </context>
@@ -19470,21 +19470,21 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.file_without_picture</name>
     <message>
-        <source>it has no picture</source>
+        <source>it contains no image</source>
         <translation>aucune image n’y est</translation>
     </message>
 </context>
 <context>
     <name>workflow.fitting_cameras_together</name>
     <message>
-        <source>fitting %1 cameras together</source>
+        <source>fitting %1 cameras jointly</source>
         <translation>ajustement de %1 caméras ensemble</translation>
     </message>
 </context>
 <context>
     <name>workflow.floor_has_its_colour</name>
     <message>
-        <source>its colour %1 is also that of the floor (%2 of view %3&apos;s picture)</source>
+        <source>its colour %1 is also the floor&apos;s (%2 of the frame in view %3)</source>
         <translation>sa couleur %1 est aussi celle du sol (%2 de l’image de la vue %3)</translation>
     </message>
 </context>
@@ -19498,7 +19498,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.found_by_colour</name>
     <message>
-        <source>it is found by its colour</source>
+        <source>it is detected by its colour</source>
         <translation>il est trouvé par sa couleur</translation>
     </message>
 </context>
@@ -19568,21 +19568,21 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.give_own_colours</name>
     <message>
-        <source>give each a colour of its own</source>
+        <source>give each its own colour</source>
         <translation>donnez à chacun une couleur à lui</translation>
     </message>
 </context>
 <context>
     <name>workflow.give_picture_of_that_size</name>
     <message>
-        <source>give a picture of that size</source>
+        <source>give an image of that size</source>
         <translation>donnez une image de cette taille</translation>
     </message>
 </context>
 <context>
     <name>workflow.give_pixels_or_picture</name>
     <message>
-        <source>give --pixels pixels.csv, --image picture.png or --video clip.mp4</source>
+        <source>give --pixels pixels.csv, --image image.png or --video clip.mp4</source>
         <translation>donnez --pixels pixels.csv, --image picture.png ou --video clip.mp4</translation>
     </message>
 </context>
@@ -19596,7 +19596,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.give_seconds</name>
     <message>
-        <source>give the seconds, like 10</source>
+        <source>give the seconds, such as 10</source>
         <translation>donnez les secondes, comme 10</translation>
     </message>
 </context>
@@ -19624,14 +19624,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.import_again_for_offset</name>
     <message>
-        <source>import the videos again and let the offset be found, or tell it</source>
+        <source>import the videos again with automatic synchronisation, or enter the time offset</source>
         <translation>réimportez les vidéos et laissez trouver le décalage, ou indiquez-le</translation>
     </message>
 </context>
 <context>
     <name>workflow.import_lens</name>
     <message>
-        <source>import the lens of camera %1 from %2</source>
+        <source>import the lens calibration of camera %1 from %2</source>
         <translation>import de l’objectif de la caméra %1 depuis %2</translation>
     </message>
 </context>
@@ -19673,21 +19673,21 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.keeping_pictures</name>
     <message>
-        <source>keeping the pictures</source>
+        <source>saving the images</source>
         <translation>conservation des photos</translation>
     </message>
 </context>
 <context>
     <name>workflow.leave_frame</name>
     <message>
-        <source>leave frame %1 of %2 to the program</source>
+        <source>remove the override of frame %1 of %2</source>
         <translation>image %1 de %2 laissée au programme</translation>
     </message>
 </context>
 <context>
     <name>workflow.leave_out_trial</name>
     <message>
-        <source>leave out %1, of which nothing was recorded</source>
+        <source>remove %1, which recorded nothing</source>
         <translation>écart de %1, dont rien n’a été enregistré</translation>
     </message>
 </context>
@@ -19701,7 +19701,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.lens_never_calibrated</name>
     <message>
-        <source>The lens of camera &apos;%1&apos; was never calibrated, its distortion is taken as none</source>
+        <source>The lens of camera &apos;%1&apos; is not calibrated, so no distortion is assumed</source>
         <translation>L’objectif de la caméra &apos;%1&apos; n’a jamais été étalonné, sa distorsion est prise comme nulle</translation>
     </message>
 </context>
@@ -19743,63 +19743,63 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.look_at_outlines</name>
     <message>
-        <source>look at the outlines, and tell the robot&apos;s colour or keep others out of the pictures</source>
+        <source>check the outlines, and set the robot&apos;s colour or keep other objects out of view</source>
         <translation>regardez les contours, et indiquez la couleur du robot ou gardez les autres hors des images</translation>
     </message>
 </context>
 <context>
     <name>workflow.look_for_lost_videos</name>
     <message>
-        <source>look for lost videos</source>
+        <source>search for lost videos</source>
         <translation>chercher les vidéos perdues</translation>
     </message>
 </context>
 <context>
     <name>workflow.looking_for_board_in</name>
     <message>
-        <source>looking for the board in %1</source>
+        <source>detecting the board in %1</source>
         <translation>recherche de la mire dans %1</translation>
     </message>
 </context>
 <context>
     <name>workflow.looking_for_files</name>
     <message>
-        <source>looking for files</source>
+        <source>searching for files</source>
         <translation>recherche de fichiers</translation>
     </message>
 </context>
 <context>
     <name>workflow.looking_for_markers_again</name>
     <message>
-        <source>looking for the markers again</source>
+        <source>detecting the markers again</source>
         <translation>nouvelle recherche des marqueurs</translation>
     </message>
 </context>
 <context>
     <name>workflow.looking_for_markers_in</name>
     <message>
-        <source>looking for the markers in %1</source>
+        <source>detecting the markers in %1</source>
         <translation>recherche des marqueurs dans %1</translation>
     </message>
 </context>
 <context>
     <name>workflow.looking_through_media</name>
     <message>
-        <source>looking through the media folder</source>
+        <source>searching the media folder</source>
         <translation>examen du dossier des médias</translation>
     </message>
 </context>
 <context>
     <name>workflow.lost_not_packed</name>
     <message>
-        <source>the video of camera %1 in trial &apos;%2&apos; is lost, and not in the packed project</source>
+        <source>the video of camera %1 in trial &apos;%2&apos; is lost and is not in the packed project</source>
         <translation>la vidéo de la caméra %1 dans l’essai &apos;%2&apos; est perdue, et absente du projet empaqueté</translation>
     </message>
 </context>
 <context>
     <name>workflow.lost_video_not_there</name>
     <message>
-        <source>the lost video is not there</source>
+        <source>the lost video is not in this folder</source>
         <translation>la vidéo perdue n’y est pas</translation>
     </message>
 </context>
@@ -19813,42 +19813,42 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.lost_videos_not_there</name>
     <message>
-        <source>none of the %1 lost videos is there</source>
+        <source>none of the %1 lost videos is in this folder</source>
         <translation>aucune des %1 vidéos perdues n’y est</translation>
     </message>
 </context>
 <context>
     <name>workflow.made_through_registration</name>
     <message>
-        <source>It was made through registration %1 of the project.</source>
+        <source>It was made via registration %1 of the project.</source>
         <translation>Elle a été faite par la localisation %1 du projet.</translation>
     </message>
 </context>
 <context>
     <name>workflow.made_with_it_already</name>
     <message>
-        <source>it was made with it already</source>
+        <source>it already uses that calibration</source>
         <translation>elle a déjà été faite avec lui</translation>
     </message>
 </context>
 <context>
     <name>workflow.making_hash</name>
     <message>
-        <source>making the hash of %1</source>
+        <source>computing the hash of %1</source>
         <translation>calcul de l’empreinte de %1</translation>
     </message>
 </context>
 <context>
     <name>workflow.map_behind</name>
     <message>
-        <source>the map is %1 behind, none skipped</source>
+        <source>the map is %1 behind, no frame skipped</source>
         <translation>la carte a %1 de retard, rien de sauté</translation>
     </message>
 </context>
 <context>
     <name>workflow.map_behind_and_skipping</name>
     <message>
-        <source>the map is %1 behind, %2 skipped</source>
+        <source>the map is %1 behind, %2 frames skipped</source>
         <translation>la carte a %1 de retard, %2 sautées</translation>
     </message>
 </context>
@@ -19869,14 +19869,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.measure_again</name>
     <message>
-        <source>measure %1 again</source>
+        <source>reanalyse %1</source>
         <translation>nouvelle mesure de %1</translation>
     </message>
 </context>
 <context>
     <name>workflow.measure_it_again</name>
     <message>
-        <source>measure it again</source>
+        <source>repeat the analysis</source>
         <translation>mesurez-le à nouveau</translation>
     </message>
 </context>
@@ -19904,7 +19904,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.name_place_in_pixels</name>
     <message>
-        <source>name it in pixels from the picture&apos;s top left corner</source>
+        <source>give it in pixels from the frame&apos;s top left corner</source>
         <translation>indiquez-le en pixels depuis le coin supérieur gauche de l’image</translation>
     </message>
 </context>
@@ -19925,7 +19925,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.nearly_all_beyond_limits</name>
     <message>
-        <source>nearly all that was measured is beyond the limits of task &apos;%1&apos;, so that they were left out</source>
+        <source>nearly all samples exceed the limits of task &apos;%1&apos;, so the limits were ignored</source>
         <translation>presque toutes les mesures dépassent les limites de l’épreuve &apos;%1&apos;, qui ont donc été ignorées</translation>
     </message>
 </context>
@@ -19953,14 +19953,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.no_address_with_port</name>
     <message>
-        <source>it is no IPv4 address with a port</source>
+        <source>it is not an IPv4 address with a port</source>
         <translation>ce n’est pas une adresse IPv4 avec un port</translation>
     </message>
 </context>
 <context>
     <name>workflow.no_camera_gave_picture</name>
     <message>
-        <source>no camera gave a picture</source>
+        <source>no camera delivered a frame</source>
         <translation>aucune caméra n’a donné d’image</translation>
     </message>
 </context>
@@ -19974,14 +19974,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.no_common_place</name>
     <message>
-        <source>No place was measured by both analyses.</source>
+        <source>The two analyses have no position in common.</source>
         <translation>Aucun endroit n’a été mesuré par les deux analyses.</translation>
     </message>
 </context>
 <context>
     <name>workflow.no_common_time</name>
     <message>
-        <source>views &apos;%1&apos; and &apos;%2&apos; have no time in common with an offset of %3</source>
+        <source>views &apos;%1&apos; and &apos;%2&apos; do not overlap with a time offset of %3</source>
         <translation>les vues &apos;%1&apos; et &apos;%2&apos; n’ont pas de temps commun avec un décalage de %3</translation>
     </message>
 </context>
@@ -19995,35 +19995,35 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.no_multicast</name>
     <message>
-        <source>interface &apos;%1&apos; takes no multicast</source>
+        <source>interface &apos;%1&apos; does not support multicast</source>
         <translation>l’interface &apos;%1&apos; n’accepte pas le multicast</translation>
     </message>
 </context>
 <context>
     <name>workflow.no_picture_read</name>
     <message>
-        <source>no picture could be read</source>
+        <source>no image could be read</source>
         <translation>aucune photo n’a pu être lue</translation>
     </message>
 </context>
 <context>
     <name>workflow.no_picture_then</name>
     <message>
-        <source>the view has no picture at that time</source>
+        <source>the view has no frame at that time</source>
         <translation>la vue n’a pas d&apos;image à ce moment</translation>
     </message>
 </context>
 <context>
     <name>workflow.no_pixels_no_picture</name>
     <message>
-        <source>neither their pixels nor a picture to look in was given</source>
+        <source>it needs pixels, or an image to detect the markers in</source>
         <translation>ni leurs pixels ni une image où chercher n’ont été donnés</translation>
     </message>
 </context>
 <context>
     <name>workflow.no_robot</name>
     <message>
-        <source>the project has no robot to look for</source>
+        <source>the project has no robot to track</source>
         <translation>le projet n’a pas de robot à chercher</translation>
     </message>
 </context>
@@ -20037,21 +20037,21 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.no_socket</name>
     <message>
-        <source>this machine gives no socket</source>
+        <source>the system could not open a socket</source>
         <translation>cet ordinateur ne donne pas de socket</translation>
     </message>
 </context>
 <context>
     <name>workflow.no_such_frame</name>
     <message>
-        <source>there is no such frame</source>
+        <source>this frame does not exist</source>
         <translation>cette image n’existe pas</translation>
     </message>
 </context>
 <context>
     <name>workflow.no_such_interface</name>
     <message>
-        <source>this machine has none of that name</source>
+        <source>this computer has no interface of that name</source>
         <translation>cet ordinateur n’en a pas de ce nom</translation>
     </message>
 </context>
@@ -20100,21 +20100,21 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.none_of_that_number</name>
     <message>
-        <source>camera &apos;%1&apos; has none of that number</source>
+        <source>camera &apos;%1&apos; has no such number</source>
         <translation>la caméra &apos;%1&apos; n’en a pas de ce numéro</translation>
     </message>
 </context>
 <context>
     <name>workflow.not_measured_there</name>
     <message>
-        <source>the robot was not measured there, so there is nothing to judge</source>
+        <source>the robot has no measurement at that time</source>
         <translation>le robot n’y a pas été mesuré, il n’y a donc rien à juger</translation>
     </message>
 </context>
 <context>
     <name>workflow.not_synchronised</name>
     <message>
-        <source>it is not synchronised but taken as begun together with the first view, so that a moving robot is not where the two views put it</source>
+        <source>it is not synchronised: the same start time as the first view was assumed, and positions of a moving robot are wrong</source>
         <translation>elle n’est pas synchronisée mais prise comme commencée avec la première vue, si bien qu’un robot en mouvement n’est pas là où les deux vues le placent</translation>
     </message>
 </context>
@@ -20135,7 +20135,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.nothing_came</name>
     <message>
-        <source>nothing came for %1, because %2</source>
+        <source>no frame arrived for %1 because %2</source>
         <translation>rien n’est venu pendant %1, car %2</translation>
     </message>
 </context>
@@ -20149,35 +20149,35 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.nothing_said_there</name>
     <message>
-        <source>nothing was said by hand there</source>
+        <source>that frame has no manual override</source>
         <translation>rien n’y a été dit à la main</translation>
     </message>
 </context>
 <context>
     <name>workflow.nothing_stands_out</name>
     <message>
-        <source>nothing stands out from the floor at %1,%2 at %3 for some frames</source>
+        <source>no foreground object was found at pixel %1,%2 at %3</source>
         <translation>rien ne se distingue du sol en %1,%2 à %3 pendant quelques images</translation>
     </message>
 </context>
 <context>
     <name>workflow.nothing_to_analyse_again</name>
     <message>
-        <source>it has not been tracked yet, so there is nothing to analyse again</source>
+        <source>it has not been tracked yet, so it cannot be reanalysed</source>
         <translation>il n’a pas encore été suivi, il n’y a donc rien à réanalyser</translation>
     </message>
 </context>
 <context>
     <name>workflow.nothing_to_do</name>
     <message>
-        <source>there is nothing to do</source>
+        <source>no action is needed</source>
         <translation>il n’y a rien à faire</translation>
     </message>
 </context>
 <context>
     <name>workflow.offsets_of_other_count</name>
     <message>
-        <source>%1 views were given and the offsets of %2</source>
+        <source>the number of views is %1, the number of offsets %2</source>
         <translation>%1 vues ont été données, et les décalages de %2</translation>
     </message>
 </context>
@@ -20198,14 +20198,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.one_follows_something_else</name>
     <message>
-        <source>one of them follows something else, or is not where it was registered</source>
+        <source>one of them tracks another object, or has moved since its registration</source>
         <translation>l’une d’elles suit autre chose, ou n’est plus là où elle a été localisée</translation>
     </message>
 </context>
 <context>
     <name>workflow.only_frame</name>
     <message>
-        <source>its only one is frame 0</source>
+        <source>its only frame is 0</source>
         <translation>la seule est l’image 0</translation>
     </message>
 </context>
@@ -20219,77 +20219,77 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.other_sample_judged</name>
     <message>
-        <source>another sample was judged by hand while this one was analysed</source>
+        <source>another sample was overridden while this one was analysed</source>
         <translation>un autre échantillon a été jugé à la main pendant l’analyse de celui-ci</translation>
     </message>
 </context>
 <context>
     <name>workflow.outside_picture</name>
     <message>
-        <source>the place lies outside the picture</source>
+        <source>the position is outside the frame</source>
         <translation>l’endroit est hors de l’image</translation>
     </message>
 </context>
 <context>
     <name>workflow.pick_or_take_colour</name>
     <message>
-        <source>pick its colour again, or take the colour from it</source>
+        <source>pick its colour again, or remove its colour</source>
         <translation>reprenez sa couleur, ou retirez-la-lui</translation>
     </message>
 </context>
 <context>
     <name>workflow.picture_lost_here</name>
     <message>
-        <source>1 picture was lost because this computer or its disk was too slow</source>
+        <source>1 frame was lost because this computer or its disk was too slow</source>
         <translation>1 image a été perdue car cet ordinateur ou son disque était trop lent</translation>
     </message>
 </context>
 <context>
     <name>workflow.picture_lost_on_wire</name>
     <message>
-        <source>1 picture was lost between the camera and this program</source>
+        <source>1 frame was lost between the camera and this program</source>
         <translation>1 image a été perdue entre la caméra et ce programme</translation>
     </message>
 </context>
 <context>
     <name>workflow.picture_made_too_late</name>
     <message>
-        <source>1 picture was lost because this machine was too slow to make them in time</source>
+        <source>1 frame was lost: this computer was too slow to generate it in time</source>
         <translation>1 image a été perdue car cet ordinateur était trop lent pour la produire à temps</translation>
     </message>
 </context>
 <context>
     <name>workflow.picture_size_not_known</name>
     <message>
-        <source>the size of its pictures is not known</source>
+        <source>the size of its images is not known</source>
         <translation>la taille de ses images n’est pas connue</translation>
     </message>
 </context>
 <context>
     <name>workflow.pictures_lost_here</name>
     <message>
-        <source>%1 pictures were lost because this computer or its disk was too slow</source>
+        <source>%1 frames were lost because this computer or its disk was too slow</source>
         <translation>%1 images ont été perdues car cet ordinateur ou son disque était trop lent</translation>
     </message>
 </context>
 <context>
     <name>workflow.pictures_lost_on_wire</name>
     <message>
-        <source>%1 pictures were lost between the camera and this program</source>
+        <source>%1 frames were lost between the camera and this program</source>
         <translation>%1 images ont été perdues entre la caméra et ce programme</translation>
     </message>
 </context>
 <context>
     <name>workflow.pictures_made_too_late</name>
     <message>
-        <source>%1 pictures were lost because this machine was too slow to make them in time</source>
+        <source>%1 frames were lost: this computer was too slow to generate them in time</source>
         <translation>%1 images ont été perdues car cet ordinateur était trop lent pour les produire à temps</translation>
     </message>
 </context>
 <context>
     <name>workflow.point_out_whole_robot</name>
     <message>
-        <source>point it out where all of it is seen and it moves</source>
+        <source>point it out where the whole robot is visible and moving</source>
         <translation>montrez-le là où il est vu en entier et se déplace</translation>
     </message>
 </context>
@@ -20303,35 +20303,35 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.project_file_gone</name>
     <message>
-        <source>the project&apos;s file is no longer there</source>
+        <source>the project file no longer exists</source>
         <translation>le fichier du projet n’est plus là</translation>
     </message>
 </context>
 <context>
     <name>workflow.project_lost</name>
     <message>
-        <source>the project&apos;s file was deleted, renamed or replaced; recording goes on, and what is in it is rescued at the end</source>
+        <source>the project file was deleted, renamed or replaced; recording continues, and its contents will be saved at the end</source>
         <translation>le fichier du projet a été supprimé, renommé ou remplacé ; l’enregistrement continue et son contenu est récupéré à la fin</translation>
     </message>
 </context>
 <context>
     <name>workflow.project_rescued</name>
     <message>
-        <source>the project&apos;s file was deleted, renamed or replaced meanwhile; what was in it is rescued in &apos;%1&apos;, which is the project from now on</source>
+        <source>the project file was deleted, renamed or replaced; its contents were saved in &apos;%1&apos;, the project from now on</source>
         <translation>le fichier du projet a entre-temps été supprimé, renommé ou remplacé ; son contenu est récupéré dans &apos;%1&apos;, qui est désormais le projet</translation>
     </message>
 </context>
 <context>
     <name>workflow.put_axes_elsewhere</name>
     <message>
-        <source>put the axes of layout %1 elsewhere</source>
+        <source>change the world axes of layout %1</source>
         <translation>déplacement des axes du plan %1</translation>
     </message>
 </context>
 <context>
     <name>workflow.put_plate_on_it</name>
     <message>
-        <source>put a plate of another colour on it, or tell the colour it really has</source>
+        <source>put a plate of another colour on it, or set its true colour</source>
         <translation>posez dessus une plaque d’une autre couleur, ou indiquez sa vraie couleur</translation>
     </message>
 </context>
@@ -20394,7 +20394,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.register_camera_through</name>
     <message>
-        <source>register camera %1 through camera %2</source>
+        <source>register camera %1 via camera %2</source>
         <translation>localisation de la caméra %1 par la caméra %2</translation>
     </message>
 </context>
@@ -20408,7 +20408,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.register_cameras_together</name>
     <message>
-        <source>register the cameras of layout %1 together</source>
+        <source>register the cameras of layout %1 jointly</source>
         <translation>localisation commune des caméras du plan %1</translation>
     </message>
 </context>
@@ -20422,7 +20422,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.register_it_first</name>
     <message>
-        <source>register it first, by markers or through another camera</source>
+        <source>register it first, with markers or via another camera</source>
         <translation>localisez-la d’abord, par marqueurs ou par une autre caméra</translation>
     </message>
 </context>
@@ -20436,14 +20436,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.register_through_it_again</name>
     <message>
-        <source>register it through that camera again</source>
+        <source>register it via that camera again</source>
         <translation>localisez-la à nouveau par cette caméra</translation>
     </message>
 </context>
 <context>
     <name>workflow.registered_at_another_size</name>
     <message>
-        <source>the picture is %1, the camera was registered at %2</source>
+        <source>the image is %1, the camera was registered at %2</source>
         <translation>l’image est en %1, la caméra a été localisée en %2</translation>
     </message>
 </context>
@@ -20457,14 +20457,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.registered_through_another</name>
     <message>
-        <source>it was registered through another camera</source>
+        <source>it was registered via another camera</source>
         <translation>elle a été localisée par une autre caméra</translation>
     </message>
 </context>
 <context>
     <name>workflow.registered_with_other_lens</name>
     <message>
-        <source>The floor registration of camera &apos;%1&apos; was made with another calibration of its lens than the one in force</source>
+        <source>The floor registration of camera &apos;%1&apos; uses another lens calibration than the current one</source>
         <translation>La localisation de la caméra &apos;%1&apos; a été faite avec un autre étalonnage de l’objectif que celui en vigueur</translation>
     </message>
 </context>
@@ -20485,14 +20485,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.registration_through</name>
     <message>
-        <source>registration of camera &apos;%1&apos; through &apos;%2&apos;</source>
+        <source>registration of camera &apos;%1&apos; via &apos;%2&apos;</source>
         <translation>localisation de la caméra &apos;%1&apos; par &apos;%2&apos;</translation>
     </message>
 </context>
 <context>
     <name>workflow.registration_with_lens_in_force</name>
     <message>
-        <source>registration of camera &apos;%1&apos; with the lens in force</source>
+        <source>registration of camera &apos;%1&apos; with the current lens calibration</source>
         <translation>localisation de la caméra &apos;%1&apos; avec l’objectif en vigueur</translation>
     </message>
 </context>
@@ -20520,14 +20520,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.replaced_not_packed</name>
     <message>
-        <source>the video of camera %1 in trial &apos;%2&apos; lies elsewhere and is another file than it was, and not in the packed project</source>
+        <source>the video of camera %1 in trial &apos;%2&apos; is outside the media folder and has changed since; it is not in the packed project</source>
         <translation>la vidéo de la caméra %1 dans l’essai &apos;%2&apos; se trouve ailleurs et n’est plus le même fichier, et absente du projet empaqueté</translation>
     </message>
 </context>
 <context>
     <name>workflow.results_changed</name>
     <message>
-        <source>its results are not those that its analysis gave</source>
+        <source>its results differ from those of its analysis</source>
         <translation>ses résultats ne sont pas ceux que son analyse a donnés</translation>
     </message>
 </context>
@@ -20555,7 +20555,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.robot_not_tracked</name>
     <message>
-        <source>robot &apos;%1&apos; was not tracked in it, but %2</source>
+        <source>robot &apos;%1&apos; was not tracked in it, only %2</source>
         <translation>le robot &apos;%1&apos; n’y a pas été suivi, mais %2 l’a été</translation>
     </message>
 </context>
@@ -20597,7 +20597,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.say_it_again</name>
     <message>
-        <source>say it again for frame %1</source>
+        <source>repeat it for frame %1</source>
         <translation>indiquez-le de nouveau pour l’image %1</translation>
     </message>
 </context>
@@ -20611,14 +20611,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.see_revisions</name>
     <message>
-        <source>see its revisions for those there are</source>
+        <source>see the list of its revisions</source>
         <translation>voyez dans ses révisions celles qui existent</translation>
     </message>
 </context>
 <context>
     <name>workflow.settling_names</name>
     <message>
-        <source>settling which robot is which</source>
+        <source>assigning names to the robots</source>
         <translation>identification des robots</translation>
     </message>
 </context>
@@ -20653,42 +20653,42 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.take_fewer_cameras</name>
     <message>
-        <source>close other programs, or take fewer such cameras at once</source>
+        <source>close other programs, or use fewer such cameras at once</source>
         <translation>fermez d’autres programmes, ou prenez moins de caméras de ce genre à la fois</translation>
     </message>
 </context>
 <context>
     <name>workflow.take_over_set_up</name>
     <message>
-        <source>take over the set-up of %1</source>
+        <source>copy the set-up of %1</source>
         <translation>reprise de l’installation de %1</translation>
     </message>
 </context>
 <context>
     <name>workflow.taken_as_begun_together</name>
     <message>
-        <source>%1, so it is taken as begun together</source>
+        <source>%1; the same start time was assumed</source>
         <translation>%1, elle est donc prise comme commencée en même temps</translation>
     </message>
 </context>
 <context>
     <name>workflow.taking_over_set_up</name>
     <message>
-        <source>taking over the set-up</source>
+        <source>copying the set-up</source>
         <translation>reprise de l’installation</translation>
     </message>
 </context>
 <context>
     <name>workflow.task_was_changed</name>
     <message>
-        <source>its task was changed while it was measured</source>
+        <source>its task changed during the analysis</source>
         <translation>son épreuve a été changée pendant la mesure</translation>
     </message>
 </context>
 <context>
     <name>workflow.through_itself</name>
     <message>
-        <source>a camera cannot be registered through itself</source>
+        <source>a camera cannot be registered via itself</source>
         <translation>une caméra ne peut pas être localisée par elle-même</translation>
     </message>
 </context>
@@ -20702,7 +20702,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.times_count_from</name>
     <message>
-        <source>its times count from %1</source>
+        <source>its times start at %1</source>
         <translation>ses temps comptent à partir de %1</translation>
     </message>
 </context>
@@ -20744,7 +20744,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.track_those_seen</name>
     <message>
-        <source>track only the robots that are in the pictures (--robot)</source>
+        <source>track only the robots that are in view (--robot)</source>
         <translation>ne suivez que les robots qui sont dans les images (--robot)</translation>
     </message>
 </context>
@@ -20758,14 +20758,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.tracking_picture</name>
     <message>
-        <source>tracking, picture %1 of %2</source>
+        <source>tracking, frame %1 of %2</source>
         <translation>suivi, image %1 sur %2</translation>
     </message>
 </context>
 <context>
     <name>workflow.tracks_were_imported</name>
     <message>
-        <source>its tracks were imported, so there is no video to track in</source>
+        <source>its tracks were imported, so it has no video to track</source>
         <translation>ses trajectoires ont été importées, il n’y a donc pas de vidéo à suivre</translation>
     </message>
 </context>
@@ -20779,21 +20779,21 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.trial_is_there</name>
     <message>
-        <source>the project has a trial of that name</source>
+        <source>the project already has a trial of that name</source>
         <translation>le projet a un essai de ce nom</translation>
     </message>
 </context>
 <context>
     <name>workflow.trial_left_out</name>
     <message>
-        <source>nothing of it had reached the disk, and it is left out</source>
+        <source>nothing of it had reached the disk, and it was removed</source>
         <translation>rien n’avait atteint le disque, il est écarté</translation>
     </message>
 </context>
 <context>
     <name>workflow.turn_or_flash</name>
     <message>
-        <source>let the robot turn, or flash the room&apos;s light, where both cameras see it</source>
+        <source>turn the robot, or flash the room light, in view of both cameras</source>
         <translation>faites tourner le robot, ou clignoter la lumière de la salle, là où les deux caméras le voient</translation>
     </message>
 </context>
@@ -20821,14 +20821,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.unusual_length</name>
     <message>
-        <source>it would take no time, or more than a day</source>
+        <source>the duration must be above zero and at most a day</source>
         <translation>il ne durerait pas, ou plus d’un jour</translation>
     </message>
 </context>
 <context>
     <name>workflow.unusual_pre_roll</name>
     <message>
-        <source>what is kept from before is no time, or more than 10 s</source>
+        <source>the pre-roll must be from 0 s to 10 s</source>
         <translation>ce qui est gardé d’avant n’est pas une durée, ou dépasse 10 s</translation>
     </message>
 </context>
@@ -20849,7 +20849,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.video_without_picture</name>
     <message>
-        <source>the video has no picture</source>
+        <source>the video has no frame</source>
         <translation>la vidéo n’a pas d’image</translation>
     </message>
 </context>
@@ -20863,21 +20863,21 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.view_ended_early</name>
     <message>
-        <source>it ended early, because %1</source>
+        <source>it ended early because %1</source>
         <translation>elle s’est terminée trop tôt, car %1</translation>
     </message>
 </context>
 <context>
     <name>workflow.view_is_kept</name>
     <message>
-        <source>%1 of %2 view are kept, all but the last second at most</source>
+        <source>%1 of %2 view were saved, at most the last second is missing</source>
         <translation>%1 de %2 vue sont gardées, tout sauf au plus la dernière seconde</translation>
     </message>
 </context>
 <context>
     <name>workflow.view_left_out</name>
     <message>
-        <source>it is left out, because nothing was recorded of it</source>
+        <source>it recorded nothing and was left out</source>
         <translation>elle est écartée, car rien n’en a été enregistré</translation>
     </message>
 </context>
@@ -20891,42 +20891,42 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.views_are_kept</name>
     <message>
-        <source>%1 of %2 views are kept, all but the last second at most</source>
+        <source>%1 of %2 views were saved, at most the last second is missing</source>
         <translation>%1 de %2 vues sont gardées, tout sauf au plus la dernière seconde</translation>
     </message>
 </context>
 <context>
     <name>workflow.views_contradict</name>
     <message>
-        <source>in %1 of %2 pictures the views contradict one another</source>
+        <source>in %1 of %2 frames the views contradict each other</source>
         <translation>dans %1 images sur %2, les vues se contredisent</translation>
     </message>
 </context>
 <context>
     <name>workflow.views_far_apart</name>
     <message>
-        <source>in %1 of %2 pictures the views have it at places far apart</source>
+        <source>in %1 of %2 frames the views show it at positions far apart</source>
         <translation>dans %1 images sur %2, les vues le placent à des endroits très éloignés</translation>
     </message>
 </context>
 <context>
     <name>workflow.views_put_it_apart</name>
     <message>
-        <source>they put it %1 apart</source>
+        <source>their floor positions differ by %1</source>
         <translation>elles le placent à %1 d’écart</translation>
     </message>
 </context>
 <context>
     <name>workflow.waited_for_disk</name>
     <message>
-        <source>pictures waited up to %1 for the disk, and none was lost</source>
+        <source>frames waited up to %1 for the disk, and none was lost</source>
         <translation>des images ont attendu le disque jusqu’à %1, aucune n’a été perdue</translation>
     </message>
 </context>
 <context>
     <name>workflow.why_views_contradict</name>
     <message>
-        <source>a camera was moved after it was registered, the views are out of step, or the robot&apos;s height is not what was told</source>
+        <source>a camera has moved since its registration, the views are not synchronised, or the robot&apos;s height is wrong</source>
         <translation>une caméra a été déplacée après sa localisation, les vues ne sont pas synchronisées ou la hauteur du robot n’est pas celle indiquée</translation>
     </message>
 </context>
@@ -20940,14 +20940,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>workflow.writing_last_pictures</name>
     <message>
-        <source>writing the last pictures</source>
+        <source>writing the last frames</source>
         <translation>écriture des dernières images</translation>
     </message>
 </context>
 <context>
     <name>workflow.written_just_now</name>
     <message>
-        <source>another program is writing or removing it just now</source>
+        <source>another program is writing or removing it</source>
         <translation>un autre programme est en train de l’écrire ou de le supprimer</translation>
     </message>
 </context>

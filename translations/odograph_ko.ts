@@ -3132,14 +3132,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.add_floor_points</name>
     <message>
-        <source>add points of the floor, such as corners of tiles</source>
+        <source>add floor points, such as corners of tiles</source>
         <translation>타일 모서리 같은 바닥의 점을 추가하십시오</translation>
     </message>
 </context>
 <context>
     <name>calibration.all_agree</name>
     <message>
-        <source>The markers and the cameras agree with one another.</source>
+        <source>The markers and the cameras agree with each other.</source>
         <translation>마커와 카메라가 서로 일치합니다.</translation>
     </message>
 </context>
@@ -3174,7 +3174,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.best_place</name>
     <message>
-        <source>the best place for a camera</source>
+        <source>the best camera position</source>
         <translation>카메라의 가장 좋은 위치</translation>
     </message>
 </context>
@@ -3195,21 +3195,21 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.board_fills</name>
     <message>
-        <source>it fills %1 of the picture</source>
+        <source>it fills %1 of the image</source>
         <translation>사진의 %1를 차지합니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.board_in_one_place</name>
     <message>
-        <source>all %1 pictures show the board in one place, the %2 %3 of the picture</source>
+        <source>all %1 images show the board in one position, the %2 %3 of the image</source>
         <translation>사진 %1장 모두 보드가 한곳에 있습니다 (%2, 영상의 %3)</translation>
     </message>
 </context>
 <context>
     <name>calibration.board_not_flat</name>
     <message>
-        <source>the corners do not lie as on a flat board</source>
+        <source>the corners do not match a flat board</source>
         <translation>모서리가 평평한 보드처럼 놓여 있지 않습니다</translation>
     </message>
 </context>
@@ -3223,35 +3223,35 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.board_of_other_size</name>
     <message>
-        <source>this board has %1 inner corners, %2 was asked for</source>
+        <source>this board has %1 inner corners, not %2</source>
         <translation>이 보드의 내부 모서리는 %1, 요청은 %2입니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.board_part_seen</name>
     <message>
-        <source>only %1 of its %2 inner corners are seen</source>
+        <source>only %1 of its %2 inner corners are visible</source>
         <translation>내부 모서리 %2 중 %1만 보입니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.board_stands_as_before</name>
     <message>
-        <source>the board stands as in a picture already taken</source>
+        <source>the board is in the same position as in an earlier image</source>
         <translation>보드가 이미 찍은 사진에서처럼 놓여 있습니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.board_stands_as_in</name>
     <message>
-        <source>the board stands as in %1 already</source>
+        <source>the board is in the same position as in %1</source>
         <translation>보드가 이미 %1에서처럼 놓여 있습니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.board_too_oblique</name>
     <message>
-        <source>the board is seen too obliquely, at %1 degrees</source>
+        <source>the board is tilted too far, by %1 degrees</source>
         <translation>보드가 %1도로 너무 비스듬히 보입니다</translation>
     </message>
 </context>
@@ -3265,21 +3265,21 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.calibrate_to_rely</name>
     <message>
-        <source>Calibrate it for positions to rely on.</source>
+        <source>Calibrate it for reliable positions.</source>
         <translation>믿을 만한 위치를 얻으려면 보정하십시오.</translation>
     </message>
 </context>
 <context>
     <name>calibration.camera_alone_says</name>
     <message>
-        <source>Camera &apos;%1&apos; alone says %2</source>
+        <source>Camera &apos;%1&apos; alone measures %2</source>
         <translation>카메라 &apos;%1&apos;만으로는 %2입니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.camera_below_floor</name>
     <message>
-        <source>seen in this order the camera would be below the floor</source>
+        <source>in this order the camera would be below the floor</source>
         <translation>이 순서라면 카메라가 바닥 아래에 있게 됩니다</translation>
     </message>
 </context>
@@ -3293,7 +3293,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.camera_sees_elsewhere</name>
     <message>
-        <source>%1 sees %2 %3 from where the others do</source>
+        <source>%1 sees %2 %3 from where the others see it</source>
         <translation>%1이(가) %2을(를) 다른 카메라보다 %3 떨어진 곳에서 봄</translation>
     </message>
 </context>
@@ -3307,42 +3307,42 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.camera_stands_low</name>
     <message>
-        <source>The camera would stand only %1 above the floor</source>
+        <source>The camera would be only %1 above the floor</source>
         <translation>카메라가 바닥 위 %1에만 있게 됩니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.camera_still</name>
     <message>
-        <source>%1 stands where it was registered</source>
+        <source>%1 has not moved</source>
         <translation>%1은(는) 정합한 자리에 그대로 있습니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.camera_too_high</name>
     <message>
-        <source>the camera would stand %1 above the floor</source>
+        <source>the camera would be %1 above the floor</source>
         <translation>카메라가 바닥 위 %1에 있게 됩니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.camera_too_low</name>
     <message>
-        <source>the camera would stand only %1 above the floor</source>
+        <source>the camera would be only %1 above the floor</source>
         <translation>카메라가 바닥 위 %1에만 있게 됩니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.camera_twice</name>
     <message>
-        <source>camera &apos;%1&apos; is there twice</source>
+        <source>camera &apos;%1&apos; appears twice</source>
         <translation>카메라 &apos;%1&apos;이(가) 두 번 있습니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.cameras_undetermined</name>
     <message>
-        <source>the markers do not determine where the cameras stand</source>
+        <source>the markers do not determine the camera positions</source>
         <translation>마커로 카메라의 위치를 정할 수 없습니다</translation>
     </message>
 </context>
@@ -3377,7 +3377,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.check_both_pixels</name>
     <message>
-        <source>check its pixels in both pictures</source>
+        <source>check its pixels in both images</source>
         <translation>두 영상에서 그 픽셀을 확인하십시오</translation>
     </message>
 </context>
@@ -3398,14 +3398,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.check_layout_places</name>
     <message>
-        <source>check the layout&apos;s places and their unit, cover other round things, or mark the markers by hand</source>
+        <source>check the layout&apos;s positions and their unit, cover other round objects, or mark the markers by hand</source>
         <translation>배치의 위치와 단위를 확인하고, 다른 둥근 것을 가리거나 마커를 손으로 표시하십시오</translation>
     </message>
 </context>
 <context>
     <name>calibration.check_length</name>
     <message>
-        <source>Check the length itself, whether it lies on the floor, and the places of the markers.</source>
+        <source>Check the length itself, that it lies on the floor, and the marker positions.</source>
         <translation>길이 자체, 바닥에 놓였는지, 마커의 자리를 확인하십시오.</translation>
     </message>
 </context>
@@ -3419,7 +3419,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.check_pictures</name>
     <message>
-        <source>check that all pictures are sharp, of one flat board and of one camera at one zoom and focus</source>
+        <source>check that all images are sharp, of one flat board and of one camera at one zoom and focus</source>
         <translation>모든 사진이 선명하고, 평평한 한 보드를 한 카메라로 같은 줌과 초점에서 찍었는지 확인하십시오</translation>
     </message>
 </context>
@@ -3433,7 +3433,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.check_place_and_pixel</name>
     <message>
-        <source>check its place and its pixel</source>
+        <source>check its position and its pixel</source>
         <translation>그 자리와 픽셀을 확인하십시오</translation>
     </message>
 </context>
@@ -3461,14 +3461,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.checking_halves</name>
     <message>
-        <source>checking halves against one another</source>
+        <source>checking the halves against each other</source>
         <translation>절반끼리 서로 검증하는 중</translation>
     </message>
 </context>
 <context>
     <name>calibration.choose_floor_points</name>
     <message>
-        <source>choose points of the floor</source>
+        <source>choose points on the floor</source>
         <translation>바닥의 점을 고르십시오</translation>
     </message>
 </context>
@@ -3489,14 +3489,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.common_and_unknown_markers</name>
     <message>
-        <source>there are %1 (%2), and the layout does not know %3</source>
+        <source>they have %1 (%2), and the layout does not contain %3</source>
         <translation>%1개뿐이며(%2) 배치에 %3이(가) 없습니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.common_markers</name>
     <message>
-        <source>there are %1 (%2)</source>
+        <source>they have %1 (%2)</source>
         <translation>%1개뿐입니다 (%2)</translation>
     </message>
 </context>
@@ -3510,7 +3510,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.corner_left_out</name>
     <message>
-        <source>1 corner that stands out was left out, in %1.</source>
+        <source>1 outlier corner was left out, in %1.</source>
         <translation>튀는 모서리 1개를 제외함, %1.</translation>
     </message>
 </context>
@@ -3524,7 +3524,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.corner_unclear</name>
     <message>
-        <source>a corner of the board cannot be made out</source>
+        <source>one corner of the board is unclear</source>
         <translation>보드의 모서리 하나를 알아볼 수 없습니다</translation>
     </message>
 </context>
@@ -3538,35 +3538,35 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.corners_kept_in</name>
     <message>
-        <source>%1 corners that stand out side by side were kept, in %2</source>
+        <source>%1 neighbouring outlier corners were kept, in %2</source>
         <translation>나란히 튀는 모서리 %1개를 그대로 둠, %2</translation>
     </message>
 </context>
 <context>
     <name>calibration.corners_kept_most_in</name>
     <message>
-        <source>%1 corners that stand out side by side were kept, most in %2</source>
+        <source>%1 neighbouring outlier corners were kept, most in %2</source>
         <translation>나란히 튀는 모서리 %1개를 그대로 둠, 주로 %2</translation>
     </message>
 </context>
 <context>
     <name>calibration.corners_left_out_in</name>
     <message>
-        <source>%1 corners that stand out were left out, in %2.</source>
+        <source>%1 outlier corners were left out, in %2.</source>
         <translation>튀는 모서리 %1개를 제외함, %2.</translation>
     </message>
 </context>
 <context>
     <name>calibration.corners_left_out_most_in</name>
     <message>
-        <source>%1 corners that stand out were left out, most in %2.</source>
+        <source>%1 outlier corners were left out, most in %2.</source>
         <translation>튀는 모서리 %1개를 제외함, 주로 %2.</translation>
     </message>
 </context>
 <context>
     <name>calibration.corners_not_flat</name>
     <message>
-        <source>its corners do not lie as on a flat board</source>
+        <source>its corners do not match a flat board</source>
         <translation>모서리가 평평한 보드처럼 놓여 있지 않습니다</translation>
     </message>
 </context>
@@ -3622,7 +3622,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.ends_on_one_pixel</name>
     <message>
-        <source>both ends lie on one pixel of camera &apos;%1&apos;</source>
+        <source>both ends are on the same pixel of camera &apos;%1&apos;</source>
         <translation>두 끝이 카메라 &apos;%1&apos;의 같은 픽셀에 있습니다</translation>
     </message>
 </context>
@@ -3650,28 +3650,28 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.few_corners_seen</name>
     <message>
-        <source>only %1 corners of the board are seen</source>
+        <source>only %1 corners of the board are visible</source>
         <translation>보드의 모서리가 %1개만 보입니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.fifth_would</name>
     <message>
-        <source>a fifth would.</source>
+        <source>add a fifth.</source>
         <translation>다섯 번째가 있으면 됩니다.</translation>
     </message>
 </context>
 <context>
     <name>calibration.find_board_again</name>
     <message>
-        <source>let the board be found in it again</source>
+        <source>detect the board in it again</source>
         <translation>그 사진에서 보드를 다시 찾게 하십시오</translation>
     </message>
 </context>
 <context>
     <name>calibration.first_end_beyond</name>
     <message>
-        <source>the first end lies at or beyond the horizon of camera &apos;%1&apos;</source>
+        <source>the first end is at or beyond the horizon of camera &apos;%1&apos;</source>
         <translation>첫 번째 끝이 카메라 &apos;%1&apos;의 지평선이나 그 너머에 있습니다</translation>
     </message>
 </context>
@@ -3692,7 +3692,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.fitting_lens</name>
     <message>
-        <source>fitting the lens to %1 pictures</source>
+        <source>fitting the lens model to %1 images</source>
         <translation>사진 %1장에 렌즈를 맞추는 중</translation>
     </message>
 </context>
@@ -3706,56 +3706,56 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.floor_part_unseen</name>
     <message>
-        <source>%1 of the floor among the markers is not seen.</source>
+        <source>%1 of the floor between the markers is out of view.</source>
         <translation>마커 사이 바닥의 %1가 보이지 않습니다.</translation>
     </message>
 </context>
 <context>
     <name>calibration.floor_unseen</name>
     <message>
-        <source>None of the floor among the markers is seen.</source>
+        <source>None of the floor between the markers is in view.</source>
         <translation>마커 사이 바닥이 전혀 보이지 않습니다.</translation>
     </message>
 </context>
 <context>
     <name>calibration.floor_unsure</name>
     <message>
-        <source>the floor among the points is known only to ±%1</source>
+        <source>the floor uncertainty between the points is too large, ±%1</source>
         <translation>점 사이의 바닥이 ±%1로만 알려집니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.focal_length_estimated</name>
     <message>
-        <source>The camera was taken as free of distortion, its focal length estimated from the markers (%1 ± %2).</source>
+        <source>The lens is not calibrated: no distortion was assumed, and the focal length was estimated from the markers (%1 ± %2).</source>
         <translation>카메라는 왜곡이 없는 것으로 보았고 초점 거리는 마커에서 추정했습니다 (%1 ± %2).</translation>
     </message>
 </context>
 <context>
     <name>calibration.focal_length_groups</name>
     <message>
-        <source>%1 for about %2, %3 (such as %4) for about %5</source>
+        <source>%1 give about %2, %3 (such as %4) give about %5</source>
         <translation>%1장은 약 %2, %3장(예: %4)은 약 %5</translation>
     </message>
 </context>
 <context>
     <name>calibration.focal_length_guessed</name>
     <message>
-        <source>The camera was taken as free of distortion, its focal length guessed (%1), since this view does not determine it.</source>
+        <source>The lens is not calibrated: no distortion was assumed, and the focal length was guessed (%1) because this view does not determine it.</source>
         <translation>카메라는 왜곡이 없는 것으로 보았고 이 뷰로는 초점 거리를 정할 수 없어 가정했습니다 (%1).</translation>
     </message>
 </context>
 <context>
     <name>calibration.focal_length_taken</name>
     <message>
-        <source>The camera was taken as free of distortion, its focal length as %1.</source>
+        <source>The lens is not calibrated: no distortion and a focal length of %1 were assumed.</source>
         <translation>카메라는 왜곡이 없고 초점 거리는 %1인 것으로 보았습니다.</translation>
     </message>
 </context>
 <context>
     <name>calibration.focal_length_unsure</name>
     <message>
-        <source>the pictures determine the focal length only to %1</source>
+        <source>the images determine the focal length only to %1</source>
         <translation>사진들로는 초점 거리가 %1까지만 정해집니다</translation>
     </message>
 </context>
@@ -3769,56 +3769,56 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.foretells_as_well</name>
     <message>
-        <source>it foretells pictures held out to %1, the %2 one no better (%3)</source>
+        <source>it predicts held-out images to %1, the %2 model no better (%3)</source>
         <translation>빼 둔 사진을 %1로 예측, %2 모델도 더 낫지 않음 (%3)</translation>
     </message>
 </context>
 <context>
     <name>calibration.foretells_better</name>
     <message>
-        <source>it foretells pictures held out to %1, the %2 one only to %3</source>
+        <source>it predicts held-out images to %1, the %2 model only to %3</source>
         <translation>빼 둔 사진을 %1로 예측, %2 모델은 %3에 그침</translation>
     </message>
 </context>
 <context>
     <name>calibration.foretells_by_chance</name>
     <message>
-        <source>it foretells pictures held out to %1, the %2 one to %3, which may be chance</source>
+        <source>it predicts held-out images to %1, the %2 model to %3; the difference may be chance</source>
         <translation>빼 둔 사진을 %1로 예측, %2 모델은 %3로 예측하나 우연일 수 있음</translation>
     </message>
 </context>
 <context>
     <name>calibration.four_common_markers</name>
     <message>
-        <source>four markers are needed that the layout and the picture have in common</source>
+        <source>the layout and the image must have four markers in common</source>
         <translation>배치와 영상에 공통인 마커 네 개가 필요합니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.four_markers_unchecked</name>
     <message>
-        <source>Four markers hardly check one another</source>
+        <source>Four markers are too few to check each other</source>
         <translation>마커 네 개로는 서로를 거의 검증하지 못합니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.four_points_unchecked</name>
     <message>
-        <source>Four points hardly check one another</source>
+        <source>Four points are too few to check each other</source>
         <translation>점 네 개로는 서로를 거의 검증하지 못합니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.four_shared_points</name>
     <message>
-        <source>four points are needed that both cameras see</source>
+        <source>both cameras must see the same four points or more</source>
         <translation>두 카메라가 모두 보는 점 네 개가 필요합니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.give_board_size</name>
     <message>
-        <source>give 3x3 at least, like 9x6, or leave the size out</source>
+        <source>give at least 3x3, such as 9x6, or leave the size out</source>
         <translation>9x6처럼 3x3 이상으로 하거나 크기를 비워 두십시오</translation>
     </message>
 </context>
@@ -3832,7 +3832,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.give_field_of_view</name>
     <message>
-        <source>give 2° to 150°, and the size of its pictures</source>
+        <source>give 2° to 150°, and the image size</source>
         <translation>2°에서 150° 사이로 주고, 영상의 크기도 주십시오</translation>
     </message>
 </context>
@@ -3867,21 +3867,21 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.give_square_size</name>
     <message>
-        <source>give it like 25mm</source>
+        <source>give a size such as 25mm</source>
         <translation>25mm처럼 주십시오</translation>
     </message>
 </context>
 <context>
     <name>calibration.give_tape_sigma</name>
     <message>
-        <source>give some 2 mm</source>
+        <source>give about 2 mm</source>
         <translation>약 2 mm로 하십시오</translation>
     </message>
 </context>
 <context>
     <name>calibration.give_taped_length</name>
     <message>
-        <source>give the length as it was measured with a tape</source>
+        <source>enter the length measured with a tape</source>
         <translation>줄자로 잰 길이를 주십시오</translation>
     </message>
 </context>
@@ -3909,21 +3909,21 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.halves_contradict</name>
     <message>
-        <source>two halves of the pictures give focal lengths that differ by %1</source>
+        <source>two halves of the images give focal lengths that differ by %1</source>
         <translation>사진을 둘로 나누면 초점 거리가 %1 다릅니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.halves_foretell</name>
     <message>
-        <source>each half of them foretells the other to %1</source>
+        <source>each half of the images predicts the other to %1</source>
         <translation>절반이 다른 절반을 %1로 예측</translation>
     </message>
 </context>
 <context>
     <name>calibration.halves_foretell_apart</name>
     <message>
-        <source>each half of them foretells the other to %1, %2 apart at worst on that floor</source>
+        <source>each half of the images predicts the other to %1, at most %2 apart on that floor</source>
         <translation>절반이 다른 절반을 %1로 예측, 그 바닥에서 최대 %2 차이</translation>
     </message>
 </context>
@@ -3958,7 +3958,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.inside_expected_error</name>
     <message>
-        <source>inside the expected error of %1.</source>
+        <source>within the limit of %1 (2.5 σ).</source>
         <translation>예상 오차 %1 이내.</translation>
     </message>
 </context>
@@ -3972,7 +3972,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.keep_whole_board</name>
     <message>
-        <source>keep the whole board in the picture</source>
+        <source>keep the whole board in view</source>
         <translation>보드 전체가 영상에 들어오게 하십시오</translation>
     </message>
 </context>
@@ -3993,35 +3993,35 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.labels_called</name>
     <message>
-        <source>with %1 called %2 they fit to %3</source>
+        <source>with %1 renamed %2 they fit to %3</source>
         <translation>%1을(를) %2(으)로 부르면 %3로 맞습니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.labels_exchanged</name>
     <message>
-        <source>with %1 and %2 exchanged they fit to %3</source>
+        <source>with %1 and %2 swapped they fit to %3</source>
         <translation>%1과(와) %2을(를) 바꾸면 %3로 맞습니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.lay_stick_nearer</name>
     <message>
-        <source>lay the stick on the floor, nearer to the camera</source>
+        <source>put the stick on the floor, nearer to the camera</source>
         <translation>막대를 카메라에 더 가까운 바닥에 놓으십시오</translation>
     </message>
 </context>
 <context>
     <name>calibration.layout_in_mm</name>
     <message>
-        <source>it is given in mm</source>
+        <source>it must be in mm</source>
         <translation>mm로 주어집니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.layout_not_in_mm</name>
     <message>
-        <source>if that is wrong, the layout&apos;s numbers are no mm</source>
+        <source>if that is wrong, the layout is not in mm</source>
         <translation>틀렸다면 배치의 숫자가 mm가 아닙니다</translation>
     </message>
 </context>
@@ -4035,7 +4035,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.layout_written_mirrored</name>
     <message>
-        <source>if the layout was written down mirrored, correct its signs and add it anew</source>
+        <source>if the layout was written down mirrored, correct its signs and add it again</source>
         <translation>배치를 거울상으로 적었다면 부호를 고쳐 새로 추가하십시오</translation>
     </message>
 </context>
@@ -4049,7 +4049,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.leave_out_pictures</name>
     <message>
-        <source>leave out these pictures if the board is bent, cut or covered there.</source>
+        <source>leave out these images if the board is bent, cut or covered there.</source>
         <translation>그 사진에서 보드가 휘었거나 잘렸거나 가려졌다면 빼십시오.</translation>
     </message>
 </context>
@@ -4063,7 +4063,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.length_factor</name>
     <message>
-        <source>a length factor of %1 makes no floor</source>
+        <source>a length factor of %1 is not possible</source>
         <translation>길이 배율 %1로는 바닥을 만들 수 없습니다</translation>
     </message>
 </context>
@@ -4077,14 +4077,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.length_longer</name>
     <message>
-        <source>It is %1 longer than the %2 told</source>
+        <source>It is %1 longer than the %2 entered</source>
         <translation>알려 준 %2보다 %1 깁니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.length_shorter</name>
     <message>
-        <source>It is %1 shorter than the %2 told</source>
+        <source>It is %1 shorter than the %2 entered</source>
         <translation>알려 준 %2보다 %1 짧습니다</translation>
     </message>
 </context>
@@ -4098,63 +4098,63 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.length_unseen</name>
     <message>
-        <source>no camera was given that sees it</source>
+        <source>no camera shows it</source>
         <translation>그것을 보는 카메라가 지정되지 않았습니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.lens_on_floor</name>
     <message>
-        <source>±%1 in the middle and ±%2 at worst (%3) on %4, as far as the lens is concerned</source>
+        <source>±%1 in the middle and at most ±%2 (%3) on %4, from the lens calibration alone</source>
         <translation>렌즈만 고려할 때 %4에서 가운데 ±%1, 최악 ±%2 (%3)</translation>
     </message>
 </context>
 <context>
     <name>calibration.lens_told</name>
     <message>
-        <source>told</source>
+        <source>as specified</source>
         <translation>지정됨</translation>
     </message>
 </context>
 <context>
     <name>calibration.lens_unknown_elsewhere</name>
     <message>
-        <source>how the lens bends elsewhere stays unknown</source>
+        <source>the distortion elsewhere stays unknown</source>
         <translation>다른 곳의 렌즈 왜곡은 알 수 없습니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.likely_unit</name>
     <message>
-        <source>its numbers look like %1, then it would stand %2 above the floor</source>
+        <source>its numbers look like %1, with the camera %2 above the floor</source>
         <translation>수가 %1처럼 보이며, 그러면 바닥 위 %2에 있게 됩니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.look_at</name>
     <message>
-        <source>Look at %1</source>
+        <source>Check %1</source>
         <translation>%1을(를) 보십시오</translation>
     </message>
 </context>
 <context>
     <name>calibration.look_at_ends</name>
     <message>
-        <source>look whether the same ends are marked in each picture, and register it again if they are.</source>
+        <source>check that the same ends are marked in each image; if they are, register it again.</source>
         <translation>각 영상에 같은 끝이 표시되었는지 보고, 그렇다면 다시 정합하십시오.</translation>
     </message>
 </context>
 <context>
     <name>calibration.look_at_pictures</name>
     <message>
-        <source>look at these pictures and leave out those that are blurred, bent or of another board.</source>
+        <source>check these images and leave out those that are blurred, bent or of another board.</source>
         <translation>이 사진들을 보고 흐리거나 휘었거나 다른 보드의 것은 빼십시오.</translation>
     </message>
 </context>
 <context>
     <name>calibration.looking_about</name>
     <message>
-        <source>looking about the best place</source>
+        <source>searching around the best position</source>
         <translation>가장 좋은 위치의 둘레를 찾는 중</translation>
     </message>
 </context>
@@ -4168,49 +4168,49 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.mark_ends_in_one</name>
     <message>
-        <source>mark its ends in one picture at least</source>
+        <source>mark its ends in at least one image</source>
         <translation>적어도 한 영상에 두 끝을 표시하십시오</translation>
     </message>
 </context>
 <context>
     <name>calibration.mark_more</name>
     <message>
-        <source>mark more of the layout&apos;s markers, under the layout&apos;s names</source>
+        <source>mark more of the layout&apos;s markers, by their names in the layout</source>
         <translation>배치의 마커를 배치의 이름으로 더 표시하십시오</translation>
     </message>
 </context>
 <context>
     <name>calibration.mark_there_again</name>
     <message>
-        <source>mark it there again.</source>
+        <source>mark it again in that view.</source>
         <translation>거기서 다시 표시하십시오.</translation>
     </message>
 </context>
 <context>
     <name>calibration.mark_two_ends</name>
     <message>
-        <source>mark the two ends where they are seen</source>
+        <source>mark each end at its own position in the image</source>
         <translation>두 끝을 보이는 곳에 표시하십시오</translation>
     </message>
 </context>
 <context>
     <name>calibration.mark_where_seen</name>
     <message>
-        <source>mark each of them where it is seen</source>
+        <source>mark each of them at its own position in the image</source>
         <translation>각각 보이는 곳에 표시하십시오</translation>
     </message>
 </context>
 <context>
     <name>calibration.marker_against_lens</name>
     <message>
-        <source>%1 lies where this camera&apos;s lens cannot have put it</source>
+        <source>this camera&apos;s lens model cannot project %1</source>
         <translation>%1이(가) 이 카메라의 렌즈로는 나올 수 없는 곳에 있습니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.marker_beyond_horizon</name>
     <message>
-        <source>marker %1 would lie at or beyond the horizon</source>
+        <source>marker %1 would be at or beyond the horizon</source>
         <translation>마커 %1이(가) 지평선이나 그 너머에 있게 됩니다</translation>
     </message>
 </context>
@@ -4224,14 +4224,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.marker_off_by_all</name>
     <message>
-        <source>%1 is %2 off by all cameras</source>
+        <source>%1 is %2 off in all cameras</source>
         <translation>모든 카메라에서 %1이(가) %2 어긋남</translation>
     </message>
 </context>
 <context>
     <name>calibration.marker_off_by_one</name>
     <message>
-        <source>%1 is %2 off by the one camera that sees it</source>
+        <source>%1 is %2 off in the one camera that sees it</source>
         <translation>%1을(를) 보는 카메라 한 대에서 %2 어긋남</translation>
     </message>
 </context>
@@ -4245,49 +4245,49 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.marker_place_no_number</name>
     <message>
-        <source>the place of marker %1 is not a finite number</source>
+        <source>the position of marker %1 is not a finite number</source>
         <translation>마커 %1의 위치가 유한한 수가 아닙니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.marker_twice_in_layout</name>
     <message>
-        <source>marker %1 stands twice in the layout</source>
+        <source>marker %1 appears twice in the layout</source>
         <translation>마커 %1이(가) 배치에 두 번 있습니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.marker_twice_in_picture</name>
     <message>
-        <source>marker %1 stands twice in the picture</source>
+        <source>marker %1 appears twice in the image</source>
         <translation>마커 %1이(가) 영상에 두 번 있습니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.markers_at_one_place</name>
     <message>
-        <source>markers %1 and %2 lie at one place of the floor</source>
+        <source>markers %1 and %2 have the same floor position</source>
         <translation>마커 %1과(와) %2이(가) 바닥의 같은 곳에 있습니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.markers_fit</name>
     <message>
-        <source>%1 markers fit to %2 RMS (worst %3, %4), and the floor among them is known to ±%5</source>
+        <source>%1 markers fit to %2 RMS (worst %3, %4); floor uncertainty ±%5</source>
         <translation>마커 %1개가 %2 RMS로 맞으며(최악 %3, %4), 그 사이 바닥은 ±%5로 알려짐</translation>
     </message>
 </context>
 <context>
     <name>calibration.markers_fit_many_ways</name>
     <message>
-        <source>in %1 ways they fit the layout equally well, which looks the same from several sides</source>
+        <source>they fit the layout equally well in %1 ways, because it looks the same from several sides</source>
         <translation>여러 방향에서 같아 보이는 배치라 %1가지로 똑같이 맞습니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.markers_fit_together</name>
     <message>
-        <source>with %1 together %2 markers fit to %3 RMS, and the floor among them is known to ±%4</source>
+        <source>registered jointly with %1: %2 markers fit to %3 RMS; floor uncertainty ±%4</source>
         <translation>%1과(와) 함께 마커 %2개가 %3 RMS로 맞으며, 그 사이 바닥은 ±%4로 알려짐</translation>
     </message>
 </context>
@@ -4301,7 +4301,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.markers_in_place</name>
     <message>
-        <source>%1 markers lie within %2 = %3 of their places.</source>
+        <source>%1 markers are within %2 = %3 of their positions.</source>
         <translation>마커 %1개가 제자리에서 %2 = %3 이내.</translation>
     </message>
 </context>
@@ -4329,7 +4329,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.markers_nearly_on_line</name>
     <message>
-        <source>the markers lie so nearly on one line (%1 the most) that the floor is known only to ±%2</source>
+        <source>the markers are so close to one line (%1 the most) that the floor uncertainty is ±%2</source>
         <translation>마커가 거의 한 줄에 있어(특히 %1) 바닥이 ±%2로만 알려집니다</translation>
     </message>
 </context>
@@ -4343,14 +4343,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.markers_not_told_apart</name>
     <message>
-        <source>the markers cannot be told apart</source>
+        <source>the markers cannot be distinguished</source>
         <translation>마커를 구별할 수 없습니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.markers_on_one_pixel</name>
     <message>
-        <source>markers %1 and %2 lie on one pixel</source>
+        <source>markers %1 and %2 are on the same pixel</source>
         <translation>마커 %1과(와) %2이(가) 같은 픽셀에 있습니다</translation>
     </message>
 </context>
@@ -4364,28 +4364,28 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.markers_too_close</name>
     <message>
-        <source>markers %1 and %2 lie only %3 apart, too close for two of four</source>
+        <source>markers %1 and %2 are only %3 apart, too close for two of four</source>
         <translation>마커 %1과(와) %2의 간격이 %3뿐이라 넷 중 둘로는 너무 가깝습니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.measure_again</name>
     <message>
-        <source>mark and measure them again, or add another</source>
+        <source>mark and remeasure them, or add another</source>
         <translation>다시 표시하고 재거나 하나를 더 추가하십시오</translation>
     </message>
 </context>
 <context>
     <name>calibration.measure_it_again</name>
     <message>
-        <source>measure it again.</source>
+        <source>remeasure it.</source>
         <translation>다시 재십시오.</translation>
     </message>
 </context>
 <context>
     <name>calibration.measure_or_mark_again</name>
     <message>
-        <source>measure it, or mark it in the picture, again.</source>
+        <source>measure it, or mark it in the image, again.</source>
         <translation>다시 재거나 영상에서 다시 표시하십시오.</translation>
     </message>
 </context>
@@ -4427,14 +4427,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.misfit_unexplained</name>
     <message>
-        <source>the %1 markers misfit by %2 (%3) and check one another too little to tell which of them</source>
+        <source>the %1 markers misfit by %2 (%3), and are too few to identify the wrong one</source>
         <translation>마커 %1개가 %2 (%3) 어긋나며 서로 검증이 부족해 어느 것인지 알 수 없습니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.more_pictures</name>
     <message>
-        <source>More pictures (%1 or more) would make it surer.</source>
+        <source>More images (%1 or more) would make it more certain.</source>
         <translation>사진이 더 있으면(%1장 이상) 더 확실해집니다.</translation>
     </message>
 </context>
@@ -4483,7 +4483,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.name_two_apart</name>
     <message>
-        <source>name two that lie apart</source>
+        <source>name two at different positions</source>
         <translation>떨어져 있는 둘을 지정하십시오</translation>
     </message>
 </context>
@@ -4518,14 +4518,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.no_charuco</name>
     <message>
-        <source>the markers that were read do not lie as on a ChArUco board</source>
+        <source>the detected markers do not match a ChArUco board</source>
         <translation>읽은 마커가 ChArUco 보드처럼 놓여 있지 않습니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.no_charuco_of_size</name>
     <message>
-        <source>the markers that were read do not lie as on a ChArUco board of %1 inner corners</source>
+        <source>the detected markers do not match a ChArUco board of %1 inner corners</source>
         <translation>읽은 마커가 내부 모서리 %1의 ChArUco 보드처럼 놓여 있지 않습니다</translation>
     </message>
 </context>
@@ -4539,7 +4539,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.no_dictionary</name>
     <message>
-        <source>there is no marker dictionary %1</source>
+        <source>marker dictionary %1 does not exist</source>
         <translation>마커 사전 %1이(가) 없습니다</translation>
     </message>
 </context>
@@ -4553,14 +4553,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.no_lens_fits</name>
     <message>
-        <source>no lens fits these pictures</source>
+        <source>no lens model fits these images</source>
         <translation>이 사진들에 맞는 렌즈가 없습니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.no_millimetres</name>
     <message>
-        <source>no figure in millimetres, since this lens holds only for a part of the picture</source>
+        <source>no value in millimetres: this calibration holds for only part of the image</source>
         <translation>이 렌즈 모델은 영상의 일부에만 유효하므로 밀리미터 값 없음</translation>
     </message>
 </context>
@@ -4602,14 +4602,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.not_registered_through</name>
     <message>
-        <source>the camera cannot be registered through another</source>
+        <source>the camera cannot be registered via another camera</source>
         <translation>다른 카메라를 통해 정합할 수 없습니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.not_registered_together</name>
     <message>
-        <source>the cameras cannot be registered together</source>
+        <source>the cameras cannot be registered jointly</source>
         <translation>카메라를 함께 정합할 수 없습니다</translation>
     </message>
 </context>
@@ -4623,35 +4623,35 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.other_picture_size</name>
     <message>
-        <source>it is %1×%2, the first picture %3×%4</source>
+        <source>it is %1×%2, the first image %3×%4</source>
         <translation>%1×%2인데 첫 사진은 %3×%4입니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.outside_expected_error</name>
     <message>
-        <source>outside the expected error of %1.</source>
+        <source>beyond the limit of %1 (2.5 σ).</source>
         <translation>예상 오차 %1 초과.</translation>
     </message>
 </context>
 <context>
     <name>calibration.picture_covered</name>
     <message>
-        <source>Only %1 of the picture was covered</source>
+        <source>The board covered only %1 of the image</source>
         <translation>영상의 %1만 덮였습니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.picture_stands_out</name>
     <message>
-        <source>its %1 stand out.</source>
+        <source>its %1 is an outlier.</source>
         <translation>%1가 튑니다.</translation>
     </message>
 </context>
 <context>
     <name>calibration.picture_too_small</name>
     <message>
-        <source>the picture is too small</source>
+        <source>the image is too small</source>
         <translation>영상이 너무 작습니다</translation>
     </message>
 </context>
@@ -4665,21 +4665,21 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.picture_without_size</name>
     <message>
-        <source>the picture has no size</source>
+        <source>the image has no size</source>
         <translation>영상의 크기가 없습니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.pictures_fit</name>
     <message>
-        <source>%1 pictures fit to %2, focal length %3 ± %4</source>
+        <source>%1 images fit to %2, focal length %3 ± %4</source>
         <translation>사진 %1장이 %2로 피팅됨, 초점 거리 %3 ± %4</translation>
     </message>
 </context>
 <context>
     <name>calibration.pictures_fit_halves_apart</name>
     <message>
-        <source>%1 pictures fit to %2, focal length %3 ± %4, %5 apart at worst on that floor</source>
+        <source>%1 images fit to %2, focal length %3 ± %4, halves at most %5 apart on that floor</source>
         <translation>사진 %1장이 %2로 피팅됨, 초점 거리 %3 ± %4, 그 바닥에서 최대 %5 차이</translation>
     </message>
 </context>
@@ -4756,7 +4756,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.planned_distance</name>
     <message>
-        <source>it cannot stand %1 away</source>
+        <source>its distance cannot be %1</source>
         <translation>%1 떨어진 곳에는 둘 수 없습니다</translation>
     </message>
 </context>
@@ -4770,56 +4770,56 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.planned_height</name>
     <message>
-        <source>it cannot stand %1 above the floor</source>
+        <source>its height above the floor cannot be %1</source>
         <translation>바닥 위 %1에는 둘 수 없습니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.planned_not_held</name>
     <message>
-        <source>the markers that it would see do not hold it</source>
+        <source>the markers it would see do not determine its pose</source>
         <translation>보이게 될 마커들로는 카메라의 위치가 정해지지 않습니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.planned_sees_too_few</name>
     <message>
-        <source>from there it would see %1 of the layout&apos;s markers (%2), four are needed</source>
+        <source>it would see only %1 of the layout&apos;s markers (%2), four are needed</source>
         <translation>그곳에서는 배치의 마커 중 %1개(%2)만 보이며, 네 개가 필요합니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.point_against_lens</name>
     <message>
-        <source>point %1 lies where a lens cannot have put it</source>
+        <source>the lens model cannot project point %1</source>
         <translation>점 %1이(가) 렌즈로는 나올 수 없는 곳에 있습니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.point_beyond_horizon</name>
     <message>
-        <source>point %1 would lie at or beyond the horizon</source>
+        <source>point %1 would be at or beyond the horizon</source>
         <translation>점 %1이(가) 지평선이나 그 너머에 있게 됩니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.point_beyond_through</name>
     <message>
-        <source>point %1 lies at or beyond the horizon of %2</source>
+        <source>point %1 is at or beyond the horizon of %2</source>
         <translation>점 %1이(가) %2의 지평선이나 그 너머에 있습니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.point_outside_own</name>
     <message>
-        <source>point %1 lies outside the picture of the camera to register (%2)</source>
+        <source>point %1 is outside the image of the camera to register (%2)</source>
         <translation>점 %1이(가) 정합할 카메라의 화면(%2) 밖에 있습니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.point_outside_through</name>
     <message>
-        <source>point %1 lies outside the picture of %2 (%3)</source>
+        <source>point %1 is outside the image of %2 (%3)</source>
         <translation>점 %1이(가) %2의 화면(%3) 밖에 있습니다</translation>
     </message>
 </context>
@@ -4833,35 +4833,35 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.point_twice</name>
     <message>
-        <source>point %1 is there twice</source>
+        <source>point %1 appears twice</source>
         <translation>점 %1이(가) 두 번 있습니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.points_fit</name>
     <message>
-        <source>through %1 %2 points of the floor fit to %3 RMS (worst %4, %5), and the floor among them is known to ±%6, of which ±%7 come from %8</source>
+        <source>via %1, %2 floor points fit to %3 RMS (worst %4, %5); floor uncertainty ±%6, of which %8 contributes ±%7</source>
         <translation>%1을(를) 통해 바닥의 점 %2개가 %3 RMS로 맞으며(최악 %4, %5), 그 사이 바닥은 ±%6로 알려짐, 그중 ±%7는 %8에서 옴</translation>
     </message>
 </context>
 <context>
     <name>calibration.points_mirrored</name>
     <message>
-        <source>the points are mirrored between the pictures of the two cameras</source>
+        <source>the points are mirrored between the images of the two cameras</source>
         <translation>두 카메라의 영상 사이에서 점들이 거울상입니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.points_on_one_pixel</name>
     <message>
-        <source>points %1 and %2 lie on one pixel</source>
+        <source>points %1 and %2 are on the same pixel</source>
         <translation>점 %1과(와) %2이(가) 같은 픽셀에 있습니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.points_undetermined</name>
     <message>
-        <source>the points do not determine where the camera stands</source>
+        <source>the points do not determine the camera position</source>
         <translation>점들로 카메라의 위치를 정할 수 없습니다</translation>
     </message>
 </context>
@@ -4882,14 +4882,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.put_marker_back</name>
     <message>
-        <source>put it back, or measure again and register all cameras.</source>
+        <source>move it back, or measure the markers again and register all cameras.</source>
         <translation>제자리에 놓거나, 다시 재어 모든 카메라를 정합하십시오.</translation>
     </message>
 </context>
 <context>
     <name>calibration.put_markers_back</name>
     <message>
-        <source>put them back, or measure again and register all cameras.</source>
+        <source>move them back, or measure the markers again and register all cameras.</source>
         <translation>모두 제자리에 놓거나, 다시 재어 모든 카메라를 정합하십시오.</translation>
     </message>
 </context>
@@ -4917,21 +4917,21 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.register_by_more</name>
     <message>
-        <source>register it by more of them first</source>
+        <source>register it with more of them first</source>
         <translation>먼저 더 많은 마커로 정합하십시오</translation>
     </message>
 </context>
 <context>
     <name>calibration.register_if_gone</name>
     <message>
-        <source>if they are gone or the camera looks elsewhere, register it again</source>
+        <source>if they are gone or the camera points elsewhere, register it again</source>
         <translation>마커가 없거나 카메라가 다른 곳을 보면 다시 정합하십시오</translation>
     </message>
 </context>
 <context>
     <name>calibration.register_one_by_one</name>
     <message>
-        <source>register the cameras one by one by this layout first</source>
+        <source>first register the cameras one by one with this layout</source>
         <translation>먼저 이 배치로 카메라를 하나씩 정합하십시오</translation>
     </message>
 </context>
@@ -4945,14 +4945,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.reversed_x_alone</name>
     <message>
-        <source>reversing X alone would mirror the floor, and no camera above it sees it so</source>
+        <source>reversing X alone would mirror the floor; no camera above it sees it that way</source>
         <translation>X만 뒤집으면 바닥이 거울상이 되며 위의 카메라는 그렇게 보지 않습니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.reversed_y_alone</name>
     <message>
-        <source>reversing Y alone would mirror the floor, and no camera above it sees it so</source>
+        <source>reversing Y alone would mirror the floor; no camera above it sees it that way</source>
         <translation>Y만 뒤집으면 바닥이 거울상이 되며 위의 카메라는 그렇게 보지 않습니다</translation>
     </message>
 </context>
@@ -4966,28 +4966,28 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.same_attitude</name>
     <message>
-        <source>all %1 pictures show the board in nearly the same attitude, which does not determine the focal length</source>
+        <source>all %1 images show the board at nearly the same tilt, too little to determine the focal length</source>
         <translation>사진 %1장 모두 보드의 자세가 거의 같아 초점 거리를 정할 수 없습니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.second_end_beyond</name>
     <message>
-        <source>the second end lies at or beyond the horizon of camera &apos;%1&apos;</source>
+        <source>the second end is at or beyond the horizon of camera &apos;%1&apos;</source>
         <translation>두 번째 끝이 카메라 &apos;%1&apos;의 지평선이나 그 너머에 있습니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.see_same_floor</name>
     <message>
-        <source>let them see some of the same floor</source>
+        <source>aim them at a common part of the floor</source>
         <translation>같은 바닥을 일부 함께 보게 하십시오</translation>
     </message>
 </context>
 <context>
     <name>calibration.sees_too_few_anywhere</name>
     <message>
-        <source>from nowhere within %1 beyond the markers would it see four of them at the height and with the lens given</source>
+        <source>at this height and field of view, no position within %1 of the markers shows four of them</source>
         <translation>주어진 높이와 렌즈로는 마커에서 %1 이내의 어디서도 마커 네 개가 보이지 않습니다</translation>
     </message>
 </context>
@@ -5001,14 +5001,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.shapes_fit_nowhere</name>
     <message>
-        <source>none of the ways to name the %1 rings and dots fits the layout</source>
+        <source>no assignment of the %1 rings and dots fits the layout</source>
         <translation>고리와 점 %1개의 어떤 배정도 배치에 맞지 않습니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.shared_points</name>
     <message>
-        <source>there are %1</source>
+        <source>%1 given</source>
         <translation>%1개뿐입니다</translation>
     </message>
 </context>
@@ -5022,7 +5022,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.show_everywhere</name>
     <message>
-        <source>show the board in the middle and near each corner of the picture, and closer</source>
+        <source>show the board in the middle and near each corner of the image, and closer</source>
         <translation>보드를 가운데와 각 모서리 가까이, 더 가깝게 보여 주십시오</translation>
     </message>
 </context>
@@ -5113,7 +5113,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.stand_higher</name>
     <message>
-        <source>let it stand higher or farther away, or choose a wider lens</source>
+        <source>mount it higher or farther away, or choose a wider lens</source>
         <translation>더 높이 또는 더 멀리 두거나 더 넓은 렌즈를 고르십시오</translation>
     </message>
 </context>
@@ -5134,7 +5134,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.tag_seen_often</name>
     <message>
-        <source>tag %1 (marker %2) is seen %3 times</source>
+        <source>tag %1 (marker %2) appears %3 times</source>
         <translation>태그 %1(마커 %2)이(가) %3번 보입니다</translation>
     </message>
 </context>
@@ -5155,7 +5155,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.tell_by_hand</name>
     <message>
-        <source>tell by hand which of them is %1</source>
+        <source>mark by hand which of them is %1</source>
         <translation>어느 것이 %1인지 손으로 지정하십시오</translation>
     </message>
 </context>
@@ -5176,7 +5176,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.tilt_board</name>
     <message>
-        <source>take pictures with the board tilted by 30 to 45 degrees, to each side</source>
+        <source>take images with the board tilted by 30 to 45 degrees, to each side</source>
         <translation>보드를 각 방향으로 30~45도 기울여 찍으십시오</translation>
     </message>
 </context>
@@ -5197,7 +5197,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.told_length_not_positive</name>
     <message>
-        <source>the told length is not above 0</source>
+        <source>the entered length is not above 0</source>
         <translation>알려 준 길이가 0보다 크지 않습니다</translation>
     </message>
 </context>
@@ -5218,7 +5218,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.too_few_pictures</name>
     <message>
-        <source>three pictures of the board are needed, %1 can be used</source>
+        <source>calibration needs three images of the board, %1 can be used</source>
         <translation>보드 사진 세 장이 필요한데 %1장만 쓸 수 있습니다</translation>
     </message>
 </context>
@@ -5232,28 +5232,28 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.too_few_to_compare</name>
     <message>
-        <source>too few pictures to compare it with others</source>
+        <source>too few images to compare it with other models</source>
         <translation>다른 모델과 비교하기에는 사진이 너무 적습니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.too_frontal</name>
     <message>
-        <source>the board is seen too nearly frontal</source>
+        <source>the board faces the camera too directly</source>
         <translation>보드가 너무 정면으로 보입니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.too_small_for_board</name>
     <message>
-        <source>the picture is too small to hold a board</source>
+        <source>the image is too small for a board</source>
         <translation>영상이 너무 작아 보드가 들어갈 수 없습니다</translation>
     </message>
 </context>
 <context>
     <name>calibration.two_cameras_needed</name>
     <message>
-        <source>there is %1 camera on layout &apos;%2&apos;, two are needed</source>
+        <source>layout &apos;%2&apos; has %1 registered camera, two are needed</source>
         <translation>배치 &apos;%2&apos;에 카메라가 %1대 있고 두 대가 필요합니다</translation>
     </message>
 </context>
@@ -5267,7 +5267,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.two_focal_lengths</name>
     <message>
-        <source>the pictures ask for two focal lengths</source>
+        <source>the images do not agree on one focal length</source>
         <translation>사진들의 초점 거리가 두 가지입니다</translation>
     </message>
 </context>
@@ -5302,21 +5302,21 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.unseen_middle_corner</name>
     <message>
-        <source>The middle is not seen, ±%1 in the corner near %2.</source>
+        <source>The middle is out of view, ±%1 in the corner near %2.</source>
         <translation>가운데가 보이지 않음, %2 근처 모서리 ±%1.</translation>
     </message>
 </context>
 <context>
     <name>calibration.unseen_middle_edge</name>
     <message>
-        <source>The middle is not seen, ±%1 at the edge near %2.</source>
+        <source>The middle is out of view, ±%1 at the edge near %2.</source>
         <translation>가운데가 보이지 않음, %2 근처 가장자리 ±%1.</translation>
     </message>
 </context>
 <context>
     <name>calibration.unseen_middle_near</name>
     <message>
-        <source>The middle is not seen, ±%1 near %2.</source>
+        <source>The middle is out of view, ±%1 near %2.</source>
         <translation>가운데가 보이지 않음, %2 근처 ±%1.</translation>
     </message>
 </context>
@@ -5330,14 +5330,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.use_camera_picture</name>
     <message>
-        <source>use a picture of the camera</source>
+        <source>use an image from the camera</source>
         <translation>카메라의 영상을 쓰십시오</translation>
     </message>
 </context>
 <context>
     <name>calibration.use_camera_pictures</name>
     <message>
-        <source>use pictures of the camera</source>
+        <source>use images from the camera</source>
         <translation>카메라의 영상을 쓰십시오</translation>
     </message>
 </context>
@@ -5351,14 +5351,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.use_one_camera</name>
     <message>
-        <source>use pictures of one camera at one zoom and focus</source>
+        <source>use images of one camera at one zoom and focus</source>
         <translation>한 카메라로 같은 줌과 초점에서 찍은 사진을 쓰십시오</translation>
     </message>
 </context>
 <context>
     <name>calibration.use_one_resolution</name>
     <message>
-        <source>use pictures of one camera at one resolution</source>
+        <source>use images of one camera at one resolution</source>
         <translation>한 카메라의 같은 해상도 사진을 쓰십시오</translation>
     </message>
 </context>
@@ -5372,7 +5372,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.whether_moved</name>
     <message>
-        <source>whether %1 has moved cannot be told</source>
+        <source>cannot determine whether %1 has moved</source>
         <translation>%1이(가) 움직였는지 알 수 없습니다</translation>
     </message>
 </context>
@@ -5386,7 +5386,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.x_without_length</name>
     <message>
-        <source>the markers that X is to run along lie at one place</source>
+        <source>the two markers for the X axis have the same position</source>
         <translation>X축이 지날 마커들이 같은 곳에 있습니다</translation>
     </message>
 </context>
@@ -7962,21 +7962,21 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>geometry.at_one_place</name>
     <message>
-        <source>%1 lie at one place</source>
+        <source>%1 have the same position</source>
         <translation>%1이(가) 한곳에 있습니다</translation>
     </message>
 </context>
 <context>
     <name>geometry.at_one_place_in_picture</name>
     <message>
-        <source>%1 lie at one place in the picture</source>
+        <source>%1 have the same position in the image</source>
         <translation>%1이(가) 화면에서 한곳에 있습니다</translation>
     </message>
 </context>
 <context>
     <name>geometry.beyond_horizon</name>
     <message>
-        <source>%1 would lie beyond the horizon</source>
+        <source>%1 would be beyond the horizon</source>
         <translation>%1이(가) 지평선 너머에 있게 됩니다</translation>
     </message>
 </context>
@@ -8074,7 +8074,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>geometry.on_one_line_in_picture</name>
     <message>
-        <source>%1 lie on one line in the picture</source>
+        <source>%1 lie on one line in the image</source>
         <translation>%1이(가) 화면에서 한 줄에 있습니다</translation>
     </message>
 </context>
@@ -8102,7 +8102,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>geometry.size_not_positive</name>
     <message>
-        <source>the picture size %1 is not positive</source>
+        <source>the image size %1 is not positive</source>
         <translation>사진 크기 %1이(가) 양수가 아닙니다</translation>
     </message>
 </context>
@@ -8137,7 +8137,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>geometry.wrong_coefficients</name>
     <message>
-        <source>%1 distortion coefficients do not belong to this lens model</source>
+        <source>this lens model does not take %1 distortion coefficients</source>
         <translation>왜곡 계수 %1개는 이 렌즈 모델에 맞지 않습니다</translation>
     </message>
 </context>
@@ -18954,7 +18954,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.analyse_anew_with</name>
     <message>
-        <source>analyse them anew with</source>
+        <source>reanalyse them with</source>
         <translation>다음으로 다시 분석하십시오</translation>
     </message>
 </context>
@@ -18975,28 +18975,28 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.another_picture_size</name>
     <message>
-        <source>its pictures are %1 but the camera was calibrated at %2</source>
+        <source>its frames are %1 but the camera was calibrated at %2</source>
         <translation>영상은 %1인데 카메라는 %2에서 보정되었습니다</translation>
     </message>
 </context>
 <context>
     <name>workflow.beyond_limits</name>
     <message>
-        <source>%1 of what was measured is beyond the limits of task &apos;%2&apos;, so that they were left out</source>
+        <source>%1 of the samples exceed the limits of task &apos;%2&apos;, so the limits were ignored</source>
         <translation>측정값의 %1가 과제 &apos;%2&apos;의 한계를 넘어 한계를 적용하지 않았습니다</translation>
     </message>
 </context>
 <context>
     <name>workflow.board_in_no_picture</name>
     <message>
-        <source>the board was found in none of %1 pictures (%2)</source>
+        <source>the board was found in none of %1 images (%2)</source>
         <translation>사진 %1장 어디에서도 보드를 찾지 못했습니다 (%2)</translation>
     </message>
 </context>
 <context>
     <name>workflow.by_layout_and_lens</name>
     <message>
-        <source>layout &apos;%1&apos;, lens of calibration %2</source>
+        <source>layout &apos;%1&apos;, lens calibration %2</source>
         <translation>배치 &apos;%1&apos;, 보정 %2의 렌즈</translation>
     </message>
 </context>
@@ -19031,7 +19031,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.calibrate_if_touched</name>
     <message>
-        <source>if zoom, focus or the camera&apos;s settings were touched since, calibrate it again.</source>
+        <source>if zoom, focus or the camera&apos;s settings have changed since, calibrate it again.</source>
         <translation>그 뒤 줌, 초점 또는 카메라 설정을 건드렸다면 다시 보정하십시오.</translation>
     </message>
 </context>
@@ -19045,7 +19045,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.calibrate_lens_first</name>
     <message>
-        <source>calibrate the lens first, or put another calibration in force</source>
+        <source>calibrate the lens first, or choose another calibration</source>
         <translation>먼저 렌즈를 보정하거나 다른 보정을 적용하십시오</translation>
     </message>
 </context>
@@ -19066,7 +19066,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.calibrated_from_pictures</name>
     <message>
-        <source>calibrated from %1 pictures</source>
+        <source>calibrated from %1 images</source>
         <translation>사진 %1장으로 보정</translation>
     </message>
 </context>
@@ -19094,14 +19094,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.calibration_picture</name>
     <message>
-        <source>calibration picture &apos;%1&apos;</source>
+        <source>calibration image &apos;%1&apos;</source>
         <translation>보정 사진 &apos;%1&apos;</translation>
     </message>
 </context>
 <context>
     <name>workflow.camera_gave_no_picture</name>
     <message>
-        <source>camera &apos;%1&apos; gave no picture</source>
+        <source>camera &apos;%1&apos; delivered no frame</source>
         <translation>카메라 &apos;%1&apos;에서 영상이 오지 않았습니다</translation>
     </message>
 </context>
@@ -19143,7 +19143,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.check_cable_and_bandwidth</name>
     <message>
-        <source>check cable, bandwidth and what else this machine does</source>
+        <source>check the cable, the bandwidth and what else this computer is doing</source>
         <translation>케이블, 대역폭, 이 컴퓨터의 다른 작업을 확인하십시오</translation>
     </message>
 </context>
@@ -19171,7 +19171,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.check_or_analyse_again</name>
     <message>
-        <source>run odograph check, or analyse the trial again</source>
+        <source>run odograph check, or reanalyse the trial</source>
         <translation>odograph check를 실행하거나 시행을 다시 분석하십시오</translation>
     </message>
 </context>
@@ -19185,7 +19185,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.check_rate</name>
     <message>
-        <source>the views are joined by time, check --rate if one is slow motion</source>
+        <source>views are matched by time: check --rate if one is in slow motion</source>
         <translation>뷰는 시간으로 결합됩니다. 슬로 모션이면 --rate를 확인하십시오</translation>
     </message>
 </context>
@@ -19199,7 +19199,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.check_views_of_one_run</name>
     <message>
-        <source>outside it only one view measures, so check that both belong to one run</source>
+        <source>only one view measures the rest, so check that both belong to one run</source>
         <translation>그 밖에서는 한 뷰만 측정하므로 둘이 같은 주행인지 확인하십시오</translation>
     </message>
 </context>
@@ -19248,7 +19248,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.choose_interface</name>
     <message>
-        <source>choose one that `ip link` names, or lo to stay on this machine</source>
+        <source>choose one that `ip link` lists, or lo to stay on this computer</source>
         <translation>`ip link`에 나오는 것을 고르거나, 이 컴퓨터에서만 쓰려면 lo를 고르십시오</translation>
     </message>
 </context>
@@ -19367,56 +19367,56 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.demo_is_there</name>
     <message>
-        <source>%1 is there already</source>
+        <source>%1 already exists</source>
         <translation>%1이(가) 이미 있습니다</translation>
     </message>
 </context>
 <context>
     <name>workflow.doubtful_name</name>
     <message>
-        <source>from %1 to %2 it is doubtful whether this is %3 or %4</source>
+        <source>from %1 to %2 this may be %3 or %4</source>
         <translation>%1부터 %2까지 이것이 %3인지 %4인지 확실하지 않습니다</translation>
     </message>
 </context>
 <context>
     <name>workflow.doubtful_name_unknown</name>
     <message>
-        <source>from %1 to %2 it is doubtful whether this is %3 or another robot of its look</source>
+        <source>from %1 to %2 this may be %3 or another robot that looks the same</source>
         <translation>%1부터 %2까지 이것이 %3인지 겉모습이 같은 다른 로봇인지 확실하지 않습니다</translation>
     </message>
 </context>
 <context>
     <name>workflow.doubtful_names</name>
     <message>
-        <source>from %1 to %2 (the first of %3 times) it is doubtful whether this is %4 or %5</source>
+        <source>from %1 to %2 (the first of %3 times) this may be %4 or %5</source>
         <translation>%1부터 %2까지(%3번 중 첫 번째) 이것이 %4인지 %5인지 확실하지 않습니다</translation>
     </message>
 </context>
 <context>
     <name>workflow.doubtful_names_unknown</name>
     <message>
-        <source>from %1 to %2 (the first of %3 times) it is doubtful whether this is %4 or another robot of its look</source>
+        <source>from %1 to %2 (the first of %3 times) this may be %4 or another robot that looks the same</source>
         <translation>%1부터 %2까지(%3번 중 첫 번째) 이것이 %4인지 겉모습이 같은 다른 로봇인지 확실하지 않습니다</translation>
     </message>
 </context>
 <context>
     <name>workflow.doubtful_step</name>
     <message>
-        <source>it is in step to %1 only, which is %2 at 1 m/s</source>
+        <source>it is synchronised only to %1, which is %2 at 1 m/s</source>
         <translation>동기 오차가 %1로, 1 m/s에서 %2입니다</translation>
     </message>
 </context>
 <context>
     <name>workflow.error_estimated</name>
     <message>
-        <source>positions to %1, as estimated from them</source>
+        <source>positions to %1, estimated from the track</source>
         <translation>위치의 오차 %1, 위치에서 추정</translation>
     </message>
 </context>
 <context>
     <name>workflow.error_stated</name>
     <message>
-        <source>positions to %1, as the file says</source>
+        <source>positions to %1, as stated in the file</source>
         <translation>위치의 오차 %1, 파일에 적힌 대로</translation>
     </message>
 </context>
@@ -19437,21 +19437,21 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.file_without_picture</name>
     <message>
-        <source>it has no picture</source>
+        <source>it contains no image</source>
         <translation>영상이 없습니다</translation>
     </message>
 </context>
 <context>
     <name>workflow.fitting_cameras_together</name>
     <message>
-        <source>fitting %1 cameras together</source>
+        <source>fitting %1 cameras jointly</source>
         <translation>카메라 %1대를 함께 피팅하는 중</translation>
     </message>
 </context>
 <context>
     <name>workflow.floor_has_its_colour</name>
     <message>
-        <source>its colour %1 is also that of the floor (%2 of view %3&apos;s picture)</source>
+        <source>its colour %1 is also the floor&apos;s (%2 of the frame in view %3)</source>
         <translation>색 %1이(가) 바닥 색이기도 합니다 (뷰 %3 영상의 %2)</translation>
     </message>
 </context>
@@ -19465,7 +19465,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.found_by_colour</name>
     <message>
-        <source>it is found by its colour</source>
+        <source>it is detected by its colour</source>
         <translation>색으로 찾는 로봇입니다</translation>
     </message>
 </context>
@@ -19535,21 +19535,21 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.give_own_colours</name>
     <message>
-        <source>give each a colour of its own</source>
+        <source>give each its own colour</source>
         <translation>각 로봇에 고유한 색을 주십시오</translation>
     </message>
 </context>
 <context>
     <name>workflow.give_picture_of_that_size</name>
     <message>
-        <source>give a picture of that size</source>
+        <source>give an image of that size</source>
         <translation>그 크기의 영상을 주십시오</translation>
     </message>
 </context>
 <context>
     <name>workflow.give_pixels_or_picture</name>
     <message>
-        <source>give --pixels pixels.csv, --image picture.png or --video clip.mp4</source>
+        <source>give --pixels pixels.csv, --image image.png or --video clip.mp4</source>
         <translation>--pixels pixels.csv, --image picture.png 또는 --video clip.mp4를 주십시오</translation>
     </message>
 </context>
@@ -19563,7 +19563,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.give_seconds</name>
     <message>
-        <source>give the seconds, like 10</source>
+        <source>give the seconds, such as 10</source>
         <translation>10처럼 초를 주십시오</translation>
     </message>
 </context>
@@ -19591,14 +19591,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.import_again_for_offset</name>
     <message>
-        <source>import the videos again and let the offset be found, or tell it</source>
+        <source>import the videos again with automatic synchronisation, or enter the time offset</source>
         <translation>동영상을 다시 가져와 오프셋을 찾게 하거나 직접 지정하십시오</translation>
     </message>
 </context>
 <context>
     <name>workflow.import_lens</name>
     <message>
-        <source>import the lens of camera %1 from %2</source>
+        <source>import the lens calibration of camera %1 from %2</source>
         <translation>%2에서 카메라 %1의 렌즈 가져오기</translation>
     </message>
 </context>
@@ -19640,21 +19640,21 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.keeping_pictures</name>
     <message>
-        <source>keeping the pictures</source>
+        <source>saving the images</source>
         <translation>사진 보관 중</translation>
     </message>
 </context>
 <context>
     <name>workflow.leave_frame</name>
     <message>
-        <source>leave frame %1 of %2 to the program</source>
+        <source>remove the override of frame %1 of %2</source>
         <translation>%2의 프레임 %1을(를) 프로그램에 맡김</translation>
     </message>
 </context>
 <context>
     <name>workflow.leave_out_trial</name>
     <message>
-        <source>leave out %1, of which nothing was recorded</source>
+        <source>remove %1, which recorded nothing</source>
         <translation>녹화된 것이 없는 %1 제외</translation>
     </message>
 </context>
@@ -19668,7 +19668,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.lens_never_calibrated</name>
     <message>
-        <source>The lens of camera &apos;%1&apos; was never calibrated, its distortion is taken as none</source>
+        <source>The lens of camera &apos;%1&apos; is not calibrated, so no distortion is assumed</source>
         <translation>카메라 &apos;%1&apos;의 렌즈는 보정된 적이 없어 왜곡이 없는 것으로 봅니다</translation>
     </message>
 </context>
@@ -19710,63 +19710,63 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.look_at_outlines</name>
     <message>
-        <source>look at the outlines, and tell the robot&apos;s colour or keep others out of the pictures</source>
+        <source>check the outlines, and set the robot&apos;s colour or keep other objects out of view</source>
         <translation>윤곽을 살펴보고, 로봇의 색을 지정하거나 다른 것이 영상에 들어오지 않게 하십시오</translation>
     </message>
 </context>
 <context>
     <name>workflow.look_for_lost_videos</name>
     <message>
-        <source>look for lost videos</source>
+        <source>search for lost videos</source>
         <translation>잃어버린 동영상 찾기</translation>
     </message>
 </context>
 <context>
     <name>workflow.looking_for_board_in</name>
     <message>
-        <source>looking for the board in %1</source>
+        <source>detecting the board in %1</source>
         <translation>%1에서 보드를 찾는 중</translation>
     </message>
 </context>
 <context>
     <name>workflow.looking_for_files</name>
     <message>
-        <source>looking for files</source>
+        <source>searching for files</source>
         <translation>파일 찾는 중</translation>
     </message>
 </context>
 <context>
     <name>workflow.looking_for_markers_again</name>
     <message>
-        <source>looking for the markers again</source>
+        <source>detecting the markers again</source>
         <translation>마커를 다시 찾는 중</translation>
     </message>
 </context>
 <context>
     <name>workflow.looking_for_markers_in</name>
     <message>
-        <source>looking for the markers in %1</source>
+        <source>detecting the markers in %1</source>
         <translation>%1에서 마커 찾는 중</translation>
     </message>
 </context>
 <context>
     <name>workflow.looking_through_media</name>
     <message>
-        <source>looking through the media folder</source>
+        <source>searching the media folder</source>
         <translation>미디어 폴더를 살펴보는 중</translation>
     </message>
 </context>
 <context>
     <name>workflow.lost_not_packed</name>
     <message>
-        <source>the video of camera %1 in trial &apos;%2&apos; is lost, and not in the packed project</source>
+        <source>the video of camera %1 in trial &apos;%2&apos; is lost and is not in the packed project</source>
         <translation>시행 &apos;%2&apos;의 카메라 %1 동영상이 없어 묶은 프로젝트에 들어 있지 않습니다</translation>
     </message>
 </context>
 <context>
     <name>workflow.lost_video_not_there</name>
     <message>
-        <source>the lost video is not there</source>
+        <source>the lost video is not in this folder</source>
         <translation>잃어버린 동영상이 거기 없습니다</translation>
     </message>
 </context>
@@ -19780,42 +19780,42 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.lost_videos_not_there</name>
     <message>
-        <source>none of the %1 lost videos is there</source>
+        <source>none of the %1 lost videos is in this folder</source>
         <translation>잃어버린 동영상 %1개가 거기 없습니다</translation>
     </message>
 </context>
 <context>
     <name>workflow.made_through_registration</name>
     <message>
-        <source>It was made through registration %1 of the project.</source>
+        <source>It was made via registration %1 of the project.</source>
         <translation>프로젝트의 정합 %1을(를) 통해 이루어졌습니다.</translation>
     </message>
 </context>
 <context>
     <name>workflow.made_with_it_already</name>
     <message>
-        <source>it was made with it already</source>
+        <source>it already uses that calibration</source>
         <translation>이미 그것으로 만들어졌습니다</translation>
     </message>
 </context>
 <context>
     <name>workflow.making_hash</name>
     <message>
-        <source>making the hash of %1</source>
+        <source>computing the hash of %1</source>
         <translation>%1의 해시를 만드는 중</translation>
     </message>
 </context>
 <context>
     <name>workflow.map_behind</name>
     <message>
-        <source>the map is %1 behind, none skipped</source>
+        <source>the map is %1 behind, no frame skipped</source>
         <translation>지도 지연 %1, 건너뜀 없음</translation>
     </message>
 </context>
 <context>
     <name>workflow.map_behind_and_skipping</name>
     <message>
-        <source>the map is %1 behind, %2 skipped</source>
+        <source>the map is %1 behind, %2 frames skipped</source>
         <translation>지도 지연 %1, %2개 건너뜀</translation>
     </message>
 </context>
@@ -19836,14 +19836,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.measure_again</name>
     <message>
-        <source>measure %1 again</source>
+        <source>reanalyse %1</source>
         <translation>%1 다시 측정</translation>
     </message>
 </context>
 <context>
     <name>workflow.measure_it_again</name>
     <message>
-        <source>measure it again</source>
+        <source>repeat the analysis</source>
         <translation>다시 재십시오</translation>
     </message>
 </context>
@@ -19871,7 +19871,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.name_place_in_pixels</name>
     <message>
-        <source>name it in pixels from the picture&apos;s top left corner</source>
+        <source>give it in pixels from the frame&apos;s top left corner</source>
         <translation>영상 왼쪽 위 모서리부터 픽셀로 지정하십시오</translation>
     </message>
 </context>
@@ -19892,7 +19892,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.nearly_all_beyond_limits</name>
     <message>
-        <source>nearly all that was measured is beyond the limits of task &apos;%1&apos;, so that they were left out</source>
+        <source>nearly all samples exceed the limits of task &apos;%1&apos;, so the limits were ignored</source>
         <translation>측정값이 거의 모두 과제 &apos;%1&apos;의 한계를 넘어 한계를 적용하지 않았습니다</translation>
     </message>
 </context>
@@ -19920,14 +19920,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.no_address_with_port</name>
     <message>
-        <source>it is no IPv4 address with a port</source>
+        <source>it is not an IPv4 address with a port</source>
         <translation>포트가 붙은 IPv4 주소가 아닙니다</translation>
     </message>
 </context>
 <context>
     <name>workflow.no_camera_gave_picture</name>
     <message>
-        <source>no camera gave a picture</source>
+        <source>no camera delivered a frame</source>
         <translation>어느 카메라도 영상을 보내지 않았습니다</translation>
     </message>
 </context>
@@ -19941,14 +19941,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.no_common_place</name>
     <message>
-        <source>No place was measured by both analyses.</source>
+        <source>The two analyses have no position in common.</source>
         <translation>두 분석이 함께 측정한 곳이 없습니다.</translation>
     </message>
 </context>
 <context>
     <name>workflow.no_common_time</name>
     <message>
-        <source>views &apos;%1&apos; and &apos;%2&apos; have no time in common with an offset of %3</source>
+        <source>views &apos;%1&apos; and &apos;%2&apos; do not overlap with a time offset of %3</source>
         <translation>뷰 &apos;%1&apos;과(와) &apos;%2&apos;은(는) 오프셋 %3에서 겹치는 시간이 없습니다</translation>
     </message>
 </context>
@@ -19962,35 +19962,35 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.no_multicast</name>
     <message>
-        <source>interface &apos;%1&apos; takes no multicast</source>
+        <source>interface &apos;%1&apos; does not support multicast</source>
         <translation>인터페이스 &apos;%1&apos;은(는) 멀티캐스트를 지원하지 않습니다</translation>
     </message>
 </context>
 <context>
     <name>workflow.no_picture_read</name>
     <message>
-        <source>no picture could be read</source>
+        <source>no image could be read</source>
         <translation>어떤 사진도 읽지 못했습니다</translation>
     </message>
 </context>
 <context>
     <name>workflow.no_picture_then</name>
     <message>
-        <source>the view has no picture at that time</source>
+        <source>the view has no frame at that time</source>
         <translation>그 시각에 뷰의 영상이 없습니다</translation>
     </message>
 </context>
 <context>
     <name>workflow.no_pixels_no_picture</name>
     <message>
-        <source>neither their pixels nor a picture to look in was given</source>
+        <source>it needs pixels, or an image to detect the markers in</source>
         <translation>픽셀도 찾아볼 영상도 지정되지 않았습니다</translation>
     </message>
 </context>
 <context>
     <name>workflow.no_robot</name>
     <message>
-        <source>the project has no robot to look for</source>
+        <source>the project has no robot to track</source>
         <translation>프로젝트에 찾을 로봇이 없습니다</translation>
     </message>
 </context>
@@ -20004,21 +20004,21 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.no_socket</name>
     <message>
-        <source>this machine gives no socket</source>
+        <source>the system could not open a socket</source>
         <translation>이 컴퓨터가 소켓을 내주지 않습니다</translation>
     </message>
 </context>
 <context>
     <name>workflow.no_such_frame</name>
     <message>
-        <source>there is no such frame</source>
+        <source>this frame does not exist</source>
         <translation>그런 프레임이 없습니다</translation>
     </message>
 </context>
 <context>
     <name>workflow.no_such_interface</name>
     <message>
-        <source>this machine has none of that name</source>
+        <source>this computer has no interface of that name</source>
         <translation>이 컴퓨터에 그런 이름의 것이 없습니다</translation>
     </message>
 </context>
@@ -20067,21 +20067,21 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.none_of_that_number</name>
     <message>
-        <source>camera &apos;%1&apos; has none of that number</source>
+        <source>camera &apos;%1&apos; has no such number</source>
         <translation>카메라 &apos;%1&apos;에 그 번호가 없습니다</translation>
     </message>
 </context>
 <context>
     <name>workflow.not_measured_there</name>
     <message>
-        <source>the robot was not measured there, so there is nothing to judge</source>
+        <source>the robot has no measurement at that time</source>
         <translation>그곳에서 로봇이 측정되지 않아 판단할 것이 없습니다</translation>
     </message>
 </context>
 <context>
     <name>workflow.not_synchronised</name>
     <message>
-        <source>it is not synchronised but taken as begun together with the first view, so that a moving robot is not where the two views put it</source>
+        <source>it is not synchronised: the same start time as the first view was assumed, and positions of a moving robot are wrong</source>
         <translation>동기화되지 않고 첫 뷰와 함께 시작된 것으로 보았으므로, 움직이는 로봇은 두 뷰가 가리키는 곳에 있지 않습니다</translation>
     </message>
 </context>
@@ -20102,7 +20102,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.nothing_came</name>
     <message>
-        <source>nothing came for %1, because %2</source>
+        <source>no frame arrived for %1 because %2</source>
         <translation>%1 동안 아무것도 오지 않았습니다. 이유: %2</translation>
     </message>
 </context>
@@ -20116,35 +20116,35 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.nothing_said_there</name>
     <message>
-        <source>nothing was said by hand there</source>
+        <source>that frame has no manual override</source>
         <translation>그곳에는 직접 지정한 것이 없습니다</translation>
     </message>
 </context>
 <context>
     <name>workflow.nothing_stands_out</name>
     <message>
-        <source>nothing stands out from the floor at %1,%2 at %3 for some frames</source>
+        <source>no foreground object was found at pixel %1,%2 at %3</source>
         <translation>%3 무렵 몇 프레임 동안 %1,%2에서 바닥과 구별되는 것이 없습니다</translation>
     </message>
 </context>
 <context>
     <name>workflow.nothing_to_analyse_again</name>
     <message>
-        <source>it has not been tracked yet, so there is nothing to analyse again</source>
+        <source>it has not been tracked yet, so it cannot be reanalysed</source>
         <translation>아직 추적되지 않아 다시 분석할 것이 없습니다</translation>
     </message>
 </context>
 <context>
     <name>workflow.nothing_to_do</name>
     <message>
-        <source>there is nothing to do</source>
+        <source>no action is needed</source>
         <translation>할 일이 없습니다</translation>
     </message>
 </context>
 <context>
     <name>workflow.offsets_of_other_count</name>
     <message>
-        <source>%1 views were given and the offsets of %2</source>
+        <source>the number of views is %1, the number of offsets %2</source>
         <translation>뷰는 %1개, 오프셋은 %2개가 주어졌습니다</translation>
     </message>
 </context>
@@ -20165,14 +20165,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.one_follows_something_else</name>
     <message>
-        <source>one of them follows something else, or is not where it was registered</source>
+        <source>one of them tracks another object, or has moved since its registration</source>
         <translation>그중 하나가 다른 것을 따라가거나 등록된 자리에 있지 않습니다</translation>
     </message>
 </context>
 <context>
     <name>workflow.only_frame</name>
     <message>
-        <source>its only one is frame 0</source>
+        <source>its only frame is 0</source>
         <translation>프레임 0뿐입니다</translation>
     </message>
 </context>
@@ -20186,77 +20186,77 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.other_sample_judged</name>
     <message>
-        <source>another sample was judged by hand while this one was analysed</source>
+        <source>another sample was overridden while this one was analysed</source>
         <translation>이 표본을 분석하는 동안 다른 표본이 수동으로 판정되었습니다</translation>
     </message>
 </context>
 <context>
     <name>workflow.outside_picture</name>
     <message>
-        <source>the place lies outside the picture</source>
+        <source>the position is outside the frame</source>
         <translation>그 위치는 영상 밖에 있습니다</translation>
     </message>
 </context>
 <context>
     <name>workflow.pick_or_take_colour</name>
     <message>
-        <source>pick its colour again, or take the colour from it</source>
+        <source>pick its colour again, or remove its colour</source>
         <translation>색을 다시 고르거나 색을 없애십시오</translation>
     </message>
 </context>
 <context>
     <name>workflow.picture_lost_here</name>
     <message>
-        <source>1 picture was lost because this computer or its disk was too slow</source>
+        <source>1 frame was lost because this computer or its disk was too slow</source>
         <translation>이 컴퓨터나 디스크가 너무 느려 영상 1개 누락</translation>
     </message>
 </context>
 <context>
     <name>workflow.picture_lost_on_wire</name>
     <message>
-        <source>1 picture was lost between the camera and this program</source>
+        <source>1 frame was lost between the camera and this program</source>
         <translation>카메라와 이 프로그램 사이에서 영상 1개 누락</translation>
     </message>
 </context>
 <context>
     <name>workflow.picture_made_too_late</name>
     <message>
-        <source>1 picture was lost because this machine was too slow to make them in time</source>
+        <source>1 frame was lost: this computer was too slow to generate it in time</source>
         <translation>이 컴퓨터가 너무 느려 제때 만들지 못해 영상 1개 누락</translation>
     </message>
 </context>
 <context>
     <name>workflow.picture_size_not_known</name>
     <message>
-        <source>the size of its pictures is not known</source>
+        <source>the size of its images is not known</source>
         <translation>영상의 크기를 알 수 없습니다</translation>
     </message>
 </context>
 <context>
     <name>workflow.pictures_lost_here</name>
     <message>
-        <source>%1 pictures were lost because this computer or its disk was too slow</source>
+        <source>%1 frames were lost because this computer or its disk was too slow</source>
         <translation>이 컴퓨터나 디스크가 너무 느려 영상 %1개 누락</translation>
     </message>
 </context>
 <context>
     <name>workflow.pictures_lost_on_wire</name>
     <message>
-        <source>%1 pictures were lost between the camera and this program</source>
+        <source>%1 frames were lost between the camera and this program</source>
         <translation>카메라와 이 프로그램 사이에서 영상 %1개 누락</translation>
     </message>
 </context>
 <context>
     <name>workflow.pictures_made_too_late</name>
     <message>
-        <source>%1 pictures were lost because this machine was too slow to make them in time</source>
+        <source>%1 frames were lost: this computer was too slow to generate them in time</source>
         <translation>이 컴퓨터가 너무 느려 제때 만들지 못해 영상 %1개 누락</translation>
     </message>
 </context>
 <context>
     <name>workflow.point_out_whole_robot</name>
     <message>
-        <source>point it out where all of it is seen and it moves</source>
+        <source>point it out where the whole robot is visible and moving</source>
         <translation>로봇 전체가 보이고 움직이는 곳에서 가리키십시오</translation>
     </message>
 </context>
@@ -20270,35 +20270,35 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.project_file_gone</name>
     <message>
-        <source>the project&apos;s file is no longer there</source>
+        <source>the project file no longer exists</source>
         <translation>프로젝트 파일이 더 이상 없습니다</translation>
     </message>
 </context>
 <context>
     <name>workflow.project_lost</name>
     <message>
-        <source>the project&apos;s file was deleted, renamed or replaced; recording goes on, and what is in it is rescued at the end</source>
+        <source>the project file was deleted, renamed or replaced; recording continues, and its contents will be saved at the end</source>
         <translation>프로젝트 파일이 삭제되거나 이름이 바뀌거나 교체되었습니다. 녹화는 계속되며 끝날 때 그 내용을 구해 냅니다</translation>
     </message>
 </context>
 <context>
     <name>workflow.project_rescued</name>
     <message>
-        <source>the project&apos;s file was deleted, renamed or replaced meanwhile; what was in it is rescued in &apos;%1&apos;, which is the project from now on</source>
+        <source>the project file was deleted, renamed or replaced; its contents were saved in &apos;%1&apos;, the project from now on</source>
         <translation>그사이 프로젝트 파일이 삭제되거나 이름이 바뀌거나 교체되었습니다. 그 내용은 &apos;%1&apos;에 구해 두었으며 이제부터 이것이 프로젝트입니다</translation>
     </message>
 </context>
 <context>
     <name>workflow.put_axes_elsewhere</name>
     <message>
-        <source>put the axes of layout %1 elsewhere</source>
+        <source>change the world axes of layout %1</source>
         <translation>배치 %1의 축 옮기기</translation>
     </message>
 </context>
 <context>
     <name>workflow.put_plate_on_it</name>
     <message>
-        <source>put a plate of another colour on it, or tell the colour it really has</source>
+        <source>put a plate of another colour on it, or set its true colour</source>
         <translation>다른 색 판을 얹거나 실제 색을 지정하십시오</translation>
     </message>
 </context>
@@ -20361,7 +20361,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.register_camera_through</name>
     <message>
-        <source>register camera %1 through camera %2</source>
+        <source>register camera %1 via camera %2</source>
         <translation>카메라 %2을(를) 통해 카메라 %1 정합</translation>
     </message>
 </context>
@@ -20375,7 +20375,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.register_cameras_together</name>
     <message>
-        <source>register the cameras of layout %1 together</source>
+        <source>register the cameras of layout %1 jointly</source>
         <translation>배치 %1의 카메라 함께 정합</translation>
     </message>
 </context>
@@ -20389,7 +20389,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.register_it_first</name>
     <message>
-        <source>register it first, by markers or through another camera</source>
+        <source>register it first, with markers or via another camera</source>
         <translation>먼저 마커나 다른 카메라를 통해 정합하십시오</translation>
     </message>
 </context>
@@ -20403,14 +20403,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.register_through_it_again</name>
     <message>
-        <source>register it through that camera again</source>
+        <source>register it via that camera again</source>
         <translation>그 카메라를 통해 다시 정합하십시오</translation>
     </message>
 </context>
 <context>
     <name>workflow.registered_at_another_size</name>
     <message>
-        <source>the picture is %1, the camera was registered at %2</source>
+        <source>the image is %1, the camera was registered at %2</source>
         <translation>영상은 %1, 카메라는 %2에서 정합되었습니다</translation>
     </message>
 </context>
@@ -20424,14 +20424,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.registered_through_another</name>
     <message>
-        <source>it was registered through another camera</source>
+        <source>it was registered via another camera</source>
         <translation>다른 카메라를 통해 정합되었습니다</translation>
     </message>
 </context>
 <context>
     <name>workflow.registered_with_other_lens</name>
     <message>
-        <source>The floor registration of camera &apos;%1&apos; was made with another calibration of its lens than the one in force</source>
+        <source>The floor registration of camera &apos;%1&apos; uses another lens calibration than the current one</source>
         <translation>카메라 &apos;%1&apos;의 바닥 정합은 적용 중인 것과 다른 렌즈 보정으로 이루어졌습니다</translation>
     </message>
 </context>
@@ -20452,14 +20452,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.registration_through</name>
     <message>
-        <source>registration of camera &apos;%1&apos; through &apos;%2&apos;</source>
+        <source>registration of camera &apos;%1&apos; via &apos;%2&apos;</source>
         <translation>&apos;%2&apos;을(를) 통한 카메라 &apos;%1&apos;의 정합</translation>
     </message>
 </context>
 <context>
     <name>workflow.registration_with_lens_in_force</name>
     <message>
-        <source>registration of camera &apos;%1&apos; with the lens in force</source>
+        <source>registration of camera &apos;%1&apos; with the current lens calibration</source>
         <translation>적용 중인 렌즈를 쓴 카메라 &apos;%1&apos;의 정합</translation>
     </message>
 </context>
@@ -20487,14 +20487,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.replaced_not_packed</name>
     <message>
-        <source>the video of camera %1 in trial &apos;%2&apos; lies elsewhere and is another file than it was, and not in the packed project</source>
+        <source>the video of camera %1 in trial &apos;%2&apos; is outside the media folder and has changed since; it is not in the packed project</source>
         <translation>시행 &apos;%2&apos;의 카메라 %1 동영상은 다른 곳에 있고 예전과 다른 파일이어서 묶은 프로젝트에 들어 있지 않습니다</translation>
     </message>
 </context>
 <context>
     <name>workflow.results_changed</name>
     <message>
-        <source>its results are not those that its analysis gave</source>
+        <source>its results differ from those of its analysis</source>
         <translation>결과가 분석에서 나온 값과 다릅니다</translation>
     </message>
 </context>
@@ -20522,7 +20522,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.robot_not_tracked</name>
     <message>
-        <source>robot &apos;%1&apos; was not tracked in it, but %2</source>
+        <source>robot &apos;%1&apos; was not tracked in it, only %2</source>
         <translation>로봇 &apos;%1&apos;은(는) 추적되지 않았고, 추적된 것은 %2입니다</translation>
     </message>
 </context>
@@ -20564,7 +20564,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.say_it_again</name>
     <message>
-        <source>say it again for frame %1</source>
+        <source>repeat it for frame %1</source>
         <translation>프레임 %1에 대해 다시 지정하십시오</translation>
     </message>
 </context>
@@ -20578,14 +20578,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.see_revisions</name>
     <message>
-        <source>see its revisions for those there are</source>
+        <source>see the list of its revisions</source>
         <translation>있는 것은 버전 목록에서 확인하십시오</translation>
     </message>
 </context>
 <context>
     <name>workflow.settling_names</name>
     <message>
-        <source>settling which robot is which</source>
+        <source>assigning names to the robots</source>
         <translation>로봇 구별 중</translation>
     </message>
 </context>
@@ -20620,42 +20620,42 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.take_fewer_cameras</name>
     <message>
-        <source>close other programs, or take fewer such cameras at once</source>
+        <source>close other programs, or use fewer such cameras at once</source>
         <translation>다른 프로그램을 닫거나 그런 카메라를 더 적게 쓰십시오</translation>
     </message>
 </context>
 <context>
     <name>workflow.take_over_set_up</name>
     <message>
-        <source>take over the set-up of %1</source>
+        <source>copy the set-up of %1</source>
         <translation>%1의 설정 이어받기</translation>
     </message>
 </context>
 <context>
     <name>workflow.taken_as_begun_together</name>
     <message>
-        <source>%1, so it is taken as begun together</source>
+        <source>%1; the same start time was assumed</source>
         <translation>%1. 그래서 함께 시작된 것으로 봅니다</translation>
     </message>
 </context>
 <context>
     <name>workflow.taking_over_set_up</name>
     <message>
-        <source>taking over the set-up</source>
+        <source>copying the set-up</source>
         <translation>설정 이어받는 중</translation>
     </message>
 </context>
 <context>
     <name>workflow.task_was_changed</name>
     <message>
-        <source>its task was changed while it was measured</source>
+        <source>its task changed during the analysis</source>
         <translation>측정하는 동안 과제가 바뀌었습니다</translation>
     </message>
 </context>
 <context>
     <name>workflow.through_itself</name>
     <message>
-        <source>a camera cannot be registered through itself</source>
+        <source>a camera cannot be registered via itself</source>
         <translation>카메라를 자기 자신을 통해 정합할 수 없습니다</translation>
     </message>
 </context>
@@ -20669,7 +20669,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.times_count_from</name>
     <message>
-        <source>its times count from %1</source>
+        <source>its times start at %1</source>
         <translation>시간은 %1부터 셈</translation>
     </message>
 </context>
@@ -20711,7 +20711,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.track_those_seen</name>
     <message>
-        <source>track only the robots that are in the pictures (--robot)</source>
+        <source>track only the robots that are in view (--robot)</source>
         <translation>영상에 있는 로봇만 추적하십시오 (--robot)</translation>
     </message>
 </context>
@@ -20725,14 +20725,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.tracking_picture</name>
     <message>
-        <source>tracking, picture %1 of %2</source>
+        <source>tracking, frame %1 of %2</source>
         <translation>추적 중, 영상 %2장 중 %1</translation>
     </message>
 </context>
 <context>
     <name>workflow.tracks_were_imported</name>
     <message>
-        <source>its tracks were imported, so there is no video to track in</source>
+        <source>its tracks were imported, so it has no video to track</source>
         <translation>궤적을 가져온 것이라 추적할 동영상이 없습니다</translation>
     </message>
 </context>
@@ -20746,21 +20746,21 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.trial_is_there</name>
     <message>
-        <source>the project has a trial of that name</source>
+        <source>the project already has a trial of that name</source>
         <translation>프로젝트에 같은 이름의 시행이 있습니다</translation>
     </message>
 </context>
 <context>
     <name>workflow.trial_left_out</name>
     <message>
-        <source>nothing of it had reached the disk, and it is left out</source>
+        <source>nothing of it had reached the disk, and it was removed</source>
         <translation>디스크에 남은 것이 없어 제외됩니다</translation>
     </message>
 </context>
 <context>
     <name>workflow.turn_or_flash</name>
     <message>
-        <source>let the robot turn, or flash the room&apos;s light, where both cameras see it</source>
+        <source>turn the robot, or flash the room light, in view of both cameras</source>
         <translation>두 카메라가 보는 곳에서 로봇을 돌리거나 실내 조명을 깜박이십시오</translation>
     </message>
 </context>
@@ -20788,14 +20788,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.unusual_length</name>
     <message>
-        <source>it would take no time, or more than a day</source>
+        <source>the duration must be above zero and at most a day</source>
         <translation>길이가 0이거나 하루를 넘습니다</translation>
     </message>
 </context>
 <context>
     <name>workflow.unusual_pre_roll</name>
     <message>
-        <source>what is kept from before is no time, or more than 10 s</source>
+        <source>the pre-roll must be from 0 s to 10 s</source>
         <translation>미리 남겨 둘 시간이 올바르지 않거나 10 s를 넘습니다</translation>
     </message>
 </context>
@@ -20816,7 +20816,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.video_without_picture</name>
     <message>
-        <source>the video has no picture</source>
+        <source>the video has no frame</source>
         <translation>동영상에 영상이 없습니다</translation>
     </message>
 </context>
@@ -20830,21 +20830,21 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.view_ended_early</name>
     <message>
-        <source>it ended early, because %1</source>
+        <source>it ended early because %1</source>
         <translation>일찍 끝났습니다. 이유: %1</translation>
     </message>
 </context>
 <context>
     <name>workflow.view_is_kept</name>
     <message>
-        <source>%1 of %2 view are kept, all but the last second at most</source>
+        <source>%1 of %2 view were saved, at most the last second is missing</source>
         <translation>뷰 %2개의 %1가 보존됨, 최대 마지막 1초만 빠짐</translation>
     </message>
 </context>
 <context>
     <name>workflow.view_left_out</name>
     <message>
-        <source>it is left out, because nothing was recorded of it</source>
+        <source>it recorded nothing and was left out</source>
         <translation>녹화된 것이 없어 제외됩니다</translation>
     </message>
 </context>
@@ -20858,42 +20858,42 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.views_are_kept</name>
     <message>
-        <source>%1 of %2 views are kept, all but the last second at most</source>
+        <source>%1 of %2 views were saved, at most the last second is missing</source>
         <translation>뷰 %2개의 %1가 보존됨, 최대 마지막 1초만 빠짐</translation>
     </message>
 </context>
 <context>
     <name>workflow.views_contradict</name>
     <message>
-        <source>in %1 of %2 pictures the views contradict one another</source>
+        <source>in %1 of %2 frames the views contradict each other</source>
         <translation>영상 %2개 중 %1개에서 뷰들이 서로 모순됩니다</translation>
     </message>
 </context>
 <context>
     <name>workflow.views_far_apart</name>
     <message>
-        <source>in %1 of %2 pictures the views have it at places far apart</source>
+        <source>in %1 of %2 frames the views show it at positions far apart</source>
         <translation>영상 %2개 중 %1개에서 뷰들이 서로 멀리 떨어진 곳을 가리킵니다</translation>
     </message>
 </context>
 <context>
     <name>workflow.views_put_it_apart</name>
     <message>
-        <source>they put it %1 apart</source>
+        <source>their floor positions differ by %1</source>
         <translation>위치가 %1 차이 납니다</translation>
     </message>
 </context>
 <context>
     <name>workflow.waited_for_disk</name>
     <message>
-        <source>pictures waited up to %1 for the disk, and none was lost</source>
+        <source>frames waited up to %1 for the disk, and none was lost</source>
         <translation>영상이 디스크를 최대 %1 기다렸으나 누락은 없음</translation>
     </message>
 </context>
 <context>
     <name>workflow.why_views_contradict</name>
     <message>
-        <source>a camera was moved after it was registered, the views are out of step, or the robot&apos;s height is not what was told</source>
+        <source>a camera has moved since its registration, the views are not synchronised, or the robot&apos;s height is wrong</source>
         <translation>정합 후 카메라가 움직였거나, 뷰가 동기화되지 않았거나, 로봇의 높이가 입력한 값과 다릅니다</translation>
     </message>
 </context>
@@ -20907,14 +20907,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.writing_last_pictures</name>
     <message>
-        <source>writing the last pictures</source>
+        <source>writing the last frames</source>
         <translation>마지막 프레임 쓰는 중</translation>
     </message>
 </context>
 <context>
     <name>workflow.written_just_now</name>
     <message>
-        <source>another program is writing or removing it just now</source>
+        <source>another program is writing or removing it</source>
         <translation>지금 다른 프로그램이 쓰거나 제거하는 중입니다</translation>
     </message>
 </context>

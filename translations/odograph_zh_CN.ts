@@ -3132,14 +3132,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.add_floor_points</name>
     <message>
-        <source>add points of the floor, such as corners of tiles</source>
+        <source>add floor points, such as corners of tiles</source>
         <translation>请增加地面上的点，如地砖的角</translation>
     </message>
 </context>
 <context>
     <name>calibration.all_agree</name>
     <message>
-        <source>The markers and the cameras agree with one another.</source>
+        <source>The markers and the cameras agree with each other.</source>
         <translation>标记与相机彼此一致。</translation>
     </message>
 </context>
@@ -3174,7 +3174,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.best_place</name>
     <message>
-        <source>the best place for a camera</source>
+        <source>the best camera position</source>
         <translation>相机的最佳位置</translation>
     </message>
 </context>
@@ -3195,21 +3195,21 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.board_fills</name>
     <message>
-        <source>it fills %1 of the picture</source>
+        <source>it fills %1 of the image</source>
         <translation>仅占画面的 %1</translation>
     </message>
 </context>
 <context>
     <name>calibration.board_in_one_place</name>
     <message>
-        <source>all %1 pictures show the board in one place, the %2 %3 of the picture</source>
+        <source>all %1 images show the board in one position, the %2 %3 of the image</source>
         <translation>全部 %1 张图片中标定板都在同一处（%2，占画面 %3）</translation>
     </message>
 </context>
 <context>
     <name>calibration.board_not_flat</name>
     <message>
-        <source>the corners do not lie as on a flat board</source>
+        <source>the corners do not match a flat board</source>
         <translation>角点的位置不像在平整的标定板上</translation>
     </message>
 </context>
@@ -3223,35 +3223,35 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.board_of_other_size</name>
     <message>
-        <source>this board has %1 inner corners, %2 was asked for</source>
+        <source>this board has %1 inner corners, not %2</source>
         <translation>此标定板有 %1 个内角点，要求的是 %2</translation>
     </message>
 </context>
 <context>
     <name>calibration.board_part_seen</name>
     <message>
-        <source>only %1 of its %2 inner corners are seen</source>
+        <source>only %1 of its %2 inner corners are visible</source>
         <translation>%2 个内角点中只看到 %1 个</translation>
     </message>
 </context>
 <context>
     <name>calibration.board_stands_as_before</name>
     <message>
-        <source>the board stands as in a picture already taken</source>
+        <source>the board is in the same position as in an earlier image</source>
         <translation>标定板的姿态与已拍的图片相同</translation>
     </message>
 </context>
 <context>
     <name>calibration.board_stands_as_in</name>
     <message>
-        <source>the board stands as in %1 already</source>
+        <source>the board is in the same position as in %1</source>
         <translation>标定板的姿态与 %1 中相同</translation>
     </message>
 </context>
 <context>
     <name>calibration.board_too_oblique</name>
     <message>
-        <source>the board is seen too obliquely, at %1 degrees</source>
+        <source>the board is tilted too far, by %1 degrees</source>
         <translation>标定板过于倾斜，为 %1 度</translation>
     </message>
 </context>
@@ -3265,21 +3265,21 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.calibrate_to_rely</name>
     <message>
-        <source>Calibrate it for positions to rely on.</source>
+        <source>Calibrate it for reliable positions.</source>
         <translation>请标定它以得到可靠的位置。</translation>
     </message>
 </context>
 <context>
     <name>calibration.camera_alone_says</name>
     <message>
-        <source>Camera &apos;%1&apos; alone says %2</source>
+        <source>Camera &apos;%1&apos; alone measures %2</source>
         <translation>相机“%1”单独给出 %2</translation>
     </message>
 </context>
 <context>
     <name>calibration.camera_below_floor</name>
     <message>
-        <source>seen in this order the camera would be below the floor</source>
+        <source>in this order the camera would be below the floor</source>
         <translation>按此顺序相机将位于地面以下</translation>
     </message>
 </context>
@@ -3293,7 +3293,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.camera_sees_elsewhere</name>
     <message>
-        <source>%1 sees %2 %3 from where the others do</source>
+        <source>%1 sees %2 %3 from where the others see it</source>
         <translation>%1 看到的 %2 与其他相机相差 %3</translation>
     </message>
 </context>
@@ -3307,42 +3307,42 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.camera_stands_low</name>
     <message>
-        <source>The camera would stand only %1 above the floor</source>
+        <source>The camera would be only %1 above the floor</source>
         <translation>相机距地面只有 %1</translation>
     </message>
 </context>
 <context>
     <name>calibration.camera_still</name>
     <message>
-        <source>%1 stands where it was registered</source>
+        <source>%1 has not moved</source>
         <translation>%1 仍在配准时的位置</translation>
     </message>
 </context>
 <context>
     <name>calibration.camera_too_high</name>
     <message>
-        <source>the camera would stand %1 above the floor</source>
+        <source>the camera would be %1 above the floor</source>
         <translation>相机距地面将有 %1</translation>
     </message>
 </context>
 <context>
     <name>calibration.camera_too_low</name>
     <message>
-        <source>the camera would stand only %1 above the floor</source>
+        <source>the camera would be only %1 above the floor</source>
         <translation>相机距地面只有 %1</translation>
     </message>
 </context>
 <context>
     <name>calibration.camera_twice</name>
     <message>
-        <source>camera &apos;%1&apos; is there twice</source>
+        <source>camera &apos;%1&apos; appears twice</source>
         <translation>相机“%1”出现两次</translation>
     </message>
 </context>
 <context>
     <name>calibration.cameras_undetermined</name>
     <message>
-        <source>the markers do not determine where the cameras stand</source>
+        <source>the markers do not determine the camera positions</source>
         <translation>这些标记无法确定相机位置</translation>
     </message>
 </context>
@@ -3377,7 +3377,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.check_both_pixels</name>
     <message>
-        <source>check its pixels in both pictures</source>
+        <source>check its pixels in both images</source>
         <translation>请检查它在两个画面中的像素</translation>
     </message>
 </context>
@@ -3398,14 +3398,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.check_layout_places</name>
     <message>
-        <source>check the layout&apos;s places and their unit, cover other round things, or mark the markers by hand</source>
+        <source>check the layout&apos;s positions and their unit, cover other round objects, or mark the markers by hand</source>
         <translation>请检查布局的位置和单位，遮住其他圆形物，或手动标出标记</translation>
     </message>
 </context>
 <context>
     <name>calibration.check_length</name>
     <message>
-        <source>Check the length itself, whether it lies on the floor, and the places of the markers.</source>
+        <source>Check the length itself, that it lies on the floor, and the marker positions.</source>
         <translation>请检查长度本身、它是否在地面上以及标记的位置。</translation>
     </message>
 </context>
@@ -3419,7 +3419,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.check_pictures</name>
     <message>
-        <source>check that all pictures are sharp, of one flat board and of one camera at one zoom and focus</source>
+        <source>check that all images are sharp, of one flat board and of one camera at one zoom and focus</source>
         <translation>请检查所有图片清晰，且为同一块平整标定板、同一相机、同一变焦与对焦</translation>
     </message>
 </context>
@@ -3433,7 +3433,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.check_place_and_pixel</name>
     <message>
-        <source>check its place and its pixel</source>
+        <source>check its position and its pixel</source>
         <translation>请检查其位置和像素</translation>
     </message>
 </context>
@@ -3461,14 +3461,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.checking_halves</name>
     <message>
-        <source>checking halves against one another</source>
+        <source>checking the halves against each other</source>
         <translation>正在用两半相互校验</translation>
     </message>
 </context>
 <context>
     <name>calibration.choose_floor_points</name>
     <message>
-        <source>choose points of the floor</source>
+        <source>choose points on the floor</source>
         <translation>请选择地面上的点</translation>
     </message>
 </context>
@@ -3489,14 +3489,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.common_and_unknown_markers</name>
     <message>
-        <source>there are %1 (%2), and the layout does not know %3</source>
+        <source>they have %1 (%2), and the layout does not contain %3</source>
         <translation>现有 %1 个（%2），布局中没有 %3</translation>
     </message>
 </context>
 <context>
     <name>calibration.common_markers</name>
     <message>
-        <source>there are %1 (%2)</source>
+        <source>they have %1 (%2)</source>
         <translation>现有 %1 个（%2）</translation>
     </message>
 </context>
@@ -3510,7 +3510,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.corner_left_out</name>
     <message>
-        <source>1 corner that stands out was left out, in %1.</source>
+        <source>1 outlier corner was left out, in %1.</source>
         <translation>舍去了 1 个突出的角点，位于 %1。</translation>
     </message>
 </context>
@@ -3524,7 +3524,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.corner_unclear</name>
     <message>
-        <source>a corner of the board cannot be made out</source>
+        <source>one corner of the board is unclear</source>
         <translation>标定板有一个角点无法辨认</translation>
     </message>
 </context>
@@ -3538,35 +3538,35 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.corners_kept_in</name>
     <message>
-        <source>%1 corners that stand out side by side were kept, in %2</source>
+        <source>%1 neighbouring outlier corners were kept, in %2</source>
         <translation>保留了 %1 个相邻的突出角点，位于 %2</translation>
     </message>
 </context>
 <context>
     <name>calibration.corners_kept_most_in</name>
     <message>
-        <source>%1 corners that stand out side by side were kept, most in %2</source>
+        <source>%1 neighbouring outlier corners were kept, most in %2</source>
         <translation>保留了 %1 个相邻的突出角点，大多位于 %2</translation>
     </message>
 </context>
 <context>
     <name>calibration.corners_left_out_in</name>
     <message>
-        <source>%1 corners that stand out were left out, in %2.</source>
+        <source>%1 outlier corners were left out, in %2.</source>
         <translation>舍去了 %1 个突出的角点，位于 %2。</translation>
     </message>
 </context>
 <context>
     <name>calibration.corners_left_out_most_in</name>
     <message>
-        <source>%1 corners that stand out were left out, most in %2.</source>
+        <source>%1 outlier corners were left out, most in %2.</source>
         <translation>舍去了 %1 个突出的角点，大多位于 %2。</translation>
     </message>
 </context>
 <context>
     <name>calibration.corners_not_flat</name>
     <message>
-        <source>its corners do not lie as on a flat board</source>
+        <source>its corners do not match a flat board</source>
         <translation>其角点的位置不像在平整的标定板上</translation>
     </message>
 </context>
@@ -3622,7 +3622,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.ends_on_one_pixel</name>
     <message>
-        <source>both ends lie on one pixel of camera &apos;%1&apos;</source>
+        <source>both ends are on the same pixel of camera &apos;%1&apos;</source>
         <translation>两个端点位于相机“%1”的同一像素</translation>
     </message>
 </context>
@@ -3650,28 +3650,28 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.few_corners_seen</name>
     <message>
-        <source>only %1 corners of the board are seen</source>
+        <source>only %1 corners of the board are visible</source>
         <translation>只看到标定板的 %1 个角点</translation>
     </message>
 </context>
 <context>
     <name>calibration.fifth_would</name>
     <message>
-        <source>a fifth would.</source>
+        <source>add a fifth.</source>
         <translation>第五个就可以。</translation>
     </message>
 </context>
 <context>
     <name>calibration.find_board_again</name>
     <message>
-        <source>let the board be found in it again</source>
+        <source>detect the board in it again</source>
         <translation>请在其中重新寻找标定板</translation>
     </message>
 </context>
 <context>
     <name>calibration.first_end_beyond</name>
     <message>
-        <source>the first end lies at or beyond the horizon of camera &apos;%1&apos;</source>
+        <source>the first end is at or beyond the horizon of camera &apos;%1&apos;</source>
         <translation>第一个端点位于相机“%1”的地平线或其外</translation>
     </message>
 </context>
@@ -3692,7 +3692,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.fitting_lens</name>
     <message>
-        <source>fitting the lens to %1 pictures</source>
+        <source>fitting the lens model to %1 images</source>
         <translation>正在用 %1 张图片拟合镜头</translation>
     </message>
 </context>
@@ -3706,56 +3706,56 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.floor_part_unseen</name>
     <message>
-        <source>%1 of the floor among the markers is not seen.</source>
+        <source>%1 of the floor between the markers is out of view.</source>
         <translation>标记之间有 %1 的地面看不到。</translation>
     </message>
 </context>
 <context>
     <name>calibration.floor_unseen</name>
     <message>
-        <source>None of the floor among the markers is seen.</source>
+        <source>None of the floor between the markers is in view.</source>
         <translation>标记之间的地面完全看不到。</translation>
     </message>
 </context>
 <context>
     <name>calibration.floor_unsure</name>
     <message>
-        <source>the floor among the points is known only to ±%1</source>
+        <source>the floor uncertainty between the points is too large, ±%1</source>
         <translation>点之间的地面只能确定到 ±%1</translation>
     </message>
 </context>
 <context>
     <name>calibration.focal_length_estimated</name>
     <message>
-        <source>The camera was taken as free of distortion, its focal length estimated from the markers (%1 ± %2).</source>
+        <source>The lens is not calibrated: no distortion was assumed, and the focal length was estimated from the markers (%1 ± %2).</source>
         <translation>相机按无畸变处理，焦距由标记估计（%1 ± %2）。</translation>
     </message>
 </context>
 <context>
     <name>calibration.focal_length_groups</name>
     <message>
-        <source>%1 for about %2, %3 (such as %4) for about %5</source>
+        <source>%1 give about %2, %3 (such as %4) give about %5</source>
         <translation>%1 张约 %2，%3 张（如 %4）约 %5</translation>
     </message>
 </context>
 <context>
     <name>calibration.focal_length_guessed</name>
     <message>
-        <source>The camera was taken as free of distortion, its focal length guessed (%1), since this view does not determine it.</source>
+        <source>The lens is not calibrated: no distortion was assumed, and the focal length was guessed (%1) because this view does not determine it.</source>
         <translation>相机按无畸变处理，焦距为假定值（%1），因为此视角无法确定它。</translation>
     </message>
 </context>
 <context>
     <name>calibration.focal_length_taken</name>
     <message>
-        <source>The camera was taken as free of distortion, its focal length as %1.</source>
+        <source>The lens is not calibrated: no distortion and a focal length of %1 were assumed.</source>
         <translation>相机按无畸变处理，焦距取为 %1。</translation>
     </message>
 </context>
 <context>
     <name>calibration.focal_length_unsure</name>
     <message>
-        <source>the pictures determine the focal length only to %1</source>
+        <source>the images determine the focal length only to %1</source>
         <translation>这些图片只能把焦距确定到 %1</translation>
     </message>
 </context>
@@ -3769,56 +3769,56 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.foretells_as_well</name>
     <message>
-        <source>it foretells pictures held out to %1, the %2 one no better (%3)</source>
+        <source>it predicts held-out images to %1, the %2 model no better (%3)</source>
         <translation>它对留出图片的预测为 %1，%2模型并不更好（%3）</translation>
     </message>
 </context>
 <context>
     <name>calibration.foretells_better</name>
     <message>
-        <source>it foretells pictures held out to %1, the %2 one only to %3</source>
+        <source>it predicts held-out images to %1, the %2 model only to %3</source>
         <translation>它对留出图片的预测为 %1，%2模型仅为 %3</translation>
     </message>
 </context>
 <context>
     <name>calibration.foretells_by_chance</name>
     <message>
-        <source>it foretells pictures held out to %1, the %2 one to %3, which may be chance</source>
+        <source>it predicts held-out images to %1, the %2 model to %3; the difference may be chance</source>
         <translation>它对留出图片的预测为 %1，%2模型为 %3，可能是偶然</translation>
     </message>
 </context>
 <context>
     <name>calibration.four_common_markers</name>
     <message>
-        <source>four markers are needed that the layout and the picture have in common</source>
+        <source>the layout and the image must have four markers in common</source>
         <translation>需要布局与画面共有的四个标记</translation>
     </message>
 </context>
 <context>
     <name>calibration.four_markers_unchecked</name>
     <message>
-        <source>Four markers hardly check one another</source>
+        <source>Four markers are too few to check each other</source>
         <translation>四个标记几乎无法互相校验</translation>
     </message>
 </context>
 <context>
     <name>calibration.four_points_unchecked</name>
     <message>
-        <source>Four points hardly check one another</source>
+        <source>Four points are too few to check each other</source>
         <translation>四个点几乎无法互相校验</translation>
     </message>
 </context>
 <context>
     <name>calibration.four_shared_points</name>
     <message>
-        <source>four points are needed that both cameras see</source>
+        <source>both cameras must see the same four points or more</source>
         <translation>需要两台相机都能看到的四个点</translation>
     </message>
 </context>
 <context>
     <name>calibration.give_board_size</name>
     <message>
-        <source>give 3x3 at least, like 9x6, or leave the size out</source>
+        <source>give at least 3x3, such as 9x6, or leave the size out</source>
         <translation>请至少给出 3x3，如 9x6，或不填尺寸</translation>
     </message>
 </context>
@@ -3832,7 +3832,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.give_field_of_view</name>
     <message>
-        <source>give 2° to 150°, and the size of its pictures</source>
+        <source>give 2° to 150°, and the image size</source>
         <translation>请给出 2° 到 150°，以及画面尺寸</translation>
     </message>
 </context>
@@ -3867,21 +3867,21 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.give_square_size</name>
     <message>
-        <source>give it like 25mm</source>
+        <source>give a size such as 25mm</source>
         <translation>请写成 25mm 的形式</translation>
     </message>
 </context>
 <context>
     <name>calibration.give_tape_sigma</name>
     <message>
-        <source>give some 2 mm</source>
+        <source>give about 2 mm</source>
         <translation>可给出约 2 mm</translation>
     </message>
 </context>
 <context>
     <name>calibration.give_taped_length</name>
     <message>
-        <source>give the length as it was measured with a tape</source>
+        <source>enter the length measured with a tape</source>
         <translation>请给出用卷尺量得的长度</translation>
     </message>
 </context>
@@ -3909,21 +3909,21 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.halves_contradict</name>
     <message>
-        <source>two halves of the pictures give focal lengths that differ by %1</source>
+        <source>two halves of the images give focal lengths that differ by %1</source>
         <translation>两半图片得出的焦距相差 %1</translation>
     </message>
 </context>
 <context>
     <name>calibration.halves_foretell</name>
     <message>
-        <source>each half of them foretells the other to %1</source>
+        <source>each half of the images predicts the other to %1</source>
         <translation>各半互相预测到 %1</translation>
     </message>
 </context>
 <context>
     <name>calibration.halves_foretell_apart</name>
     <message>
-        <source>each half of them foretells the other to %1, %2 apart at worst on that floor</source>
+        <source>each half of the images predicts the other to %1, at most %2 apart on that floor</source>
         <translation>各半互相预测到 %1，在该地面上最多相差 %2</translation>
     </message>
 </context>
@@ -3958,7 +3958,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.inside_expected_error</name>
     <message>
-        <source>inside the expected error of %1.</source>
+        <source>within the limit of %1 (2.5 σ).</source>
         <translation>在预期误差 %1 以内。</translation>
     </message>
 </context>
@@ -3972,7 +3972,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.keep_whole_board</name>
     <message>
-        <source>keep the whole board in the picture</source>
+        <source>keep the whole board in view</source>
         <translation>请让整块标定板都在画面内</translation>
     </message>
 </context>
@@ -3993,35 +3993,35 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.labels_called</name>
     <message>
-        <source>with %1 called %2 they fit to %3</source>
+        <source>with %1 renamed %2 they fit to %3</source>
         <translation>若将 %1 称为 %2，则吻合到 %3</translation>
     </message>
 </context>
 <context>
     <name>calibration.labels_exchanged</name>
     <message>
-        <source>with %1 and %2 exchanged they fit to %3</source>
+        <source>with %1 and %2 swapped they fit to %3</source>
         <translation>若交换 %1 和 %2，则吻合到 %3</translation>
     </message>
 </context>
 <context>
     <name>calibration.lay_stick_nearer</name>
     <message>
-        <source>lay the stick on the floor, nearer to the camera</source>
+        <source>put the stick on the floor, nearer to the camera</source>
         <translation>请把标尺放在地面上离相机更近处</translation>
     </message>
 </context>
 <context>
     <name>calibration.layout_in_mm</name>
     <message>
-        <source>it is given in mm</source>
+        <source>it must be in mm</source>
         <translation>应以 mm 给出</translation>
     </message>
 </context>
 <context>
     <name>calibration.layout_not_in_mm</name>
     <message>
-        <source>if that is wrong, the layout&apos;s numbers are no mm</source>
+        <source>if that is wrong, the layout is not in mm</source>
         <translation>如果不对，则布局中的数字不是 mm</translation>
     </message>
 </context>
@@ -4035,7 +4035,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.layout_written_mirrored</name>
     <message>
-        <source>if the layout was written down mirrored, correct its signs and add it anew</source>
+        <source>if the layout was written down mirrored, correct its signs and add it again</source>
         <translation>若布局记成了镜像，请更正正负号后重新添加</translation>
     </message>
 </context>
@@ -4049,7 +4049,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.leave_out_pictures</name>
     <message>
-        <source>leave out these pictures if the board is bent, cut or covered there.</source>
+        <source>leave out these images if the board is bent, cut or covered there.</source>
         <translation>如果标定板在那里弯曲、被截断或遮挡，请去掉这些图片。</translation>
     </message>
 </context>
@@ -4063,7 +4063,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.length_factor</name>
     <message>
-        <source>a length factor of %1 makes no floor</source>
+        <source>a length factor of %1 is not possible</source>
         <translation>长度倍数 %1 无法构成地面</translation>
     </message>
 </context>
@@ -4077,14 +4077,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.length_longer</name>
     <message>
-        <source>It is %1 longer than the %2 told</source>
+        <source>It is %1 longer than the %2 entered</source>
         <translation>比给出的 %2 长 %1</translation>
     </message>
 </context>
 <context>
     <name>calibration.length_shorter</name>
     <message>
-        <source>It is %1 shorter than the %2 told</source>
+        <source>It is %1 shorter than the %2 entered</source>
         <translation>比给出的 %2 短 %1</translation>
     </message>
 </context>
@@ -4098,63 +4098,63 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.length_unseen</name>
     <message>
-        <source>no camera was given that sees it</source>
+        <source>no camera shows it</source>
         <translation>没有给出能看到它的相机</translation>
     </message>
 </context>
 <context>
     <name>calibration.lens_on_floor</name>
     <message>
-        <source>±%1 in the middle and ±%2 at worst (%3) on %4, as far as the lens is concerned</source>
+        <source>±%1 in the middle and at most ±%2 (%3) on %4, from the lens calibration alone</source>
         <translation>就镜头而言，在%4上中间 ±%1，最差 ±%2（%3）</translation>
     </message>
 </context>
 <context>
     <name>calibration.lens_told</name>
     <message>
-        <source>told</source>
+        <source>as specified</source>
         <translation>由人指定</translation>
     </message>
 </context>
 <context>
     <name>calibration.lens_unknown_elsewhere</name>
     <message>
-        <source>how the lens bends elsewhere stays unknown</source>
+        <source>the distortion elsewhere stays unknown</source>
         <translation>其他位置的畸变仍未知</translation>
     </message>
 </context>
 <context>
     <name>calibration.likely_unit</name>
     <message>
-        <source>its numbers look like %1, then it would stand %2 above the floor</source>
+        <source>its numbers look like %1, with the camera %2 above the floor</source>
         <translation>其数值像是%1，那样它将位于地面以上 %2</translation>
     </message>
 </context>
 <context>
     <name>calibration.look_at</name>
     <message>
-        <source>Look at %1</source>
+        <source>Check %1</source>
         <translation>请查看 %1</translation>
     </message>
 </context>
 <context>
     <name>calibration.look_at_ends</name>
     <message>
-        <source>look whether the same ends are marked in each picture, and register it again if they are.</source>
+        <source>check that the same ends are marked in each image; if they are, register it again.</source>
         <translation>查看每个画面是否标出了相同的端点；若是，请重新配准。</translation>
     </message>
 </context>
 <context>
     <name>calibration.look_at_pictures</name>
     <message>
-        <source>look at these pictures and leave out those that are blurred, bent or of another board.</source>
+        <source>check these images and leave out those that are blurred, bent or of another board.</source>
         <translation>查看这些图片，去掉模糊、弯曲或属于另一块标定板的。</translation>
     </message>
 </context>
 <context>
     <name>calibration.looking_about</name>
     <message>
-        <source>looking about the best place</source>
+        <source>searching around the best position</source>
         <translation>正在最佳位置周围搜索</translation>
     </message>
 </context>
@@ -4168,49 +4168,49 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.mark_ends_in_one</name>
     <message>
-        <source>mark its ends in one picture at least</source>
+        <source>mark its ends in at least one image</source>
         <translation>请至少在一个画面中标出其端点</translation>
     </message>
 </context>
 <context>
     <name>calibration.mark_more</name>
     <message>
-        <source>mark more of the layout&apos;s markers, under the layout&apos;s names</source>
+        <source>mark more of the layout&apos;s markers, by their names in the layout</source>
         <translation>请按布局的名称标出更多布局中的标记</translation>
     </message>
 </context>
 <context>
     <name>calibration.mark_there_again</name>
     <message>
-        <source>mark it there again.</source>
+        <source>mark it again in that view.</source>
         <translation>请在那里重新标出。</translation>
     </message>
 </context>
 <context>
     <name>calibration.mark_two_ends</name>
     <message>
-        <source>mark the two ends where they are seen</source>
+        <source>mark each end at its own position in the image</source>
         <translation>请在看到处标出两个端点</translation>
     </message>
 </context>
 <context>
     <name>calibration.mark_where_seen</name>
     <message>
-        <source>mark each of them where it is seen</source>
+        <source>mark each of them at its own position in the image</source>
         <translation>请分别标在看到的位置</translation>
     </message>
 </context>
 <context>
     <name>calibration.marker_against_lens</name>
     <message>
-        <source>%1 lies where this camera&apos;s lens cannot have put it</source>
+        <source>this camera&apos;s lens model cannot project %1</source>
         <translation>%1 位于此相机镜头不可能成像的位置</translation>
     </message>
 </context>
 <context>
     <name>calibration.marker_beyond_horizon</name>
     <message>
-        <source>marker %1 would lie at or beyond the horizon</source>
+        <source>marker %1 would be at or beyond the horizon</source>
         <translation>标记 %1 将位于地平线或其外</translation>
     </message>
 </context>
@@ -4224,14 +4224,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.marker_off_by_all</name>
     <message>
-        <source>%1 is %2 off by all cameras</source>
+        <source>%1 is %2 off in all cameras</source>
         <translation>按所有相机，%1 偏离 %2</translation>
     </message>
 </context>
 <context>
     <name>calibration.marker_off_by_one</name>
     <message>
-        <source>%1 is %2 off by the one camera that sees it</source>
+        <source>%1 is %2 off in the one camera that sees it</source>
         <translation>按唯一看见 %1 的相机，它偏离 %2</translation>
     </message>
 </context>
@@ -4245,49 +4245,49 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.marker_place_no_number</name>
     <message>
-        <source>the place of marker %1 is not a finite number</source>
+        <source>the position of marker %1 is not a finite number</source>
         <translation>标记 %1 的位置不是有限数</translation>
     </message>
 </context>
 <context>
     <name>calibration.marker_twice_in_layout</name>
     <message>
-        <source>marker %1 stands twice in the layout</source>
+        <source>marker %1 appears twice in the layout</source>
         <translation>标记 %1 在布局中出现两次</translation>
     </message>
 </context>
 <context>
     <name>calibration.marker_twice_in_picture</name>
     <message>
-        <source>marker %1 stands twice in the picture</source>
+        <source>marker %1 appears twice in the image</source>
         <translation>标记 %1 在画面中出现两次</translation>
     </message>
 </context>
 <context>
     <name>calibration.markers_at_one_place</name>
     <message>
-        <source>markers %1 and %2 lie at one place of the floor</source>
+        <source>markers %1 and %2 have the same floor position</source>
         <translation>标记 %1 和 %2 位于地面同一处</translation>
     </message>
 </context>
 <context>
     <name>calibration.markers_fit</name>
     <message>
-        <source>%1 markers fit to %2 RMS (worst %3, %4), and the floor among them is known to ±%5</source>
+        <source>%1 markers fit to %2 RMS (worst %3, %4); floor uncertainty ±%5</source>
         <translation>%1 个标记拟合到 %2 RMS（最差 %3，%4），其间地面已知到 ±%5</translation>
     </message>
 </context>
 <context>
     <name>calibration.markers_fit_many_ways</name>
     <message>
-        <source>in %1 ways they fit the layout equally well, which looks the same from several sides</source>
+        <source>they fit the layout equally well in %1 ways, because it looks the same from several sides</source>
         <translation>布局从多个方向看相同，有 %1 种方式同样吻合</translation>
     </message>
 </context>
 <context>
     <name>calibration.markers_fit_together</name>
     <message>
-        <source>with %1 together %2 markers fit to %3 RMS, and the floor among them is known to ±%4</source>
+        <source>registered jointly with %1: %2 markers fit to %3 RMS; floor uncertainty ±%4</source>
         <translation>与 %1 一起，%2 个标记拟合到 %3 RMS，其间地面已知到 ±%4</translation>
     </message>
 </context>
@@ -4301,7 +4301,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.markers_in_place</name>
     <message>
-        <source>%1 markers lie within %2 = %3 of their places.</source>
+        <source>%1 markers are within %2 = %3 of their positions.</source>
         <translation>%1 个标记与原位相差在 %2 = %3 以内。</translation>
     </message>
 </context>
@@ -4329,7 +4329,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.markers_nearly_on_line</name>
     <message>
-        <source>the markers lie so nearly on one line (%1 the most) that the floor is known only to ±%2</source>
+        <source>the markers are so close to one line (%1 the most) that the floor uncertainty is ±%2</source>
         <translation>标记几乎共线（%1 最甚），地面只能确定到 ±%2</translation>
     </message>
 </context>
@@ -4343,14 +4343,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.markers_not_told_apart</name>
     <message>
-        <source>the markers cannot be told apart</source>
+        <source>the markers cannot be distinguished</source>
         <translation>无法区分各标记</translation>
     </message>
 </context>
 <context>
     <name>calibration.markers_on_one_pixel</name>
     <message>
-        <source>markers %1 and %2 lie on one pixel</source>
+        <source>markers %1 and %2 are on the same pixel</source>
         <translation>标记 %1 和 %2 位于同一像素</translation>
     </message>
 </context>
@@ -4364,28 +4364,28 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.markers_too_close</name>
     <message>
-        <source>markers %1 and %2 lie only %3 apart, too close for two of four</source>
+        <source>markers %1 and %2 are only %3 apart, too close for two of four</source>
         <translation>标记 %1 和 %2 仅相距 %3，对四个中的两个来说太近</translation>
     </message>
 </context>
 <context>
     <name>calibration.measure_again</name>
     <message>
-        <source>mark and measure them again, or add another</source>
+        <source>mark and remeasure them, or add another</source>
         <translation>请重新标出并测量，或再加一个</translation>
     </message>
 </context>
 <context>
     <name>calibration.measure_it_again</name>
     <message>
-        <source>measure it again.</source>
+        <source>remeasure it.</source>
         <translation>请重新测量。</translation>
     </message>
 </context>
 <context>
     <name>calibration.measure_or_mark_again</name>
     <message>
-        <source>measure it, or mark it in the picture, again.</source>
+        <source>measure it, or mark it in the image, again.</source>
         <translation>请重新测量，或在画面中重新标出。</translation>
     </message>
 </context>
@@ -4427,14 +4427,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.misfit_unexplained</name>
     <message>
-        <source>the %1 markers misfit by %2 (%3) and check one another too little to tell which of them</source>
+        <source>the %1 markers misfit by %2 (%3), and are too few to identify the wrong one</source>
         <translation>%1 个标记偏差 %2（%3），彼此校验不足，无法判断是哪一个</translation>
     </message>
 </context>
 <context>
     <name>calibration.more_pictures</name>
     <message>
-        <source>More pictures (%1 or more) would make it surer.</source>
+        <source>More images (%1 or more) would make it more certain.</source>
         <translation>更多图片（%1 张或以上）会更可靠。</translation>
     </message>
 </context>
@@ -4483,7 +4483,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.name_two_apart</name>
     <message>
-        <source>name two that lie apart</source>
+        <source>name two at different positions</source>
         <translation>请指定相距的两个</translation>
     </message>
 </context>
@@ -4518,14 +4518,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.no_charuco</name>
     <message>
-        <source>the markers that were read do not lie as on a ChArUco board</source>
+        <source>the detected markers do not match a ChArUco board</source>
         <translation>读到的标记不像在 ChArUco 板上那样排列</translation>
     </message>
 </context>
 <context>
     <name>calibration.no_charuco_of_size</name>
     <message>
-        <source>the markers that were read do not lie as on a ChArUco board of %1 inner corners</source>
+        <source>the detected markers do not match a ChArUco board of %1 inner corners</source>
         <translation>读到的标记不像在 %1 内角点的 ChArUco 板上那样排列</translation>
     </message>
 </context>
@@ -4539,7 +4539,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.no_dictionary</name>
     <message>
-        <source>there is no marker dictionary %1</source>
+        <source>marker dictionary %1 does not exist</source>
         <translation>没有标记字典 %1</translation>
     </message>
 </context>
@@ -4553,14 +4553,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.no_lens_fits</name>
     <message>
-        <source>no lens fits these pictures</source>
+        <source>no lens model fits these images</source>
         <translation>没有镜头模型适合这些图片</translation>
     </message>
 </context>
 <context>
     <name>calibration.no_millimetres</name>
     <message>
-        <source>no figure in millimetres, since this lens holds only for a part of the picture</source>
+        <source>no value in millimetres: this calibration holds for only part of the image</source>
         <translation>无毫米数值，因为此镜头模型只适用于画面的一部分</translation>
     </message>
 </context>
@@ -4602,14 +4602,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.not_registered_through</name>
     <message>
-        <source>the camera cannot be registered through another</source>
+        <source>the camera cannot be registered via another camera</source>
         <translation>无法通过另一相机配准</translation>
     </message>
 </context>
 <context>
     <name>calibration.not_registered_together</name>
     <message>
-        <source>the cameras cannot be registered together</source>
+        <source>the cameras cannot be registered jointly</source>
         <translation>无法联合配准这些相机</translation>
     </message>
 </context>
@@ -4623,35 +4623,35 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.other_picture_size</name>
     <message>
-        <source>it is %1×%2, the first picture %3×%4</source>
+        <source>it is %1×%2, the first image %3×%4</source>
         <translation>它为 %1×%2，第一张图片为 %3×%4</translation>
     </message>
 </context>
 <context>
     <name>calibration.outside_expected_error</name>
     <message>
-        <source>outside the expected error of %1.</source>
+        <source>beyond the limit of %1 (2.5 σ).</source>
         <translation>超出预期误差 %1。</translation>
     </message>
 </context>
 <context>
     <name>calibration.picture_covered</name>
     <message>
-        <source>Only %1 of the picture was covered</source>
+        <source>The board covered only %1 of the image</source>
         <translation>只覆盖了画面的 %1</translation>
     </message>
 </context>
 <context>
     <name>calibration.picture_stands_out</name>
     <message>
-        <source>its %1 stand out.</source>
+        <source>its %1 is an outlier.</source>
         <translation>其 %1 显得突出。</translation>
     </message>
 </context>
 <context>
     <name>calibration.picture_too_small</name>
     <message>
-        <source>the picture is too small</source>
+        <source>the image is too small</source>
         <translation>图像太小</translation>
     </message>
 </context>
@@ -4665,21 +4665,21 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.picture_without_size</name>
     <message>
-        <source>the picture has no size</source>
+        <source>the image has no size</source>
         <translation>图像没有尺寸</translation>
     </message>
 </context>
 <context>
     <name>calibration.pictures_fit</name>
     <message>
-        <source>%1 pictures fit to %2, focal length %3 ± %4</source>
+        <source>%1 images fit to %2, focal length %3 ± %4</source>
         <translation>%1 张图片拟合到 %2，焦距 %3 ± %4</translation>
     </message>
 </context>
 <context>
     <name>calibration.pictures_fit_halves_apart</name>
     <message>
-        <source>%1 pictures fit to %2, focal length %3 ± %4, %5 apart at worst on that floor</source>
+        <source>%1 images fit to %2, focal length %3 ± %4, halves at most %5 apart on that floor</source>
         <translation>%1 张图片拟合到 %2，焦距 %3 ± %4，在该地面上最多相差 %5</translation>
     </message>
 </context>
@@ -4756,7 +4756,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.planned_distance</name>
     <message>
-        <source>it cannot stand %1 away</source>
+        <source>its distance cannot be %1</source>
         <translation>它不能位于 %1 之外</translation>
     </message>
 </context>
@@ -4770,56 +4770,56 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.planned_height</name>
     <message>
-        <source>it cannot stand %1 above the floor</source>
+        <source>its height above the floor cannot be %1</source>
         <translation>它不能位于地面以上 %1</translation>
     </message>
 </context>
 <context>
     <name>calibration.planned_not_held</name>
     <message>
-        <source>the markers that it would see do not hold it</source>
+        <source>the markers it would see do not determine its pose</source>
         <translation>所能看到的标记不足以确定它的位置</translation>
     </message>
 </context>
 <context>
     <name>calibration.planned_sees_too_few</name>
     <message>
-        <source>from there it would see %1 of the layout&apos;s markers (%2), four are needed</source>
+        <source>it would see only %1 of the layout&apos;s markers (%2), four are needed</source>
         <translation>从那里只能看到布局中的 %1 个标记（%2），需要四个</translation>
     </message>
 </context>
 <context>
     <name>calibration.point_against_lens</name>
     <message>
-        <source>point %1 lies where a lens cannot have put it</source>
+        <source>the lens model cannot project point %1</source>
         <translation>点 %1 位于镜头不可能成像的位置</translation>
     </message>
 </context>
 <context>
     <name>calibration.point_beyond_horizon</name>
     <message>
-        <source>point %1 would lie at or beyond the horizon</source>
+        <source>point %1 would be at or beyond the horizon</source>
         <translation>点 %1 将位于地平线或其外</translation>
     </message>
 </context>
 <context>
     <name>calibration.point_beyond_through</name>
     <message>
-        <source>point %1 lies at or beyond the horizon of %2</source>
+        <source>point %1 is at or beyond the horizon of %2</source>
         <translation>点 %1 位于 %2 的地平线或其外</translation>
     </message>
 </context>
 <context>
     <name>calibration.point_outside_own</name>
     <message>
-        <source>point %1 lies outside the picture of the camera to register (%2)</source>
+        <source>point %1 is outside the image of the camera to register (%2)</source>
         <translation>点 %1 位于待配准相机的画面（%2）之外</translation>
     </message>
 </context>
 <context>
     <name>calibration.point_outside_through</name>
     <message>
-        <source>point %1 lies outside the picture of %2 (%3)</source>
+        <source>point %1 is outside the image of %2 (%3)</source>
         <translation>点 %1 位于 %2 的画面（%3）之外</translation>
     </message>
 </context>
@@ -4833,35 +4833,35 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.point_twice</name>
     <message>
-        <source>point %1 is there twice</source>
+        <source>point %1 appears twice</source>
         <translation>点 %1 出现两次</translation>
     </message>
 </context>
 <context>
     <name>calibration.points_fit</name>
     <message>
-        <source>through %1 %2 points of the floor fit to %3 RMS (worst %4, %5), and the floor among them is known to ±%6, of which ±%7 come from %8</source>
+        <source>via %1, %2 floor points fit to %3 RMS (worst %4, %5); floor uncertainty ±%6, of which %8 contributes ±%7</source>
         <translation>通过%1，%2 个地面点拟合到 %3 RMS（最差 %4，%5），其间地面已知到 ±%6，其中 ±%7 来自 %8</translation>
     </message>
 </context>
 <context>
     <name>calibration.points_mirrored</name>
     <message>
-        <source>the points are mirrored between the pictures of the two cameras</source>
+        <source>the points are mirrored between the images of the two cameras</source>
         <translation>两台相机画面中的点互为镜像</translation>
     </message>
 </context>
 <context>
     <name>calibration.points_on_one_pixel</name>
     <message>
-        <source>points %1 and %2 lie on one pixel</source>
+        <source>points %1 and %2 are on the same pixel</source>
         <translation>点 %1 和 %2 位于同一像素</translation>
     </message>
 </context>
 <context>
     <name>calibration.points_undetermined</name>
     <message>
-        <source>the points do not determine where the camera stands</source>
+        <source>the points do not determine the camera position</source>
         <translation>这些点无法确定相机位置</translation>
     </message>
 </context>
@@ -4882,14 +4882,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.put_marker_back</name>
     <message>
-        <source>put it back, or measure again and register all cameras.</source>
+        <source>move it back, or measure the markers again and register all cameras.</source>
         <translation>请放回原位，或重新测量并配准所有相机。</translation>
     </message>
 </context>
 <context>
     <name>calibration.put_markers_back</name>
     <message>
-        <source>put them back, or measure again and register all cameras.</source>
+        <source>move them back, or measure the markers again and register all cameras.</source>
         <translation>请把它们放回原位，或重新测量并配准所有相机。</translation>
     </message>
 </context>
@@ -4917,21 +4917,21 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.register_by_more</name>
     <message>
-        <source>register it by more of them first</source>
+        <source>register it with more of them first</source>
         <translation>请先用更多标记配准它</translation>
     </message>
 </context>
 <context>
     <name>calibration.register_if_gone</name>
     <message>
-        <source>if they are gone or the camera looks elsewhere, register it again</source>
+        <source>if they are gone or the camera points elsewhere, register it again</source>
         <translation>若标记已不在或相机朝向别处，请重新配准</translation>
     </message>
 </context>
 <context>
     <name>calibration.register_one_by_one</name>
     <message>
-        <source>register the cameras one by one by this layout first</source>
+        <source>first register the cameras one by one with this layout</source>
         <translation>请先按此布局逐台配准相机</translation>
     </message>
 </context>
@@ -4945,14 +4945,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.reversed_x_alone</name>
     <message>
-        <source>reversing X alone would mirror the floor, and no camera above it sees it so</source>
+        <source>reversing X alone would mirror the floor; no camera above it sees it that way</source>
         <translation>只反转 X 会使地面镜像，其上的相机看不到这样的地面</translation>
     </message>
 </context>
 <context>
     <name>calibration.reversed_y_alone</name>
     <message>
-        <source>reversing Y alone would mirror the floor, and no camera above it sees it so</source>
+        <source>reversing Y alone would mirror the floor; no camera above it sees it that way</source>
         <translation>只反转 Y 会使地面镜像，其上的相机看不到这样的地面</translation>
     </message>
 </context>
@@ -4966,28 +4966,28 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.same_attitude</name>
     <message>
-        <source>all %1 pictures show the board in nearly the same attitude, which does not determine the focal length</source>
+        <source>all %1 images show the board at nearly the same tilt, too little to determine the focal length</source>
         <translation>全部 %1 张图片中标定板姿态几乎相同，无法确定焦距</translation>
     </message>
 </context>
 <context>
     <name>calibration.second_end_beyond</name>
     <message>
-        <source>the second end lies at or beyond the horizon of camera &apos;%1&apos;</source>
+        <source>the second end is at or beyond the horizon of camera &apos;%1&apos;</source>
         <translation>第二个端点位于相机“%1”的地平线或其外</translation>
     </message>
 </context>
 <context>
     <name>calibration.see_same_floor</name>
     <message>
-        <source>let them see some of the same floor</source>
+        <source>aim them at a common part of the floor</source>
         <translation>请让它们看到部分相同的地面</translation>
     </message>
 </context>
 <context>
     <name>calibration.sees_too_few_anywhere</name>
     <message>
-        <source>from nowhere within %1 beyond the markers would it see four of them at the height and with the lens given</source>
+        <source>at this height and field of view, no position within %1 of the markers shows four of them</source>
         <translation>以所给高度和镜头，在标记外 %1 范围内任何位置都看不到四个标记</translation>
     </message>
 </context>
@@ -5001,14 +5001,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.shapes_fit_nowhere</name>
     <message>
-        <source>none of the ways to name the %1 rings and dots fits the layout</source>
+        <source>no assignment of the %1 rings and dots fits the layout</source>
         <translation>%1 个圆环和圆点的任何命名方式都与布局不符</translation>
     </message>
 </context>
 <context>
     <name>calibration.shared_points</name>
     <message>
-        <source>there are %1</source>
+        <source>%1 given</source>
         <translation>现有 %1 个</translation>
     </message>
 </context>
@@ -5022,7 +5022,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.show_everywhere</name>
     <message>
-        <source>show the board in the middle and near each corner of the picture, and closer</source>
+        <source>show the board in the middle and near each corner of the image, and closer</source>
         <translation>请在画面中间和各角附近更近地展示标定板</translation>
     </message>
 </context>
@@ -5113,7 +5113,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.stand_higher</name>
     <message>
-        <source>let it stand higher or farther away, or choose a wider lens</source>
+        <source>mount it higher or farther away, or choose a wider lens</source>
         <translation>请放得更高或更远，或选用更广角的镜头</translation>
     </message>
 </context>
@@ -5134,7 +5134,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.tag_seen_often</name>
     <message>
-        <source>tag %1 (marker %2) is seen %3 times</source>
+        <source>tag %1 (marker %2) appears %3 times</source>
         <translation>标签码 %1（标记 %2）出现 %3 次</translation>
     </message>
 </context>
@@ -5155,7 +5155,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.tell_by_hand</name>
     <message>
-        <source>tell by hand which of them is %1</source>
+        <source>mark by hand which of them is %1</source>
         <translation>请手动指出哪一个是 %1</translation>
     </message>
 </context>
@@ -5176,7 +5176,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.tilt_board</name>
     <message>
-        <source>take pictures with the board tilted by 30 to 45 degrees, to each side</source>
+        <source>take images with the board tilted by 30 to 45 degrees, to each side</source>
         <translation>请把标定板向各侧倾斜 30 到 45 度拍摄</translation>
     </message>
 </context>
@@ -5197,7 +5197,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.told_length_not_positive</name>
     <message>
-        <source>the told length is not above 0</source>
+        <source>the entered length is not above 0</source>
         <translation>给出的长度不大于 0</translation>
     </message>
 </context>
@@ -5218,7 +5218,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.too_few_pictures</name>
     <message>
-        <source>three pictures of the board are needed, %1 can be used</source>
+        <source>calibration needs three images of the board, %1 can be used</source>
         <translation>需要三张标定板图片，可用 %1 张</translation>
     </message>
 </context>
@@ -5232,28 +5232,28 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.too_few_to_compare</name>
     <message>
-        <source>too few pictures to compare it with others</source>
+        <source>too few images to compare it with other models</source>
         <translation>图片太少，无法与其他模型比较</translation>
     </message>
 </context>
 <context>
     <name>calibration.too_frontal</name>
     <message>
-        <source>the board is seen too nearly frontal</source>
+        <source>the board faces the camera too directly</source>
         <translation>标定板过于正对相机</translation>
     </message>
 </context>
 <context>
     <name>calibration.too_small_for_board</name>
     <message>
-        <source>the picture is too small to hold a board</source>
+        <source>the image is too small for a board</source>
         <translation>图像太小，容不下标定板</translation>
     </message>
 </context>
 <context>
     <name>calibration.two_cameras_needed</name>
     <message>
-        <source>there is %1 camera on layout &apos;%2&apos;, two are needed</source>
+        <source>layout &apos;%2&apos; has %1 registered camera, two are needed</source>
         <translation>布局“%2”上有 %1 台相机，需要两台</translation>
     </message>
 </context>
@@ -5267,7 +5267,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.two_focal_lengths</name>
     <message>
-        <source>the pictures ask for two focal lengths</source>
+        <source>the images do not agree on one focal length</source>
         <translation>这些图片对应两个焦距</translation>
     </message>
 </context>
@@ -5302,21 +5302,21 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.unseen_middle_corner</name>
     <message>
-        <source>The middle is not seen, ±%1 in the corner near %2.</source>
+        <source>The middle is out of view, ±%1 in the corner near %2.</source>
         <translation>中间看不到，%2 附近的角 ±%1。</translation>
     </message>
 </context>
 <context>
     <name>calibration.unseen_middle_edge</name>
     <message>
-        <source>The middle is not seen, ±%1 at the edge near %2.</source>
+        <source>The middle is out of view, ±%1 at the edge near %2.</source>
         <translation>中间看不到，%2 附近的边缘 ±%1。</translation>
     </message>
 </context>
 <context>
     <name>calibration.unseen_middle_near</name>
     <message>
-        <source>The middle is not seen, ±%1 near %2.</source>
+        <source>The middle is out of view, ±%1 near %2.</source>
         <translation>中间看不到，%2 附近 ±%1。</translation>
     </message>
 </context>
@@ -5330,14 +5330,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.use_camera_picture</name>
     <message>
-        <source>use a picture of the camera</source>
+        <source>use an image from the camera</source>
         <translation>请使用该相机的图像</translation>
     </message>
 </context>
 <context>
     <name>calibration.use_camera_pictures</name>
     <message>
-        <source>use pictures of the camera</source>
+        <source>use images from the camera</source>
         <translation>请使用该相机的图像</translation>
     </message>
 </context>
@@ -5351,14 +5351,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.use_one_camera</name>
     <message>
-        <source>use pictures of one camera at one zoom and focus</source>
+        <source>use images of one camera at one zoom and focus</source>
         <translation>请使用同一相机、同一变焦与对焦的图片</translation>
     </message>
 </context>
 <context>
     <name>calibration.use_one_resolution</name>
     <message>
-        <source>use pictures of one camera at one resolution</source>
+        <source>use images of one camera at one resolution</source>
         <translation>请使用同一相机、同一分辨率的图片</translation>
     </message>
 </context>
@@ -5372,7 +5372,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.whether_moved</name>
     <message>
-        <source>whether %1 has moved cannot be told</source>
+        <source>cannot determine whether %1 has moved</source>
         <translation>无法判断 %1 是否移动</translation>
     </message>
 </context>
@@ -5386,7 +5386,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>calibration.x_without_length</name>
     <message>
-        <source>the markers that X is to run along lie at one place</source>
+        <source>the two markers for the X axis have the same position</source>
         <translation>X 轴所经的标记位于同一处</translation>
     </message>
 </context>
@@ -7962,21 +7962,21 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>geometry.at_one_place</name>
     <message>
-        <source>%1 lie at one place</source>
+        <source>%1 have the same position</source>
         <translation>%1 位于同一处</translation>
     </message>
 </context>
 <context>
     <name>geometry.at_one_place_in_picture</name>
     <message>
-        <source>%1 lie at one place in the picture</source>
+        <source>%1 have the same position in the image</source>
         <translation>%1 在画面中位于同一处</translation>
     </message>
 </context>
 <context>
     <name>geometry.beyond_horizon</name>
     <message>
-        <source>%1 would lie beyond the horizon</source>
+        <source>%1 would be beyond the horizon</source>
         <translation>%1 将位于地平线之外</translation>
     </message>
 </context>
@@ -8074,7 +8074,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>geometry.on_one_line_in_picture</name>
     <message>
-        <source>%1 lie on one line in the picture</source>
+        <source>%1 lie on one line in the image</source>
         <translation>%1 在画面中共线</translation>
     </message>
 </context>
@@ -8102,7 +8102,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>geometry.size_not_positive</name>
     <message>
-        <source>the picture size %1 is not positive</source>
+        <source>the image size %1 is not positive</source>
         <translation>画面尺寸 %1 不为正</translation>
     </message>
 </context>
@@ -8137,7 +8137,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>geometry.wrong_coefficients</name>
     <message>
-        <source>%1 distortion coefficients do not belong to this lens model</source>
+        <source>this lens model does not take %1 distortion coefficients</source>
         <translation>%1 个畸变系数不适用于此镜头模型</translation>
     </message>
 </context>
@@ -18954,7 +18954,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.analyse_anew_with</name>
     <message>
-        <source>analyse them anew with</source>
+        <source>reanalyse them with</source>
         <translation>请用以下命令重新分析</translation>
     </message>
 </context>
@@ -18975,28 +18975,28 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.another_picture_size</name>
     <message>
-        <source>its pictures are %1 but the camera was calibrated at %2</source>
+        <source>its frames are %1 but the camera was calibrated at %2</source>
         <translation>其画面为 %1，而相机在 %2 下标定</translation>
     </message>
 </context>
 <context>
     <name>workflow.beyond_limits</name>
     <message>
-        <source>%1 of what was measured is beyond the limits of task &apos;%2&apos;, so that they were left out</source>
+        <source>%1 of the samples exceed the limits of task &apos;%2&apos;, so the limits were ignored</source>
         <translation>所测数据的 %1 超出任务“%2”的限值，因此未采用这些限值</translation>
     </message>
 </context>
 <context>
     <name>workflow.board_in_no_picture</name>
     <message>
-        <source>the board was found in none of %1 pictures (%2)</source>
+        <source>the board was found in none of %1 images (%2)</source>
         <translation>%1 张图片中都没有找到标定板（%2）</translation>
     </message>
 </context>
 <context>
     <name>workflow.by_layout_and_lens</name>
     <message>
-        <source>layout &apos;%1&apos;, lens of calibration %2</source>
+        <source>layout &apos;%1&apos;, lens calibration %2</source>
         <translation>布局“%1”，镜头标定 %2</translation>
     </message>
 </context>
@@ -19031,7 +19031,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.calibrate_if_touched</name>
     <message>
-        <source>if zoom, focus or the camera&apos;s settings were touched since, calibrate it again.</source>
+        <source>if zoom, focus or the camera&apos;s settings have changed since, calibrate it again.</source>
         <translation>如果此后动过变焦、对焦或相机设置，请重新标定。</translation>
     </message>
 </context>
@@ -19045,7 +19045,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.calibrate_lens_first</name>
     <message>
-        <source>calibrate the lens first, or put another calibration in force</source>
+        <source>calibrate the lens first, or choose another calibration</source>
         <translation>请先标定镜头，或启用另一标定</translation>
     </message>
 </context>
@@ -19066,7 +19066,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.calibrated_from_pictures</name>
     <message>
-        <source>calibrated from %1 pictures</source>
+        <source>calibrated from %1 images</source>
         <translation>由 %1 张图片标定</translation>
     </message>
 </context>
@@ -19094,14 +19094,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.calibration_picture</name>
     <message>
-        <source>calibration picture &apos;%1&apos;</source>
+        <source>calibration image &apos;%1&apos;</source>
         <translation>标定图片“%1”</translation>
     </message>
 </context>
 <context>
     <name>workflow.camera_gave_no_picture</name>
     <message>
-        <source>camera &apos;%1&apos; gave no picture</source>
+        <source>camera &apos;%1&apos; delivered no frame</source>
         <translation>相机“%1”没有输出图像</translation>
     </message>
 </context>
@@ -19143,7 +19143,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.check_cable_and_bandwidth</name>
     <message>
-        <source>check cable, bandwidth and what else this machine does</source>
+        <source>check the cable, the bandwidth and what else this computer is doing</source>
         <translation>请检查电缆、带宽以及本机的其他工作</translation>
     </message>
 </context>
@@ -19171,7 +19171,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.check_or_analyse_again</name>
     <message>
-        <source>run odograph check, or analyse the trial again</source>
+        <source>run odograph check, or reanalyse the trial</source>
         <translation>请运行 odograph check，或重新分析该试验</translation>
     </message>
 </context>
@@ -19185,7 +19185,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.check_rate</name>
     <message>
-        <source>the views are joined by time, check --rate if one is slow motion</source>
+        <source>views are matched by time: check --rate if one is in slow motion</source>
         <translation>视角按时间结合；若其一为慢动作，请检查 --rate</translation>
     </message>
 </context>
@@ -19199,7 +19199,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.check_views_of_one_run</name>
     <message>
-        <source>outside it only one view measures, so check that both belong to one run</source>
+        <source>only one view measures the rest, so check that both belong to one run</source>
         <translation>其外只有一个视角测量，请检查两者是否属于同一次运行</translation>
     </message>
 </context>
@@ -19248,7 +19248,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.choose_interface</name>
     <message>
-        <source>choose one that `ip link` names, or lo to stay on this machine</source>
+        <source>choose one that `ip link` lists, or lo to stay on this computer</source>
         <translation>请选择 `ip link` 列出的接口，或选 lo 仅在本机使用</translation>
     </message>
 </context>
@@ -19367,56 +19367,56 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.demo_is_there</name>
     <message>
-        <source>%1 is there already</source>
+        <source>%1 already exists</source>
         <translation>%1 已存在</translation>
     </message>
 </context>
 <context>
     <name>workflow.doubtful_name</name>
     <message>
-        <source>from %1 to %2 it is doubtful whether this is %3 or %4</source>
+        <source>from %1 to %2 this may be %3 or %4</source>
         <translation>从 %1 到 %2，这是 %3 还是 %4 存疑</translation>
     </message>
 </context>
 <context>
     <name>workflow.doubtful_name_unknown</name>
     <message>
-        <source>from %1 to %2 it is doubtful whether this is %3 or another robot of its look</source>
+        <source>from %1 to %2 this may be %3 or another robot that looks the same</source>
         <translation>从 %1 到 %2，这是 %3 还是另一个外观相同的机器人存疑</translation>
     </message>
 </context>
 <context>
     <name>workflow.doubtful_names</name>
     <message>
-        <source>from %1 to %2 (the first of %3 times) it is doubtful whether this is %4 or %5</source>
+        <source>from %1 to %2 (the first of %3 times) this may be %4 or %5</source>
         <translation>从 %1 到 %2（共 %3 次，此为第一次），这是 %4 还是 %5 存疑</translation>
     </message>
 </context>
 <context>
     <name>workflow.doubtful_names_unknown</name>
     <message>
-        <source>from %1 to %2 (the first of %3 times) it is doubtful whether this is %4 or another robot of its look</source>
+        <source>from %1 to %2 (the first of %3 times) this may be %4 or another robot that looks the same</source>
         <translation>从 %1 到 %2（共 %3 次，此为第一次），这是 %4 还是另一个外观相同的机器人存疑</translation>
     </message>
 </context>
 <context>
     <name>workflow.doubtful_step</name>
     <message>
-        <source>it is in step to %1 only, which is %2 at 1 m/s</source>
+        <source>it is synchronised only to %1, which is %2 at 1 m/s</source>
         <translation>它只同步到 %1，在 1 m/s 时为 %2</translation>
     </message>
 </context>
 <context>
     <name>workflow.error_estimated</name>
     <message>
-        <source>positions to %1, as estimated from them</source>
+        <source>positions to %1, estimated from the track</source>
         <translation>位置精度 %1，由数据估计</translation>
     </message>
 </context>
 <context>
     <name>workflow.error_stated</name>
     <message>
-        <source>positions to %1, as the file says</source>
+        <source>positions to %1, as stated in the file</source>
         <translation>位置精度 %1，依文件所述</translation>
     </message>
 </context>
@@ -19437,21 +19437,21 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.file_without_picture</name>
     <message>
-        <source>it has no picture</source>
+        <source>it contains no image</source>
         <translation>没有图像</translation>
     </message>
 </context>
 <context>
     <name>workflow.fitting_cameras_together</name>
     <message>
-        <source>fitting %1 cameras together</source>
+        <source>fitting %1 cameras jointly</source>
         <translation>正在联合拟合 %1 台相机</translation>
     </message>
 </context>
 <context>
     <name>workflow.floor_has_its_colour</name>
     <message>
-        <source>its colour %1 is also that of the floor (%2 of view %3&apos;s picture)</source>
+        <source>its colour %1 is also the floor&apos;s (%2 of the frame in view %3)</source>
         <translation>它的颜色 %1 也是地面的颜色（占视角 %3 画面的 %2）</translation>
     </message>
 </context>
@@ -19465,7 +19465,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.found_by_colour</name>
     <message>
-        <source>it is found by its colour</source>
+        <source>it is detected by its colour</source>
         <translation>它是按颜色找到的</translation>
     </message>
 </context>
@@ -19535,21 +19535,21 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.give_own_colours</name>
     <message>
-        <source>give each a colour of its own</source>
+        <source>give each its own colour</source>
         <translation>请给每个机器人一种自己的颜色</translation>
     </message>
 </context>
 <context>
     <name>workflow.give_picture_of_that_size</name>
     <message>
-        <source>give a picture of that size</source>
+        <source>give an image of that size</source>
         <translation>请给出该尺寸的图像</translation>
     </message>
 </context>
 <context>
     <name>workflow.give_pixels_or_picture</name>
     <message>
-        <source>give --pixels pixels.csv, --image picture.png or --video clip.mp4</source>
+        <source>give --pixels pixels.csv, --image image.png or --video clip.mp4</source>
         <translation>请给出 --pixels pixels.csv、--image picture.png 或 --video clip.mp4</translation>
     </message>
 </context>
@@ -19563,7 +19563,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.give_seconds</name>
     <message>
-        <source>give the seconds, like 10</source>
+        <source>give the seconds, such as 10</source>
         <translation>请给出秒数，如 10</translation>
     </message>
 </context>
@@ -19591,14 +19591,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.import_again_for_offset</name>
     <message>
-        <source>import the videos again and let the offset be found, or tell it</source>
+        <source>import the videos again with automatic synchronisation, or enter the time offset</source>
         <translation>请重新导入视频并让程序找出偏移，或自行给出</translation>
     </message>
 </context>
 <context>
     <name>workflow.import_lens</name>
     <message>
-        <source>import the lens of camera %1 from %2</source>
+        <source>import the lens calibration of camera %1 from %2</source>
         <translation>从 %2 导入相机 %1 的镜头</translation>
     </message>
 </context>
@@ -19640,21 +19640,21 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.keeping_pictures</name>
     <message>
-        <source>keeping the pictures</source>
+        <source>saving the images</source>
         <translation>正在保存图片</translation>
     </message>
 </context>
 <context>
     <name>workflow.leave_frame</name>
     <message>
-        <source>leave frame %1 of %2 to the program</source>
+        <source>remove the override of frame %1 of %2</source>
         <translation>将 %2 的第 %1 帧交给程序判断</translation>
     </message>
 </context>
 <context>
     <name>workflow.leave_out_trial</name>
     <message>
-        <source>leave out %1, of which nothing was recorded</source>
+        <source>remove %1, which recorded nothing</source>
         <translation>舍去 %1（未录到任何内容）</translation>
     </message>
 </context>
@@ -19668,7 +19668,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.lens_never_calibrated</name>
     <message>
-        <source>The lens of camera &apos;%1&apos; was never calibrated, its distortion is taken as none</source>
+        <source>The lens of camera &apos;%1&apos; is not calibrated, so no distortion is assumed</source>
         <translation>相机“%1”的镜头从未标定，按无畸变处理</translation>
     </message>
 </context>
@@ -19710,63 +19710,63 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.look_at_outlines</name>
     <message>
-        <source>look at the outlines, and tell the robot&apos;s colour or keep others out of the pictures</source>
+        <source>check the outlines, and set the robot&apos;s colour or keep other objects out of view</source>
         <translation>请查看轮廓，并指定机器人的颜色，或不要让其他东西进入画面</translation>
     </message>
 </context>
 <context>
     <name>workflow.look_for_lost_videos</name>
     <message>
-        <source>look for lost videos</source>
+        <source>search for lost videos</source>
         <translation>查找丢失的视频</translation>
     </message>
 </context>
 <context>
     <name>workflow.looking_for_board_in</name>
     <message>
-        <source>looking for the board in %1</source>
+        <source>detecting the board in %1</source>
         <translation>正在 %1 中寻找标定板</translation>
     </message>
 </context>
 <context>
     <name>workflow.looking_for_files</name>
     <message>
-        <source>looking for files</source>
+        <source>searching for files</source>
         <translation>正在查找文件</translation>
     </message>
 </context>
 <context>
     <name>workflow.looking_for_markers_again</name>
     <message>
-        <source>looking for the markers again</source>
+        <source>detecting the markers again</source>
         <translation>正在重新寻找标记</translation>
     </message>
 </context>
 <context>
     <name>workflow.looking_for_markers_in</name>
     <message>
-        <source>looking for the markers in %1</source>
+        <source>detecting the markers in %1</source>
         <translation>正在 %1 中寻找标记</translation>
     </message>
 </context>
 <context>
     <name>workflow.looking_through_media</name>
     <message>
-        <source>looking through the media folder</source>
+        <source>searching the media folder</source>
         <translation>正在查看媒体文件夹</translation>
     </message>
 </context>
 <context>
     <name>workflow.lost_not_packed</name>
     <message>
-        <source>the video of camera %1 in trial &apos;%2&apos; is lost, and not in the packed project</source>
+        <source>the video of camera %1 in trial &apos;%2&apos; is lost and is not in the packed project</source>
         <translation>试验“%2”中相机 %1 的视频丢失，未包含在打包项目中</translation>
     </message>
 </context>
 <context>
     <name>workflow.lost_video_not_there</name>
     <message>
-        <source>the lost video is not there</source>
+        <source>the lost video is not in this folder</source>
         <translation>丢失的视频不在那里</translation>
     </message>
 </context>
@@ -19780,42 +19780,42 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.lost_videos_not_there</name>
     <message>
-        <source>none of the %1 lost videos is there</source>
+        <source>none of the %1 lost videos is in this folder</source>
         <translation>%1 个丢失的视频都不在那里</translation>
     </message>
 </context>
 <context>
     <name>workflow.made_through_registration</name>
     <message>
-        <source>It was made through registration %1 of the project.</source>
+        <source>It was made via registration %1 of the project.</source>
         <translation>它是通过项目的配准 %1 作出的。</translation>
     </message>
 </context>
 <context>
     <name>workflow.made_with_it_already</name>
     <message>
-        <source>it was made with it already</source>
+        <source>it already uses that calibration</source>
         <translation>已是用它完成的</translation>
     </message>
 </context>
 <context>
     <name>workflow.making_hash</name>
     <message>
-        <source>making the hash of %1</source>
+        <source>computing the hash of %1</source>
         <translation>正在计算 %1 的校验值</translation>
     </message>
 </context>
 <context>
     <name>workflow.map_behind</name>
     <message>
-        <source>the map is %1 behind, none skipped</source>
+        <source>the map is %1 behind, no frame skipped</source>
         <translation>地图滞后 %1，无跳帧</translation>
     </message>
 </context>
 <context>
     <name>workflow.map_behind_and_skipping</name>
     <message>
-        <source>the map is %1 behind, %2 skipped</source>
+        <source>the map is %1 behind, %2 frames skipped</source>
         <translation>地图滞后 %1，跳过 %2</translation>
     </message>
 </context>
@@ -19836,14 +19836,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.measure_again</name>
     <message>
-        <source>measure %1 again</source>
+        <source>reanalyse %1</source>
         <translation>重新测量 %1</translation>
     </message>
 </context>
 <context>
     <name>workflow.measure_it_again</name>
     <message>
-        <source>measure it again</source>
+        <source>repeat the analysis</source>
         <translation>请重新测量</translation>
     </message>
 </context>
@@ -19871,7 +19871,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.name_place_in_pixels</name>
     <message>
-        <source>name it in pixels from the picture&apos;s top left corner</source>
+        <source>give it in pixels from the frame&apos;s top left corner</source>
         <translation>请以像素为单位、从画面左上角算起指定</translation>
     </message>
 </context>
@@ -19892,7 +19892,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.nearly_all_beyond_limits</name>
     <message>
-        <source>nearly all that was measured is beyond the limits of task &apos;%1&apos;, so that they were left out</source>
+        <source>nearly all samples exceed the limits of task &apos;%1&apos;, so the limits were ignored</source>
         <translation>所测数据几乎都超出任务“%1”的限值，因此未采用这些限值</translation>
     </message>
 </context>
@@ -19920,14 +19920,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.no_address_with_port</name>
     <message>
-        <source>it is no IPv4 address with a port</source>
+        <source>it is not an IPv4 address with a port</source>
         <translation>不是带端口的 IPv4 地址</translation>
     </message>
 </context>
 <context>
     <name>workflow.no_camera_gave_picture</name>
     <message>
-        <source>no camera gave a picture</source>
+        <source>no camera delivered a frame</source>
         <translation>没有相机给出画面</translation>
     </message>
 </context>
@@ -19941,14 +19941,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.no_common_place</name>
     <message>
-        <source>No place was measured by both analyses.</source>
+        <source>The two analyses have no position in common.</source>
         <translation>没有任何位置被两次分析都测到。</translation>
     </message>
 </context>
 <context>
     <name>workflow.no_common_time</name>
     <message>
-        <source>views &apos;%1&apos; and &apos;%2&apos; have no time in common with an offset of %3</source>
+        <source>views &apos;%1&apos; and &apos;%2&apos; do not overlap with a time offset of %3</source>
         <translation>视角“%1”和“%2”在偏移 %3 时没有共同时间</translation>
     </message>
 </context>
@@ -19962,35 +19962,35 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.no_multicast</name>
     <message>
-        <source>interface &apos;%1&apos; takes no multicast</source>
+        <source>interface &apos;%1&apos; does not support multicast</source>
         <translation>接口“%1”不支持组播</translation>
     </message>
 </context>
 <context>
     <name>workflow.no_picture_read</name>
     <message>
-        <source>no picture could be read</source>
+        <source>no image could be read</source>
         <translation>没有一张图片可读</translation>
     </message>
 </context>
 <context>
     <name>workflow.no_picture_then</name>
     <message>
-        <source>the view has no picture at that time</source>
+        <source>the view has no frame at that time</source>
         <translation>该视角在那个时刻没有画面</translation>
     </message>
 </context>
 <context>
     <name>workflow.no_pixels_no_picture</name>
     <message>
-        <source>neither their pixels nor a picture to look in was given</source>
+        <source>it needs pixels, or an image to detect the markers in</source>
         <translation>既没有给出像素，也没有给出可查找的图像</translation>
     </message>
 </context>
 <context>
     <name>workflow.no_robot</name>
     <message>
-        <source>the project has no robot to look for</source>
+        <source>the project has no robot to track</source>
         <translation>项目中没有可寻找的机器人</translation>
     </message>
 </context>
@@ -20004,21 +20004,21 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.no_socket</name>
     <message>
-        <source>this machine gives no socket</source>
+        <source>the system could not open a socket</source>
         <translation>本机无法提供套接字</translation>
     </message>
 </context>
 <context>
     <name>workflow.no_such_frame</name>
     <message>
-        <source>there is no such frame</source>
+        <source>this frame does not exist</source>
         <translation>没有这一帧</translation>
     </message>
 </context>
 <context>
     <name>workflow.no_such_interface</name>
     <message>
-        <source>this machine has none of that name</source>
+        <source>this computer has no interface of that name</source>
         <translation>本机没有该名称的接口</translation>
     </message>
 </context>
@@ -20067,21 +20067,21 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.none_of_that_number</name>
     <message>
-        <source>camera &apos;%1&apos; has none of that number</source>
+        <source>camera &apos;%1&apos; has no such number</source>
         <translation>相机“%1”没有此编号</translation>
     </message>
 </context>
 <context>
     <name>workflow.not_measured_there</name>
     <message>
-        <source>the robot was not measured there, so there is nothing to judge</source>
+        <source>the robot has no measurement at that time</source>
         <translation>机器人在那里没有被测到，无从判断</translation>
     </message>
 </context>
 <context>
     <name>workflow.not_synchronised</name>
     <message>
-        <source>it is not synchronised but taken as begun together with the first view, so that a moving robot is not where the two views put it</source>
+        <source>it is not synchronised: the same start time as the first view was assumed, and positions of a moving robot are wrong</source>
         <translation>它未同步，按与第一个视角同时开始处理，因此运动的机器人并不在两个视角所示的位置</translation>
     </message>
 </context>
@@ -20102,7 +20102,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.nothing_came</name>
     <message>
-        <source>nothing came for %1, because %2</source>
+        <source>no frame arrived for %1 because %2</source>
         <translation>有 %1 没有任何图像，原因：%2</translation>
     </message>
 </context>
@@ -20116,35 +20116,35 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.nothing_said_there</name>
     <message>
-        <source>nothing was said by hand there</source>
+        <source>that frame has no manual override</source>
         <translation>那里没有手动标注</translation>
     </message>
 </context>
 <context>
     <name>workflow.nothing_stands_out</name>
     <message>
-        <source>nothing stands out from the floor at %1,%2 at %3 for some frames</source>
+        <source>no foreground object was found at pixel %1,%2 at %3</source>
         <translation>在 %3 前后的若干帧中，%1,%2 处没有从地面中突出的物体</translation>
     </message>
 </context>
 <context>
     <name>workflow.nothing_to_analyse_again</name>
     <message>
-        <source>it has not been tracked yet, so there is nothing to analyse again</source>
+        <source>it has not been tracked yet, so it cannot be reanalysed</source>
         <translation>尚未跟踪，没有可重新分析的内容</translation>
     </message>
 </context>
 <context>
     <name>workflow.nothing_to_do</name>
     <message>
-        <source>there is nothing to do</source>
+        <source>no action is needed</source>
         <translation>无需操作</translation>
     </message>
 </context>
 <context>
     <name>workflow.offsets_of_other_count</name>
     <message>
-        <source>%1 views were given and the offsets of %2</source>
+        <source>the number of views is %1, the number of offsets %2</source>
         <translation>给出了 %1 个视角和 %2 个偏移</translation>
     </message>
 </context>
@@ -20165,14 +20165,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.one_follows_something_else</name>
     <message>
-        <source>one of them follows something else, or is not where it was registered</source>
+        <source>one of them tracks another object, or has moved since its registration</source>
         <translation>其中一个视角跟踪了别的东西，或者相机不在配准时的位置</translation>
     </message>
 </context>
 <context>
     <name>workflow.only_frame</name>
     <message>
-        <source>its only one is frame 0</source>
+        <source>its only frame is 0</source>
         <translation>只有第 0 帧</translation>
     </message>
 </context>
@@ -20186,77 +20186,77 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.other_sample_judged</name>
     <message>
-        <source>another sample was judged by hand while this one was analysed</source>
+        <source>another sample was overridden while this one was analysed</source>
         <translation>分析此样本时，另一个样本被手动判定</translation>
     </message>
 </context>
 <context>
     <name>workflow.outside_picture</name>
     <message>
-        <source>the place lies outside the picture</source>
+        <source>the position is outside the frame</source>
         <translation>该位置在画面之外</translation>
     </message>
 </context>
 <context>
     <name>workflow.pick_or_take_colour</name>
     <message>
-        <source>pick its colour again, or take the colour from it</source>
+        <source>pick its colour again, or remove its colour</source>
         <translation>请重新选取它的颜色，或去掉它的颜色</translation>
     </message>
 </context>
 <context>
     <name>workflow.picture_lost_here</name>
     <message>
-        <source>1 picture was lost because this computer or its disk was too slow</source>
+        <source>1 frame was lost because this computer or its disk was too slow</source>
         <translation>因本机或其磁盘太慢，丢失 1 帧</translation>
     </message>
 </context>
 <context>
     <name>workflow.picture_lost_on_wire</name>
     <message>
-        <source>1 picture was lost between the camera and this program</source>
+        <source>1 frame was lost between the camera and this program</source>
         <translation>相机与本程序之间丢失 1 帧</translation>
     </message>
 </context>
 <context>
     <name>workflow.picture_made_too_late</name>
     <message>
-        <source>1 picture was lost because this machine was too slow to make them in time</source>
+        <source>1 frame was lost: this computer was too slow to generate it in time</source>
         <translation>因本机太慢来不及生成，丢失 1 帧</translation>
     </message>
 </context>
 <context>
     <name>workflow.picture_size_not_known</name>
     <message>
-        <source>the size of its pictures is not known</source>
+        <source>the size of its images is not known</source>
         <translation>其画面尺寸未知</translation>
     </message>
 </context>
 <context>
     <name>workflow.pictures_lost_here</name>
     <message>
-        <source>%1 pictures were lost because this computer or its disk was too slow</source>
+        <source>%1 frames were lost because this computer or its disk was too slow</source>
         <translation>因本机或其磁盘太慢，丢失 %1 帧</translation>
     </message>
 </context>
 <context>
     <name>workflow.pictures_lost_on_wire</name>
     <message>
-        <source>%1 pictures were lost between the camera and this program</source>
+        <source>%1 frames were lost between the camera and this program</source>
         <translation>相机与本程序之间丢失 %1 帧</translation>
     </message>
 </context>
 <context>
     <name>workflow.pictures_made_too_late</name>
     <message>
-        <source>%1 pictures were lost because this machine was too slow to make them in time</source>
+        <source>%1 frames were lost: this computer was too slow to generate them in time</source>
         <translation>因本机太慢来不及生成，丢失 %1 帧</translation>
     </message>
 </context>
 <context>
     <name>workflow.point_out_whole_robot</name>
     <message>
-        <source>point it out where all of it is seen and it moves</source>
+        <source>point it out where the whole robot is visible and moving</source>
         <translation>请在能看到整个机器人且它在移动的地方指出</translation>
     </message>
 </context>
@@ -20270,35 +20270,35 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.project_file_gone</name>
     <message>
-        <source>the project&apos;s file is no longer there</source>
+        <source>the project file no longer exists</source>
         <translation>项目文件已不在</translation>
     </message>
 </context>
 <context>
     <name>workflow.project_lost</name>
     <message>
-        <source>the project&apos;s file was deleted, renamed or replaced; recording goes on, and what is in it is rescued at the end</source>
+        <source>the project file was deleted, renamed or replaced; recording continues, and its contents will be saved at the end</source>
         <translation>项目文件被删除、重命名或替换；录制继续进行，结束时将挽救其内容</translation>
     </message>
 </context>
 <context>
     <name>workflow.project_rescued</name>
     <message>
-        <source>the project&apos;s file was deleted, renamed or replaced meanwhile; what was in it is rescued in &apos;%1&apos;, which is the project from now on</source>
+        <source>the project file was deleted, renamed or replaced; its contents were saved in &apos;%1&apos;, the project from now on</source>
         <translation>项目文件在此期间被删除、重命名或替换；其内容已挽救到“%1”，今后它就是项目</translation>
     </message>
 </context>
 <context>
     <name>workflow.put_axes_elsewhere</name>
     <message>
-        <source>put the axes of layout %1 elsewhere</source>
+        <source>change the world axes of layout %1</source>
         <translation>移动布局 %1 的坐标轴</translation>
     </message>
 </context>
 <context>
     <name>workflow.put_plate_on_it</name>
     <message>
-        <source>put a plate of another colour on it, or tell the colour it really has</source>
+        <source>put a plate of another colour on it, or set its true colour</source>
         <translation>请在其上放另一种颜色的板，或给出它真实的颜色</translation>
     </message>
 </context>
@@ -20361,7 +20361,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.register_camera_through</name>
     <message>
-        <source>register camera %1 through camera %2</source>
+        <source>register camera %1 via camera %2</source>
         <translation>通过相机 %2 配准相机 %1</translation>
     </message>
 </context>
@@ -20375,7 +20375,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.register_cameras_together</name>
     <message>
-        <source>register the cameras of layout %1 together</source>
+        <source>register the cameras of layout %1 jointly</source>
         <translation>联合配准布局 %1 的相机</translation>
     </message>
 </context>
@@ -20389,7 +20389,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.register_it_first</name>
     <message>
-        <source>register it first, by markers or through another camera</source>
+        <source>register it first, with markers or via another camera</source>
         <translation>请先配准它，用标记或通过另一相机</translation>
     </message>
 </context>
@@ -20403,14 +20403,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.register_through_it_again</name>
     <message>
-        <source>register it through that camera again</source>
+        <source>register it via that camera again</source>
         <translation>请再次通过那台相机配准</translation>
     </message>
 </context>
 <context>
     <name>workflow.registered_at_another_size</name>
     <message>
-        <source>the picture is %1, the camera was registered at %2</source>
+        <source>the image is %1, the camera was registered at %2</source>
         <translation>图像为 %1，相机在 %2 下配准</translation>
     </message>
 </context>
@@ -20424,14 +20424,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.registered_through_another</name>
     <message>
-        <source>it was registered through another camera</source>
+        <source>it was registered via another camera</source>
         <translation>它是通过另一相机配准的</translation>
     </message>
 </context>
 <context>
     <name>workflow.registered_with_other_lens</name>
     <message>
-        <source>The floor registration of camera &apos;%1&apos; was made with another calibration of its lens than the one in force</source>
+        <source>The floor registration of camera &apos;%1&apos; uses another lens calibration than the current one</source>
         <translation>相机“%1”的地面配准所用的镜头标定不是当前生效的</translation>
     </message>
 </context>
@@ -20452,14 +20452,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.registration_through</name>
     <message>
-        <source>registration of camera &apos;%1&apos; through &apos;%2&apos;</source>
+        <source>registration of camera &apos;%1&apos; via &apos;%2&apos;</source>
         <translation>通过“%2”对相机“%1”的配准</translation>
     </message>
 </context>
 <context>
     <name>workflow.registration_with_lens_in_force</name>
     <message>
-        <source>registration of camera &apos;%1&apos; with the lens in force</source>
+        <source>registration of camera &apos;%1&apos; with the current lens calibration</source>
         <translation>用生效的镜头对相机“%1”的配准</translation>
     </message>
 </context>
@@ -20487,14 +20487,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.replaced_not_packed</name>
     <message>
-        <source>the video of camera %1 in trial &apos;%2&apos; lies elsewhere and is another file than it was, and not in the packed project</source>
+        <source>the video of camera %1 in trial &apos;%2&apos; is outside the media folder and has changed since; it is not in the packed project</source>
         <translation>试验“%2”中相机 %1 的视频位于别处，且已不是原来的文件，未包含在打包项目中</translation>
     </message>
 </context>
 <context>
     <name>workflow.results_changed</name>
     <message>
-        <source>its results are not those that its analysis gave</source>
+        <source>its results differ from those of its analysis</source>
         <translation>其结果与分析得出的结果不一致</translation>
     </message>
 </context>
@@ -20522,7 +20522,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.robot_not_tracked</name>
     <message>
-        <source>robot &apos;%1&apos; was not tracked in it, but %2</source>
+        <source>robot &apos;%1&apos; was not tracked in it, only %2</source>
         <translation>其中没有跟踪机器人“%1”，跟踪了 %2</translation>
     </message>
 </context>
@@ -20564,7 +20564,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.say_it_again</name>
     <message>
-        <source>say it again for frame %1</source>
+        <source>repeat it for frame %1</source>
         <translation>请对第 %1 帧再指定一次</translation>
     </message>
 </context>
@@ -20578,14 +20578,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.see_revisions</name>
     <message>
-        <source>see its revisions for those there are</source>
+        <source>see the list of its revisions</source>
         <translation>请在其版本列表中查看现有的</translation>
     </message>
 </context>
 <context>
     <name>workflow.settling_names</name>
     <message>
-        <source>settling which robot is which</source>
+        <source>assigning names to the robots</source>
         <translation>正在分辨各机器人</translation>
     </message>
 </context>
@@ -20620,42 +20620,42 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.take_fewer_cameras</name>
     <message>
-        <source>close other programs, or take fewer such cameras at once</source>
+        <source>close other programs, or use fewer such cameras at once</source>
         <translation>请关闭其他程序，或同时使用更少的这类相机</translation>
     </message>
 </context>
 <context>
     <name>workflow.take_over_set_up</name>
     <message>
-        <source>take over the set-up of %1</source>
+        <source>copy the set-up of %1</source>
         <translation>沿用 %1 的设置</translation>
     </message>
 </context>
 <context>
     <name>workflow.taken_as_begun_together</name>
     <message>
-        <source>%1, so it is taken as begun together</source>
+        <source>%1; the same start time was assumed</source>
         <translation>%1，因此按同时开始处理</translation>
     </message>
 </context>
 <context>
     <name>workflow.taking_over_set_up</name>
     <message>
-        <source>taking over the set-up</source>
+        <source>copying the set-up</source>
         <translation>正在沿用设置</translation>
     </message>
 </context>
 <context>
     <name>workflow.task_was_changed</name>
     <message>
-        <source>its task was changed while it was measured</source>
+        <source>its task changed during the analysis</source>
         <translation>测量期间其任务被更改</translation>
     </message>
 </context>
 <context>
     <name>workflow.through_itself</name>
     <message>
-        <source>a camera cannot be registered through itself</source>
+        <source>a camera cannot be registered via itself</source>
         <translation>相机不能通过自身配准</translation>
     </message>
 </context>
@@ -20669,7 +20669,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.times_count_from</name>
     <message>
-        <source>its times count from %1</source>
+        <source>its times start at %1</source>
         <translation>其时间从 %1 起算</translation>
     </message>
 </context>
@@ -20711,7 +20711,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.track_those_seen</name>
     <message>
-        <source>track only the robots that are in the pictures (--robot)</source>
+        <source>track only the robots that are in view (--robot)</source>
         <translation>请只跟踪画面中的机器人 (--robot)</translation>
     </message>
 </context>
@@ -20725,14 +20725,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.tracking_picture</name>
     <message>
-        <source>tracking, picture %1 of %2</source>
+        <source>tracking, frame %1 of %2</source>
         <translation>正在跟踪，第 %1 幅，共 %2 幅</translation>
     </message>
 </context>
 <context>
     <name>workflow.tracks_were_imported</name>
     <message>
-        <source>its tracks were imported, so there is no video to track in</source>
+        <source>its tracks were imported, so it has no video to track</source>
         <translation>其轨迹是导入的，没有可跟踪的视频</translation>
     </message>
 </context>
@@ -20746,21 +20746,21 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.trial_is_there</name>
     <message>
-        <source>the project has a trial of that name</source>
+        <source>the project already has a trial of that name</source>
         <translation>项目中已有同名试验</translation>
     </message>
 </context>
 <context>
     <name>workflow.trial_left_out</name>
     <message>
-        <source>nothing of it had reached the disk, and it is left out</source>
+        <source>nothing of it had reached the disk, and it was removed</source>
         <translation>没有内容写入磁盘，已舍去</translation>
     </message>
 </context>
 <context>
     <name>workflow.turn_or_flash</name>
     <message>
-        <source>let the robot turn, or flash the room&apos;s light, where both cameras see it</source>
+        <source>turn the robot, or flash the room light, in view of both cameras</source>
         <translation>请在两台相机都能看到处让机器人转弯，或闪一下室内灯</translation>
     </message>
 </context>
@@ -20788,14 +20788,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.unusual_length</name>
     <message>
-        <source>it would take no time, or more than a day</source>
+        <source>the duration must be above zero and at most a day</source>
         <translation>时长为零，或超过一天</translation>
     </message>
 </context>
 <context>
     <name>workflow.unusual_pre_roll</name>
     <message>
-        <source>what is kept from before is no time, or more than 10 s</source>
+        <source>the pre-roll must be from 0 s to 10 s</source>
         <translation>预先保留的时长无效，或超过 10 s</translation>
     </message>
 </context>
@@ -20816,7 +20816,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.video_without_picture</name>
     <message>
-        <source>the video has no picture</source>
+        <source>the video has no frame</source>
         <translation>视频中没有图像</translation>
     </message>
 </context>
@@ -20830,21 +20830,21 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.view_ended_early</name>
     <message>
-        <source>it ended early, because %1</source>
+        <source>it ended early because %1</source>
         <translation>它提前结束，原因：%1</translation>
     </message>
 </context>
 <context>
     <name>workflow.view_is_kept</name>
     <message>
-        <source>%1 of %2 view are kept, all but the last second at most</source>
+        <source>%1 of %2 view were saved, at most the last second is missing</source>
         <translation>保留了 %2 个视角的 %1，最多只缺最后一秒</translation>
     </message>
 </context>
 <context>
     <name>workflow.view_left_out</name>
     <message>
-        <source>it is left out, because nothing was recorded of it</source>
+        <source>it recorded nothing and was left out</source>
         <translation>它被舍去，因为没有录到任何内容</translation>
     </message>
 </context>
@@ -20858,42 +20858,42 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.views_are_kept</name>
     <message>
-        <source>%1 of %2 views are kept, all but the last second at most</source>
+        <source>%1 of %2 views were saved, at most the last second is missing</source>
         <translation>保留了 %2 个视角的 %1，最多只缺最后一秒</translation>
     </message>
 </context>
 <context>
     <name>workflow.views_contradict</name>
     <message>
-        <source>in %1 of %2 pictures the views contradict one another</source>
+        <source>in %1 of %2 frames the views contradict each other</source>
         <translation>%2 幅画面中有 %1 幅，各视角相互矛盾</translation>
     </message>
 </context>
 <context>
     <name>workflow.views_far_apart</name>
     <message>
-        <source>in %1 of %2 pictures the views have it at places far apart</source>
+        <source>in %1 of %2 frames the views show it at positions far apart</source>
         <translation>%2 幅画面中有 %1 幅，各视角给出的位置相距很远</translation>
     </message>
 </context>
 <context>
     <name>workflow.views_put_it_apart</name>
     <message>
-        <source>they put it %1 apart</source>
+        <source>their floor positions differ by %1</source>
         <translation>它们给出的位置相差 %1</translation>
     </message>
 </context>
 <context>
     <name>workflow.waited_for_disk</name>
     <message>
-        <source>pictures waited up to %1 for the disk, and none was lost</source>
+        <source>frames waited up to %1 for the disk, and none was lost</source>
         <translation>图像等待磁盘最长 %1，没有丢失</translation>
     </message>
 </context>
 <context>
     <name>workflow.why_views_contradict</name>
     <message>
-        <source>a camera was moved after it was registered, the views are out of step, or the robot&apos;s height is not what was told</source>
+        <source>a camera has moved since its registration, the views are not synchronised, or the robot&apos;s height is wrong</source>
         <translation>某台相机在配准后被移动、各视角不同步，或机器人的高度与所给的不符</translation>
     </message>
 </context>
@@ -20907,14 +20907,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>workflow.writing_last_pictures</name>
     <message>
-        <source>writing the last pictures</source>
+        <source>writing the last frames</source>
         <translation>正在写入最后的图像</translation>
     </message>
 </context>
 <context>
     <name>workflow.written_just_now</name>
     <message>
-        <source>another program is writing or removing it just now</source>
+        <source>another program is writing or removing it</source>
         <translation>另一程序正在写入或移除它</translation>
     </message>
 </context>

@@ -65,16 +65,16 @@ Result<Eigen::Matrix<double, 6, 6>> poseCovariance(const FloorView &view, const 
     if (seen.size() < 4)
         return noCamera(
             ODO_TEXT("calibration.planned_sees_too_few",
-                     "from there it would see %1 of the layout's markers (%2), four are needed")(
+                     "it would see only %1 of the layout's markers (%2), four are needed")(
                 seen.size(), listed(seen, MessageArgument::Kind::Marker)),
             ODO_TEXT("calibration.move_planned_back", "move it back or up, or choose a wider lens"));
     const auto pose = fitPlanePose(pairs, view.camera(), FocalLength::Known);
     if (!pose)
-        return noCamera(
-            joined({ODO_TEXT("calibration.planned_not_held", "the markers that it would see do not hold it"),
-                    pose.error().why},
-                   Join::Colon),
-            pose.error().advice);
+        return noCamera(joined({ODO_TEXT("calibration.planned_not_held",
+                                         "the markers it would see do not determine its pose"),
+                                pose.error().why},
+                               Join::Colon),
+                        pose.error().advice);
     return Eigen::Matrix<double, 6, 6>(sigmaPx * sigmaPx * pose->inverseNormal);
 }
 
@@ -145,18 +145,17 @@ Result<FloorView> exactView(const PlannedCamera &camera)
 {
     if (!(camera.heightM >= 0.05 && camera.heightM <= 100))
         return noCamera(ODO_TEXT("calibration.planned_height",
-                                 "it cannot stand %1 above the floor")(quantity(camera.heightM, 2, "m")),
+                                 "its height above the floor cannot be %1")(quantity(camera.heightM, 2, "m")),
                         ODO_TEXT("calibration.give_height", "give a height of 0.05 m to 100 m"));
     if (!(camera.distanceM >= 0 && camera.distanceM <= 1000))
         return noCamera(ODO_TEXT("calibration.planned_distance",
-                                 "it cannot stand %1 away")(quantity(camera.distanceM, 2, "m")),
+                                 "its distance cannot be %1")(quantity(camera.distanceM, 2, "m")),
                         ODO_TEXT("calibration.give_distance", "give a distance of 0 m to 1000 m"));
     if (!(camera.fieldOfViewDegrees >= 2 && camera.fieldOfViewDegrees <= 150) || camera.widthPx <= 0 ||
         camera.heightPx <= 0)
-        return noCamera(
-            ODO_TEXT("calibration.planned_field_of_view",
-                     "its field of view is %1")(quantity(camera.fieldOfViewDegrees, 1, "°")),
-            ODO_TEXT("calibration.give_field_of_view", "give 2° to 150°, and the size of its pictures"));
+        return noCamera(ODO_TEXT("calibration.planned_field_of_view",
+                                 "its field of view is %1")(quantity(camera.fieldOfViewDegrees, 1, "°")),
+                        ODO_TEXT("calibration.give_field_of_view", "give 2° to 150°, and the image size"));
     const double direction = camera.directionDegrees * EIGEN_PI / 180;
     const Vector2d away(std::cos(direction), std::sin(direction));
     const Vector2d foot = camera.footM();
@@ -203,11 +202,11 @@ Message figureWords(const AccuracySummary &summary, const Vector2d &place, const
     if (std::isnan(summary.middleM)) {
         const MessageText &words =
             borders == 2 ? ODO_TEXT("calibration.unseen_middle_corner",
-                                    "The middle is not seen, ±%1 in the corner near %2.")
+                                    "The middle is out of view, ±%1 in the corner near %2.")
             : borders == 1
                 ? ODO_TEXT("calibration.unseen_middle_edge",
-                           "The middle is not seen, ±%1 at the edge near %2.")
-                : ODO_TEXT("calibration.unseen_middle_near", "The middle is not seen, ±%1 near %2.");
+                           "The middle is out of view, ±%1 at the edge near %2.")
+                : ODO_TEXT("calibration.unseen_middle_near", "The middle is out of view, ±%1 near %2.");
         return words(worst, marker);
     }
     const MessageText &words =
@@ -227,7 +226,7 @@ AccuracySummary summariseAccuracy(const FloorGrid &grid, const std::vector<doubl
     constexpr double unseen = std::numeric_limits<double>::quiet_NaN();
     AccuracySummary summary{
         unseen, unseen, 0,
-        ODO_TEXT("calibration.floor_unseen", "None of the floor among the markers is seen.")};
+        ODO_TEXT("calibration.floor_unseen", "None of the floor between the markers is in view.")};
     if (layout.markers.empty())
         return summary;
     Vector2d lower = layout.markers.front().pointInWorld, upper = lower, worst = lower;
@@ -266,7 +265,7 @@ AccuracySummary summariseAccuracy(const FloorGrid &grid, const std::vector<doubl
     if (seen < places)
         summary.words = joined(
             {std::move(summary.words),
-             ODO_TEXT("calibration.floor_part_unseen", "%1 of the floor among the markers is not seen.")(
+             ODO_TEXT("calibration.floor_part_unseen", "%1 of the floor between the markers is out of view.")(
                  quantity(std::max(1.0, 100 * (1 - summary.seenPart)), 0, "%"))},
             Join::Space);
     return summary;
@@ -366,7 +365,7 @@ Result<PlannedCamera> bestPlace(const PlannedCamera &like, const MarkerLayout &l
                                 std::span<const FloorView> others, const PlaceSearch &search,
                                 const JobControl &control)
 {
-    const Message what = ODO_TEXT("calibration.best_place", "the best place for a camera");
+    const Message what = ODO_TEXT("calibration.best_place", "the best camera position");
     Searcher searcher(like, layout, others, search);
     if (layout.markers.size() < 4)
         return fail(ErrorCode::InvalidInput, what,
@@ -379,7 +378,7 @@ Result<PlannedCamera> bestPlace(const PlannedCamera &like, const MarkerLayout &l
         if (control.isCancelled())
             return cancelled(what);
         control.report(double(round + 1) / (rounds + 1),
-                       ODO_TEXT("calibration.looking_about", "looking about the best place"));
+                       ODO_TEXT("calibration.looking_about", "searching around the best position"));
         halfSize *= round == 0 ? 1.5 / (placesAcross - 1) : 0.5;
         searcher.tryAbout(searcher.best()->footM(), halfSize, 5);
     }
@@ -395,9 +394,9 @@ Result<PlannedCamera> bestPlace(const PlannedCamera &like, const MarkerLayout &l
     return fail(
         ErrorCode::Undetermined, what,
         ODO_TEXT("calibration.sees_too_few_anywhere",
-                 "from nowhere within %1 beyond the markers would it see four of them at the height and with "
-                 "the lens given")(quantity(search.reachM, 1, "m")),
-        ODO_TEXT("calibration.stand_higher", "let it stand higher or farther away, or choose a wider lens"));
+                 "at this height and field of view, no position within %1 of the markers shows four of them")(
+            quantity(search.reachM, 1, "m")),
+        ODO_TEXT("calibration.stand_higher", "mount it higher or farther away, or choose a wider lens"));
 }
 
 } // namespace odo

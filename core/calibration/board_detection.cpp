@@ -183,7 +183,7 @@ Result<BoardView> findCharucoBoard(const cv::Mat &luma, const BoardSpec &spec, c
     if (dictionaries.empty())
         return fail(
             ErrorCode::InvalidInput, nameAlone(source),
-            ODO_TEXT("calibration.no_dictionary", "there is no marker dictionary %1")(spec.dictionary),
+            ODO_TEXT("calibration.no_dictionary", "marker dictionary %1 does not exist")(spec.dictionary),
             ODO_TEXT("calibration.name_dictionary", "name one like DICT_6X6_250, or leave it out"));
     const double scale = searchScale(luma);
     const cv::Mat searched = reduced(luma, scale);
@@ -202,7 +202,7 @@ Result<BoardView> findCharucoBoard(const cv::Mat &luma, const BoardSpec &spec, c
             if (view.pixels.size() < leastCornersOfView)
                 return refuseBoard(source,
                                    ODO_TEXT("calibration.few_corners_seen",
-                                            "only %1 corners of the board are seen")(view.pixels.size()),
+                                            "only %1 corners of the board are visible")(view.pixels.size()),
                                    ODO_TEXT("calibration.show_more_of_board", "show more of the board"));
             return view;
         }
@@ -217,12 +217,11 @@ Result<BoardView> findCharucoBoard(const cv::Mat &luma, const BoardSpec &spec, c
     if (spec.columns > 0)
         return refuseBoard(source,
                            ODO_TEXT("calibration.no_charuco_of_size",
-                                    "the markers that were read do not lie as on a ChArUco board of %1 inner "
-                                    "corners")(boardText(spec.columns, spec.rows)),
+                                    "the detected markers do not match a ChArUco board of %1 inner corners")(
+                               boardText(spec.columns, spec.rows)),
                            countCorners());
     return refuseBoard(
-        source,
-        ODO_TEXT("calibration.no_charuco", "the markers that were read do not lie as on a ChArUco board"),
+        source, ODO_TEXT("calibration.no_charuco", "the detected markers do not match a ChArUco board"),
         ODO_TEXT("calibration.show_one_charuco", "show one ChArUco board"));
 }
 
@@ -375,9 +374,9 @@ Result<CornerGrid> refined(const cv::Mat &luma, const CornerGrid &grid, float bl
                      {cv::TermCriteria::COUNT | cv::TermCriteria::EPS, 50, 0.005});
     for (std::size_t i = 0; i < sharp.corners.size(); ++i) {
         if (cv::norm(sharp.corners[i] - grid.corners[i]) > static_cast<double>(mostMoved * spacing))
-            return refuseBoard(
-                source, ODO_TEXT("calibration.corner_unclear", "a corner of the board cannot be made out"),
-                ODO_TEXT("calibration.keep_board_clear", "keep the board clear and well lit"));
+            return refuseBoard(source,
+                               ODO_TEXT("calibration.corner_unclear", "one corner of the board is unclear"),
+                               ODO_TEXT("calibration.keep_board_clear", "keep the board clear and well lit"));
     }
     return sharp;
 }
@@ -416,15 +415,15 @@ Result<CornerGrid> matched(const cv::Mat &luma, const CornerGrid &grid, const Bo
     if (!cutOff)
         return refuseBoard(source,
                            ODO_TEXT("calibration.board_of_other_size",
-                                    "this board has %1 inner corners, %2 was asked for")(found, asked),
+                                    "this board has %1 inner corners, not %2")(found, asked),
                            countCorners());
     if (static_cast<double>(upright.corners.size()) < leastPartOfBoard * spec.columns * spec.rows)
         return refuseBoard(source,
                            joined({ODO_TEXT("calibration.board_cut_off", "the board is cut off"),
                                    ODO_TEXT("calibration.board_part_seen",
-                                            "only %1 of its %2 inner corners are seen")(found, asked)},
+                                            "only %1 of its %2 inner corners are visible")(found, asked)},
                                   Join::Colon),
-                           ODO_TEXT("calibration.keep_whole_board", "keep the whole board in the picture"));
+                           ODO_TEXT("calibration.keep_whole_board", "keep the whole board in view"));
     return upright;
 }
 
@@ -454,27 +453,27 @@ tl::unexpected<Error> refuseBoard(const std::string &source, Message why, Messag
 
 Message otherSizeThanFirst(const FrameFormat &format, int firstWidthPx, int firstHeightPx)
 {
-    return ODO_TEXT("calibration.other_picture_size", "it is %1×%2, the first picture %3×%4")(
+    return ODO_TEXT("calibration.other_picture_size", "it is %1×%2, the first image %3×%4")(
         format.width, format.height, firstWidthPx, firstHeightPx);
 }
 
 Result<BoardView> findBoard(const Frame &frame, const BoardSpec &spec, const std::string &source)
 {
     if (frame.y.data == nullptr || frame.y.width < 32 || frame.y.height < 32)
-        return refuseBoard(
-            source, ODO_TEXT("calibration.too_small_for_board", "the picture is too small to hold a board"),
-            useCameraPicture());
+        return refuseBoard(source,
+                           ODO_TEXT("calibration.too_small_for_board", "the image is too small for a board"),
+                           useCameraPicture());
     const bool told = spec.columns != 0 || spec.rows != 0;
     if (told && (spec.columns < 3 || spec.rows < 3))
         return fail(
             ErrorCode::InvalidInput, nameAlone(source),
             ODO_TEXT("calibration.told_board_too_small",
                      "a board of %1 inner corners is too small")(boardText(spec.columns, spec.rows)),
-            ODO_TEXT("calibration.give_board_size", "give 3x3 at least, like 9x6, or leave the size out"));
+            ODO_TEXT("calibration.give_board_size", "give at least 3x3, such as 9x6, or leave the size out"));
     if (!(spec.squareM > 0))
         return fail(ErrorCode::InvalidInput, nameAlone(source),
                     ODO_TEXT("calibration.squares_without_size", "the squares have no size"),
-                    ODO_TEXT("calibration.give_square_size", "give it like 25mm"));
+                    ODO_TEXT("calibration.give_square_size", "give a size such as 25mm"));
     try {
         const cv::Mat luma = lumaMatrix(frame);
         if (spec.pattern == BoardPattern::Checkerboard)

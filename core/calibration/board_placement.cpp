@@ -327,13 +327,13 @@ std::optional<Error> faultOf(const CollectedPicture &picture)
     if (picture.placement.angleDegrees() > mostObliqueDegrees)
         return refusal(
             source,
-            ODO_TEXT("calibration.board_too_oblique", "the board is seen too obliquely, at %1 degrees")(
+            ODO_TEXT("calibration.board_too_oblique", "the board is tilted too far, by %1 degrees")(
                 quantity(picture.placement.angleDegrees(), 0)),
             ODO_TEXT("calibration.tilt_less", "tilt it by 30 to 45 degrees"));
     if (picture.placement.size < leastSize)
         return refusal(source,
                        joined({ODO_TEXT("calibration.board_too_small", "the board is too small"),
-                               ODO_TEXT("calibration.board_fills", "it fills %1 of the picture")(
+                               ODO_TEXT("calibration.board_fills", "it fills %1 of the image")(
                                    quantity(100 * picture.placement.size * picture.placement.size, 0, "%"))},
                               Join::Colon),
                        ODO_TEXT("calibration.hold_board_closer", "hold it closer to the camera"));
@@ -359,9 +359,9 @@ PictureAnswer BoardCollector::look(const Frame &frame, const std::string &source
         m_heightPx = frame.format.height;
     }
     if (frame.format.width != m_widthPx || frame.format.height != m_heightPx) {
-        answer.refusal = refusal(
-            source, otherSizeThanFirst(frame.format, m_widthPx, m_heightPx),
-            ODO_TEXT("calibration.use_one_resolution", "use pictures of one camera at one resolution"));
+        answer.refusal =
+            refusal(source, otherSizeThanFirst(frame.format, m_widthPx, m_heightPx),
+                    ODO_TEXT("calibration.use_one_resolution", "use images of one camera at one resolution"));
         return answer;
     }
     auto view = findBoard(frame, m_spec, source);
@@ -371,9 +371,9 @@ PictureAnswer BoardCollector::look(const Frame &frame, const std::string &source
     }
     const auto placement = placementOf(*view, m_widthPx, m_heightPx);
     if (!placement) {
-        answer.refusal = refusal(
-            source, ODO_TEXT("calibration.board_not_flat", "the corners do not lie as on a flat board"),
-            ODO_TEXT("calibration.glue_board_flat", "glue the board onto something stiff and flat"));
+        answer.refusal =
+            refusal(source, ODO_TEXT("calibration.board_not_flat", "the corners do not match a flat board"),
+                    ODO_TEXT("calibration.glue_board_flat", "glue the board onto something stiff and flat"));
         return answer;
     }
     answer.picture = CollectedPicture{std::move(*view), *placement};
@@ -399,7 +399,7 @@ PictureAnswer BoardCollector::offer(const Frame &frame, const std::string &sourc
             continue;
         answer.refusal =
             refusedAsKnown(source, ODO_TEXT("calibration.board_stands_as_in",
-                                            "the board stands as in %1 already")(there.view.source));
+                                            "the board is in the same position as in %1")(there.view.source));
         return answer;
     }
     keep(*answer.picture);
@@ -430,7 +430,7 @@ PictureAnswer BoardCollector::watch(const Frame &frame, const std::string &sourc
         if (distanceOf(there.placement, answer.picture->placement) < leastNews) {
             answer.refusal =
                 refusedAsKnown(source, ODO_TEXT("calibration.board_stands_as_before",
-                                                "the board stands as in a picture already taken"));
+                                                "the board is in the same position as in an earlier image"));
             return answer;
         }
     }

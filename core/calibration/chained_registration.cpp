@@ -30,7 +30,8 @@ constexpr double worstPointSigma = 0.05;   // of the points' extent on the floor
 
 Message notRegisteredThrough()
 {
-    return ODO_TEXT("calibration.not_registered_through", "the camera cannot be registered through another");
+    return ODO_TEXT("calibration.not_registered_through",
+                    "the camera cannot be registered via another camera");
 }
 
 tl::unexpected<Error> refuseThrough(Message why, Message advice)
@@ -63,24 +64,24 @@ Result<void> checkPoints(const FloorView &through, const Message &throughName,
 {
     if (points.size() < 4)
         return refuseThrough(
-            joined(
-                {ODO_TEXT("calibration.four_shared_points", "four points are needed that both cameras see"),
-                 ODO_TEXT("calibration.shared_points", "there are %1")(points.size())},
-                Join::Semicolon),
-            ODO_TEXT("calibration.add_floor_points", "add points of the floor, such as corners of tiles"));
+            joined({ODO_TEXT("calibration.four_shared_points",
+                             "both cameras must see the same four points or more"),
+                    ODO_TEXT("calibration.shared_points", "%1 given")(points.size())},
+                   Join::Semicolon),
+            ODO_TEXT("calibration.add_floor_points", "add floor points, such as corners of tiles"));
     std::set<std::string> labels;
     for (const SharedPoint &point : points) {
         const MessageArgument label = Named::marker(point.label);
         if (!labels.insert(point.label).second)
-            return refuseThrough(ODO_TEXT("calibration.point_twice", "point %1 is there twice")(label),
+            return refuseThrough(ODO_TEXT("calibration.point_twice", "point %1 appears twice")(label),
                                  labelEachPoint());
         ODO_TRY(checkInPicture(point, point.pixel, camera,
                                ODO_TEXT("calibration.point_outside_own",
-                                        "point %1 lies outside the picture of the camera to register (%2)")(
+                                        "point %1 is outside the image of the camera to register (%2)")(
                                    label, pictureSize(camera))));
         ODO_TRY(checkInPicture(
             point, point.throughPixel, through.camera(),
-            ODO_TEXT("calibration.point_outside_through", "point %1 lies outside the picture of %2 (%3)")(
+            ODO_TEXT("calibration.point_outside_through", "point %1 is outside the image of %2 (%3)")(
                 label, throughName, pictureSize(through.camera()))));
         for (const SharedPoint &other : points) {
             if (&other == &point)
@@ -89,7 +90,7 @@ Result<void> checkPoints(const FloorView &through, const Message &throughName,
                 (other.throughPixel - point.throughPixel).norm() < nearestPointPixels)
                 return refuseThrough(
                     ODO_TEXT("calibration.points_on_one_pixel",
-                             "points %1 and %2 lie on one pixel")(Named::marker(other.label), label),
+                             "points %1 and %2 are on the same pixel")(Named::marker(other.label), label),
                     markWhereSeen());
         }
     }
@@ -116,9 +117,9 @@ Result<void> checkHorizon(const FloorView &through, const Message &throughName,
     for (const SharedPoint &point : points) {
         if (!through.floorFromPixel(point.throughPixel, 0))
             return refuseThrough(
-                ODO_TEXT("calibration.point_beyond_through", "point %1 lies at or beyond the horizon of %2")(
+                ODO_TEXT("calibration.point_beyond_through", "point %1 is at or beyond the horizon of %2")(
                     Named::marker(point.label), throughName),
-                ODO_TEXT("calibration.choose_floor_points", "choose points of the floor"));
+                ODO_TEXT("calibration.choose_floor_points", "choose points on the floor"));
     }
     return {};
 }
@@ -134,7 +135,7 @@ Result<void> checkSide(const FloorView &through, const Message &throughName,
         if (!from || !to || !(from->z() > 0) || !(to->z() > 0))
             return refuseThrough(
                 ODO_TEXT("calibration.point_against_lens",
-                         "point %1 lies where a lens cannot have put it")(Named::marker(point.label)),
+                         "the lens model cannot project point %1")(Named::marker(point.label)),
                 ODO_TEXT("calibration.check_both_lenses",
                          "check its pixels and the intrinsics of both cameras"));
         rays.push_back({from->hnormalized(), to->hnormalized(), point.label});
@@ -152,7 +153,7 @@ Result<void> checkSide(const FloorView &through, const Message &throughName,
     if (raysFromFloor->matrix().determinant() > 0)
         return refuseThrough(
             ODO_TEXT("calibration.points_mirrored",
-                     "the points are mirrored between the pictures of the two cameras"),
+                     "the points are mirrored between the images of the two cameras"),
             ODO_TEXT("calibration.check_point_labels",
                      "check which label belongs to which point in %1 and in this camera")(throughName));
     return {};
@@ -250,8 +251,8 @@ Result<void> measure(const std::vector<PointPair> &pairs, const FloorView &view,
         if (!seen || !back)
             return refuseThrough(
                 ODO_TEXT("calibration.point_beyond_horizon",
-                         "point %1 would lie at or beyond the horizon")(Named::marker(pair.label)),
-                ODO_TEXT("calibration.check_both_pixels", "check its pixels in both pictures"));
+                         "point %1 would be at or beyond the horizon")(Named::marker(pair.label)),
+                ODO_TEXT("calibration.check_both_pixels", "check its pixels in both images"));
         const double errorM = (*seen - pair.source).norm();
         registration.markers.push_back({pair.label, errorM, (*back - pair.target).norm()});
         squares += errorM * errorM;
@@ -266,20 +267,19 @@ Message verdictOf(const FloorRegistration &registration, const Message &throughN
     const auto worst = std::ranges::max_element(registration.markers, {}, &MarkerError::errorM);
     std::vector<Message> sentences{registrationVerdict(
         std::max(registration.rmsM, sigmaM), spanM,
-        ODO_TEXT(
-            "calibration.points_fit",
-            "through %1 %2 points of the floor fit to %3 RMS (worst %4, %5), and the floor among them is "
-            "known to ±%6, of which ±%7 come from %8")(
-            throughName, registration.markers.size(), millimetres(registration.rmsM),
-            Named::marker(worst->label), millimetres(worst->errorM), millimetres(sigmaM),
-            millimetres(throughSigmaM), throughName))};
+        ODO_TEXT("calibration.points_fit",
+                 "via %1, %2 floor points fit to %3 RMS (worst %4, %5); floor uncertainty ±%6, of which %8 "
+                 "contributes ±%7")(throughName, registration.markers.size(), millimetres(registration.rmsM),
+                                    Named::marker(worst->label), millimetres(worst->errorM),
+                                    millimetres(sigmaM), millimetres(throughSigmaM), throughName))};
     if (registration.markers.size() == 4)
         sentences.push_back(hardlyChecked(
-            ODO_TEXT("calibration.four_points_unchecked", "Four points hardly check one another")));
+            ODO_TEXT("calibration.four_points_unchecked", "Four points are too few to check each other")));
     if (!intrinsicsKnown) {
-        sentences.push_back(ODO_TEXT("calibration.focal_length_taken",
-                                     "The camera was taken as free of distortion, its focal length as %1.")(
-            quantity(registration.intrinsics.fxPx, 0, "px")));
+        sentences.push_back(
+            ODO_TEXT("calibration.focal_length_taken",
+                     "The lens is not calibrated: no distortion and a focal length of %1 were assumed.")(
+                quantity(registration.intrinsics.fxPx, 0, "px")));
         sentences.push_back(calibrateToRely());
     }
     return joined(std::move(sentences), Join::Space);
@@ -337,7 +337,7 @@ Result<ChainedRegistration> registerThrough(const FloorView &through, const Mess
     if (sigmaM > worstPointSigma * spanM)
         return refuseThrough(
             ODO_TEXT("calibration.floor_unsure",
-                     "the floor among the points is known only to ±%1")(millimetres(sigmaM)),
+                     "the floor uncertainty between the points is too large, ±%1")(millimetres(sigmaM)),
             ODO_TEXT("calibration.spread_or_register_better",
                      "spread the points over the floor, or register %1 better first")(throughName));
     registration.floorSigmaM = sigmaM;

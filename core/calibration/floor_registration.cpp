@@ -68,7 +68,7 @@ Result<void> checkNumbers(const MarkerLayout &layout, const std::vector<MarkerPi
         if (!marker.pointInWorld.allFinite())
             return refuse(
                 ODO_TEXT("calibration.marker_place_no_number",
-                         "the place of marker %1 is not a finite number")(Named::marker(marker.label)),
+                         "the position of marker %1 is not a finite number")(Named::marker(marker.label)),
                 correctLayout(), ErrorCode::InvalidInput);
     }
     for (const MarkerPixel &pixel : pixels) {
@@ -89,15 +89,15 @@ Result<void> checkDistances(const std::vector<PointPair> &pairs, double extentM)
             const double apartM = (pairs[i].source - pairs[j].source).norm();
             if (apartM <= nearestPlaces * extentM)
                 return refuse(ODO_TEXT("calibration.markers_at_one_place",
-                                       "markers %1 and %2 lie at one place of the floor")(one, other),
+                                       "markers %1 and %2 have the same floor position")(one, other),
                               correctLayout());
             if ((pairs[i].target - pairs[j].target).norm() < nearestPixels)
                 return refuse(ODO_TEXT("calibration.markers_on_one_pixel",
-                                       "markers %1 and %2 lie on one pixel")(one, other),
+                                       "markers %1 and %2 are on the same pixel")(one, other),
                               markWhereSeen());
             if (pairs.size() == 4 && apartM < tooClose * extentM)
                 return refuse(ODO_TEXT("calibration.markers_too_close",
-                                       "markers %1 and %2 lie only %3 apart, too close for two of four")(
+                                       "markers %1 and %2 are only %3 apart, too close for two of four")(
                                   one, other, millimetres(apartM)),
                               spreadMarkers());
         }
@@ -109,9 +109,9 @@ Result<std::vector<PointPair>> commonMarkers(const MarkerLayout &layout,
                                              const std::vector<MarkerPixel> &pixels)
 {
     ODO_TRY(checkLabels(layout.markers, ODO_TEXT("calibration.marker_twice_in_layout",
-                                                 "marker %1 stands twice in the layout")));
+                                                 "marker %1 appears twice in the layout")));
     ODO_TRY(checkLabels(
-        pixels, ODO_TEXT("calibration.marker_twice_in_picture", "marker %1 stands twice in the picture")));
+        pixels, ODO_TEXT("calibration.marker_twice_in_picture", "marker %1 appears twice in the image")));
     ODO_TRY(checkNumbers(layout, pixels));
     std::vector<PointPair> pairs;
     std::vector<std::string> names;
@@ -131,16 +131,16 @@ Result<std::vector<PointPair>> commonMarkers(const MarkerLayout &layout,
         return pairs;
     const MessageArgument known = listed(names, MessageArgument::Kind::Marker);
     Message there = unknown.empty()
-                        ? ODO_TEXT("calibration.common_markers", "there are %1 (%2)")(pairs.size(), known)
+                        ? ODO_TEXT("calibration.common_markers", "they have %1 (%2)")(pairs.size(), known)
                         : ODO_TEXT("calibration.common_and_unknown_markers",
-                                   "there are %1 (%2), and the layout does not know %3")(
+                                   "they have %1 (%2), and the layout does not contain %3")(
                               pairs.size(), known, listed(unknown, MessageArgument::Kind::Marker));
     return refuse(
         joined({ODO_TEXT("calibration.four_common_markers",
-                         "four markers are needed that the layout and the picture have in common"),
+                         "the layout and the image must have four markers in common"),
                 std::move(there)},
                Join::Semicolon),
-        ODO_TEXT("calibration.mark_more", "mark more of the layout's markers, under the layout's names"));
+        ODO_TEXT("calibration.mark_more", "mark more of the layout's markers, by their names in the layout"));
 }
 
 double extentM(const std::vector<PointPair> &pairs)
@@ -192,7 +192,7 @@ Result<PlanePose> soundPose(const std::vector<PointPair> &pairs, const CameraMod
         return refuse(
             joined({ODO_TEXT("calibration.markers_mirrored", "the markers are mirrored"),
                     ODO_TEXT("calibration.camera_below_floor",
-                             "seen in this order the camera would be below the floor")},
+                             "in this order the camera would be below the floor")},
                    Join::Colon),
             orderAdvice(
                 pairs, camera, focal,
@@ -231,9 +231,9 @@ Message likelyUnit(double heightM)
             best = &unit;
     }
     if (strangeness(*best) > std::log(4.0))
-        return ODO_TEXT("calibration.layout_in_mm", "it is given in mm");
+        return ODO_TEXT("calibration.layout_in_mm", "it must be in mm");
     return ODO_TEXT("calibration.likely_unit",
-                    "its numbers look like %1, then it would stand %2 above the floor")(
+                    "its numbers look like %1, with the camera %2 above the floor")(
         best->name, quantity(heightM * best->factor, 2, "m"));
 }
 
@@ -248,11 +248,11 @@ Result<void> checkPlace(const PlanePose &pose)
     const double heightM = pose.worldFromCamera.translation.z();
     if (heightM < leastHeightM)
         return refuse(ODO_TEXT("calibration.camera_too_low",
-                               "the camera would stand only %1 above the floor")(millimetres(heightM)),
+                               "the camera would be only %1 above the floor")(millimetres(heightM)),
                       unitAdvice(heightM));
     if (heightM > mostHeightM)
         return refuse(ODO_TEXT("calibration.camera_too_high",
-                               "the camera would stand %1 above the floor")(quantity(heightM, 0, "m")),
+                               "the camera would be %1 above the floor")(quantity(heightM, 0, "m")),
                       unitAdvice(heightM));
     return {};
 }
@@ -298,8 +298,8 @@ Result<void> measureMarkers(const std::vector<PointPair> &pairs, const FloorView
         const auto back = view.pixelFromWorld({pair.source.x(), pair.source.y(), 0});
         if (!seen || !back)
             return refuse(ODO_TEXT("calibration.marker_beyond_horizon",
-                                   "marker %1 would lie at or beyond the horizon")(Named::marker(pair.label)),
-                          ODO_TEXT("calibration.check_place_and_pixel", "check its place and its pixel"));
+                                   "marker %1 would be at or beyond the horizon")(Named::marker(pair.label)),
+                          ODO_TEXT("calibration.check_place_and_pixel", "check its position and its pixel"));
         const double errorM = (seen->pointInWorld - pair.source).norm();
         registration.markers.push_back({pair.label, errorM, (*back - pair.target).norm()});
         squares += errorM * errorM;
@@ -328,15 +328,16 @@ Message lensWords(const PlanePose &pose, bool intrinsicsKnown)
     if (intrinsicsKnown)
         return {};
     const MessageArgument focal = quantity(pose.camera.intrinsics().fxPx, 0, "px");
-    return joined({pose.focalSigmaPx
-                       ? ODO_TEXT("calibration.focal_length_estimated",
-                                  "The camera was taken as free of distortion, its focal length estimated "
-                                  "from the markers (%1 ± %2).")(focal, quantity(*pose.focalSigmaPx, 0))
-                       : ODO_TEXT("calibration.focal_length_guessed",
-                                  "The camera was taken as free of distortion, its focal length guessed "
-                                  "(%1), since this view does not determine it.")(focal),
-                   calibrateToRely()},
-                  Join::Space);
+    return joined(
+        {pose.focalSigmaPx
+             ? ODO_TEXT("calibration.focal_length_estimated",
+                        "The lens is not calibrated: no distortion was assumed, and the focal length was "
+                        "estimated from the markers (%1 ± %2).")(focal, quantity(*pose.focalSigmaPx, 0))
+             : ODO_TEXT("calibration.focal_length_guessed",
+                        "The lens is not calibrated: no distortion was assumed, and the focal length was "
+                        "guessed (%1) because this view does not determine it.")(focal),
+         calibrateToRely()},
+        Join::Space);
 }
 
 /// "O, U and V", which lie the most on one line, of the four that lie the least on one.
@@ -360,8 +361,8 @@ Message unitWords(const FloorRegistration &registration, double layoutM)
         return {};
     return joined(
         {ODO_TEXT("calibration.camera_stands_low",
-                  "The camera would stand only %1 above the floor")(millimetres(heightM)),
-         joined({ODO_TEXT("calibration.layout_not_in_mm", "if that is wrong, the layout's numbers are no mm"),
+                  "The camera would be only %1 above the floor")(millimetres(heightM)),
+         joined({ODO_TEXT("calibration.layout_not_in_mm", "if that is wrong, the layout is not in mm"),
                  ODO_TEXT("calibration.convert_unit", "convert its unit.")},
                 Join::Semicolon)},
         Join::Colon);
@@ -375,16 +376,15 @@ Message verdictOf(const FloorRegistration &registration, const PlanePose &pose, 
     Message hardly;
     if (registration.markers.size() == 4)
         hardly = hardlyChecked(
-            ODO_TEXT("calibration.four_markers_unchecked", "Four markers hardly check one another"));
-    return joined(
-        {registrationVerdict(
-             std::max(registration.rmsM, sigmaM), layoutM,
-             ODO_TEXT("calibration.markers_fit", "%1 markers fit to %2 RMS (worst %3, %4), and the floor "
-                                                 "among them is known to ±%5")(
-                 registration.markers.size(), millimetres(registration.rmsM), Named::marker(worst->label),
-                 millimetres(worst->errorM), millimetres(sigmaM))),
-         std::move(hardly), lensWords(pose, intrinsicsKnown), unitWords(registration, layoutM)},
-        Join::Space);
+            ODO_TEXT("calibration.four_markers_unchecked", "Four markers are too few to check each other"));
+    return joined({registrationVerdict(
+                       std::max(registration.rmsM, sigmaM), layoutM,
+                       ODO_TEXT("calibration.markers_fit",
+                                "%1 markers fit to %2 RMS (worst %3, %4); floor uncertainty ±%5")(
+                           registration.markers.size(), millimetres(registration.rmsM),
+                           Named::marker(worst->label), millimetres(worst->errorM), millimetres(sigmaM))),
+                   std::move(hardly), lensWords(pose, intrinsicsKnown), unitWords(registration, layoutM)},
+                  Join::Space);
 }
 
 } // namespace
@@ -417,20 +417,20 @@ Result<FloorRegistration> registerFloor(const MarkerLayout &layout, const std::v
                       ODO_TEXT("calibration.check_all", "check the layout, the labels and the intrinsics"));
     }
     if (registration.floorSigmaM > worstSigma * layoutM)
-        return refuse(ODO_TEXT("calibration.markers_nearly_on_line",
-                               "the markers lie so nearly on one line (%1 the most) that the floor is known "
-                               "only to ±%2")(flattestOf(pairs), millimetres(registration.floorSigmaM)),
-                      spreadMarkers());
+        return refuse(
+            ODO_TEXT("calibration.markers_nearly_on_line",
+                     "the markers are so close to one line (%1 the most) that the floor uncertainty is ±%2")(
+                flattestOf(pairs), millimetres(registration.floorSigmaM)),
+            spreadMarkers());
     const double most = pairs.size() == 4 ? worstSumOfFour : worstSumOfFive;
     if (pairs.size() <= 5 && carelessness(registration.markers, layoutM) > most)
         return refuse(
             joined({ODO_TEXT("calibration.misfit_unexplained",
-                             "the %1 markers misfit by %2 (%3) and check one another too little to "
-                             "tell which of them")(pairs.size(), quantity(registration.rmsPx, 1, "px"),
-                                                   millimetres(registration.rmsM)),
+                             "the %1 markers misfit by %2 (%3), and are too few to identify the wrong one")(
+                        pairs.size(), quantity(registration.rmsPx, 1, "px"), millimetres(registration.rmsM)),
                     ODO_TEXT("calibration.wrong_by_more", "it may be wrong by much more")},
                    Join::Semicolon),
-            ODO_TEXT("calibration.measure_again", "mark and measure them again, or add another"));
+            ODO_TEXT("calibration.measure_again", "mark and remeasure them, or add another"));
     registration.verdict = verdictOf(registration, pose, layoutM, intrinsicsKnown);
     return registration;
 }

@@ -32,7 +32,7 @@ Message faultOf(const BoardView &view)
     if (!std::ranges::all_of(view.pixels, [](const auto &p) { return p.allFinite(); }) ||
         !std::ranges::all_of(view.pointsOnBoard, [](const auto &p) { return p.allFinite(); }))
         return joined({ODO_TEXT("calibration.corner_no_number", "a corner of it is not a number"),
-                       ODO_TEXT("calibration.find_board_again", "let the board be found in it again")},
+                       ODO_TEXT("calibration.find_board_again", "detect the board in it again")},
                       Join::Colon);
     return {};
 }
@@ -56,13 +56,13 @@ tl::unexpected<Error> tooFew(std::size_t usable)
 {
     return refuseCalibration(
         ODO_TEXT("calibration.too_few_pictures",
-                 "three pictures of the board are needed, %1 can be used")(usable),
+                 "calibration needs three images of the board, %1 can be used")(usable),
         ODO_TEXT("calibration.take_ten", "take ten or more, the board tilted differently in each"));
 }
 
 tl::unexpected<Error> noLensFits(Message advice)
 {
-    return refuseCalibration(ODO_TEXT("calibration.no_lens_fits", "no lens fits these pictures"),
+    return refuseCalibration(ODO_TEXT("calibration.no_lens_fits", "no lens model fits these images"),
                              std::move(advice));
 }
 
@@ -103,7 +103,7 @@ std::vector<LensStart> startsFor(std::vector<BoardView> &views, int widthPx, int
     for (auto index = dropped.rbegin(); index != dropped.rend(); ++index) {
         rejected.push_back(
             {views[*index].source,
-             joined({ODO_TEXT("calibration.corners_not_flat", "its corners do not lie as on a flat board"),
+             joined({ODO_TEXT("calibration.corners_not_flat", "its corners do not match a flat board"),
                      ODO_TEXT("calibration.glue_board", "glue the board onto something stiff")},
                     Join::Colon)});
         views.erase(views.begin() + static_cast<std::ptrdiff_t>(*index));
@@ -152,7 +152,7 @@ Result<void> finish(IntrinsicCalibration &calibration, const std::vector<BoardVi
         return refuseCalibration(
             ODO_TEXT("calibration.corners_disagree", "%1 of the corners do not agree with the others")(
                 percentOf(calibration.disagreeingPart)),
-            ODO_TEXT("calibration.check_pictures", "check that all pictures are sharp, of one flat board and "
+            ODO_TEXT("calibration.check_pictures", "check that all images are sharp, of one flat board and "
                                                    "of one camera at one zoom and focus"));
     const CornerMarks leftOut = calibration.disagreeingPart <= mostOutliers
                                     ? singleCorners(views, fit, outliers)
@@ -163,7 +163,7 @@ Result<void> finish(IntrinsicCalibration &calibration, const std::vector<BoardVi
         if (again)
             fit = std::move(*again);
     }
-    control.report(0.6, ODO_TEXT("calibration.checking_halves", "checking halves against one another"));
+    control.report(0.6, ODO_TEXT("calibration.checking_halves", "checking the halves against each other"));
     const auto halves = holdOut(counted, fit, control);
     if (control.isCancelled())
         return cancelled(cannotBeCalibrated());
@@ -217,8 +217,8 @@ Result<IntrinsicCalibration> calibrateIntrinsics(const std::vector<BoardView> &v
 {
     if (widthPx <= 0 || heightPx <= 0)
         return fail(ErrorCode::InvalidInput, cannotBeCalibrated(),
-                    ODO_TEXT("calibration.picture_without_size", "the picture has no size"),
-                    ODO_TEXT("calibration.use_camera_pictures", "use pictures of the camera"));
+                    ODO_TEXT("calibration.picture_without_size", "the image has no size"),
+                    ODO_TEXT("calibration.use_camera_pictures", "use images from the camera"));
     IntrinsicCalibration calibration;
     std::vector<BoardView> used = usableViews(views, calibration.rejected);
     if (used.size() < leastViews)
@@ -226,7 +226,8 @@ Result<IntrinsicCalibration> calibrateIntrinsics(const std::vector<BoardView> &v
     const auto starts = startsFor(used, widthPx, heightPx, model, calibration.rejected);
     if (used.size() < leastViews || starts.empty())
         return tooFew(used.size());
-    control.report(0.1, ODO_TEXT("calibration.fitting_lens", "fitting the lens to %1 pictures")(used.size()));
+    control.report(0.1,
+                   ODO_TEXT("calibration.fitting_lens", "fitting the lens model to %1 images")(used.size()));
     auto choice = chooseLens(used, starts, control);
     if (control.isCancelled())
         return cancelled(cannotBeCalibrated());
@@ -239,7 +240,7 @@ Result<IntrinsicCalibration> calibrateIntrinsics(const std::vector<BoardView> &v
     calibration.lensReason =
         model || used.size() >= leastViewsForHalves
             ? std::move(choice->reason)
-            : ODO_TEXT("calibration.too_few_to_compare", "too few pictures to compare it with others");
+            : ODO_TEXT("calibration.too_few_to_compare", "too few images to compare it with other models");
     ODO_TRY(finish(calibration, used, std::move(choice->fit), choice->outliers, control));
     return calibration;
 }
@@ -334,10 +335,10 @@ Message floorClause(const IntrinsicCalibration &calibration)
 {
     if (!calibration.onFloor)
         return ODO_TEXT("calibration.no_millimetres",
-                        "no figure in millimetres, since this lens holds only for a part of the picture");
+                        "no value in millimetres: this calibration holds for only part of the image");
     const FloorExpectation &floor = *calibration.onFloor;
     return ODO_TEXT("calibration.lens_on_floor",
-                    "±%1 in the middle and ±%2 at worst (%3) on %4, as far as the lens is concerned")(
+                    "±%1 in the middle and at most ±%2 (%3) on %4, from the lens calibration alone")(
         roundMillimetres(floor.middleM), roundMillimetres(floor.worstM), floor.worstWhere,
         typicalTestbedWords());
 }
@@ -351,19 +352,20 @@ Message fitClauses(const IntrinsicCalibration &calibration, double focalSigma)
                           sigma = percentOf(focalSigma);
     if (!(calibration.crossValidationPx > 0) && calibration.halvesApart)
         return ODO_TEXT("calibration.pictures_fit_halves_apart",
-                        "%1 pictures fit to %2, focal length %3 ± %4, %5 apart at worst on that floor")(
+                        "%1 images fit to %2, focal length %3 ± %4, halves at most %5 apart on that floor")(
             pictures, rms, focal, sigma, roundMillimetres(calibration.halvesApart->worstM));
     Message fit = ODO_TEXT("calibration.pictures_fit",
-                           "%1 pictures fit to %2, focal length %3 ± %4")(pictures, rms, focal, sigma);
+                           "%1 images fit to %2, focal length %3 ± %4")(pictures, rms, focal, sigma);
     if (!(calibration.crossValidationPx > 0))
         return fit;
     const MessageArgument foretold = quantity(calibration.crossValidationPx, 2, "px");
-    Message halves = calibration.halvesApart
-                         ? ODO_TEXT("calibration.halves_foretell_apart",
-                                    "each half of them foretells the other to %1, %2 apart at worst on that "
-                                    "floor")(foretold, roundMillimetres(calibration.halvesApart->worstM))
-                         : ODO_TEXT("calibration.halves_foretell",
-                                    "each half of them foretells the other to %1")(foretold);
+    Message halves =
+        calibration.halvesApart
+            ? ODO_TEXT("calibration.halves_foretell_apart",
+                       "each half of the images predicts the other to %1, at most %2 apart on that floor")(
+                  foretold, roundMillimetres(calibration.halvesApart->worstM))
+            : ODO_TEXT("calibration.halves_foretell",
+                       "each half of the images predicts the other to %1")(foretold);
     return joined({std::move(fit), std::move(halves)}, Join::Semicolon);
 }
 
@@ -400,10 +402,11 @@ Message disagreeingWords(const IntrinsicCalibration &calibration)
                     : ODO_TEXT("calibration.disagree_most_in", "%1 of the corners disagree, most in %2");
     return joined(
         {disagree(quantity(100 * calibration.disagreeingPart, 0, "%"), where.pictures),
-         joined({ODO_TEXT("calibration.were_kept", "they were kept"),
-                 ODO_TEXT("calibration.look_at_pictures", "look at these pictures and leave out those "
-                                                          "that are blurred, bent or of another board.")},
-                Join::Semicolon)},
+         joined(
+             {ODO_TEXT("calibration.were_kept", "they were kept"),
+              ODO_TEXT("calibration.look_at_pictures",
+                       "check these images and leave out those that are blurred, bent or of another board.")},
+             Join::Semicolon)},
         Join::Colon);
 }
 
@@ -416,11 +419,11 @@ Message leftOutWords(const IntrinsicCalibration &calibration)
         whereOf(calibration, [](const CalibrationPicture &picture) { return picture.leftOut.size(); });
     if (count == 1)
         return ODO_TEXT("calibration.corner_left_out",
-                        "1 corner that stands out was left out, in %1.")(where.pictures);
-    const MessageText &words = where.isAll ? ODO_TEXT("calibration.corners_left_out_in",
-                                                      "%1 corners that stand out were left out, in %2.")
-                                           : ODO_TEXT("calibration.corners_left_out_most_in",
-                                                      "%1 corners that stand out were left out, most in %2.");
+                        "1 outlier corner was left out, in %1.")(where.pictures);
+    const MessageText &words =
+        where.isAll ? ODO_TEXT("calibration.corners_left_out_in", "%1 outlier corners were left out, in %2.")
+                    : ODO_TEXT("calibration.corners_left_out_most_in",
+                               "%1 outlier corners were left out, most in %2.");
     return words(count, where.pictures);
 }
 
@@ -436,14 +439,14 @@ Message keptWords(const IntrinsicCalibration &calibration)
     if (count == 0)
         return {};
     const Where where = whereOf(calibration, kept);
-    const MessageText &words = where.isAll
-                                   ? ODO_TEXT("calibration.corners_kept_in",
-                                              "%1 corners that stand out side by side were kept, in %2")
-                                   : ODO_TEXT("calibration.corners_kept_most_in",
-                                              "%1 corners that stand out side by side were kept, most in %2");
+    const MessageText &words =
+        where.isAll
+            ? ODO_TEXT("calibration.corners_kept_in", "%1 neighbouring outlier corners were kept, in %2")
+            : ODO_TEXT("calibration.corners_kept_most_in",
+                       "%1 neighbouring outlier corners were kept, most in %2");
     return joined({words(count, where.pictures),
                    ODO_TEXT("calibration.leave_out_pictures",
-                            "leave out these pictures if the board is bent, cut or covered there.")},
+                            "leave out these images if the board is bent, cut or covered there.")},
                   Join::Colon);
 }
 
@@ -468,10 +471,10 @@ Message oddPicture(const IntrinsicCalibration &calibration)
     }
     if (worst == nullptr || worst->rmsPx <= standingOut * upperMedian(rms))
         return {};
-    return joined(
-        {ODO_TEXT("calibration.look_at", "Look at %1")(worst->view.source),
-         ODO_TEXT("calibration.picture_stands_out", "its %1 stand out.")(quantity(worst->rmsPx, 2, "px"))},
-        Join::Colon);
+    return joined({ODO_TEXT("calibration.look_at", "Check %1")(worst->view.source),
+                   ODO_TEXT("calibration.picture_stands_out",
+                            "its %1 is an outlier.")(quantity(worst->rmsPx, 2, "px"))},
+                  Join::Colon);
 }
 
 Message lensWords(const IntrinsicCalibration &calibration)
@@ -489,7 +492,7 @@ Message coverageWords(double covered)
     if (covered >= leastCoverage)
         return {};
     return joined({ODO_TEXT("calibration.picture_covered",
-                            "Only %1 of the picture was covered")(quantity(100 * covered, 0, "%")),
+                            "The board covered only %1 of the image")(quantity(100 * covered, 0, "%")),
                    ODO_TEXT("calibration.show_near_edges", "show the board near its edges too.")},
                   Join::Colon);
 }
@@ -502,7 +505,7 @@ Message calibrationVerdict(const IntrinsicCalibration &calibration, double focal
     Message more;
     if (calibration.picturesUsed() < fewViews)
         more = ODO_TEXT("calibration.more_pictures",
-                        "More pictures (%1 or more) would make it surer.")(fewViews);
+                        "More images (%1 or more) would make it more certain.")(fewViews);
     return joined(
         {graded(calibration, focalSigma, covered,
                 joined({floorClause(calibration), fitClauses(calibration, focalSigma)}, Join::Semicolon)),

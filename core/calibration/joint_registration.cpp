@@ -194,7 +194,7 @@ constexpr std::size_t leastMeasured = 3;
 tl::unexpected<Error> refuseJoint(Message why, Message advice, ErrorCode code = ErrorCode::Undetermined)
 {
     return fail(code,
-                ODO_TEXT("calibration.not_registered_together", "the cameras cannot be registered together"),
+                ODO_TEXT("calibration.not_registered_together", "the cameras cannot be registered jointly"),
                 std::move(why), std::move(advice));
 }
 
@@ -225,24 +225,24 @@ public:
 private:
     static tl::unexpected<Error> undetermined()
     {
-        return refuseJoint(ODO_TEXT("calibration.cameras_undetermined",
-                                    "the markers do not determine where the cameras stand"),
-                           spreadMarkers());
+        return refuseJoint(
+            ODO_TEXT("calibration.cameras_undetermined", "the markers do not determine the camera positions"),
+            spreadMarkers());
     }
 
     Result<void> checkCameras() const
     {
         if (m_cameras.size() < 2)
             return refuseJoint(ODO_TEXT("calibration.two_cameras_needed",
-                                        "there is %1 camera on layout '%2', two are needed")(
+                                        "layout '%2' has %1 registered camera, two are needed")(
                                    m_cameras.size(), Named::layout(m_layout.name)),
                                ODO_TEXT("calibration.register_one_by_one",
-                                        "register the cameras one by one by this layout first"));
+                                        "first register the cameras one by one with this layout"));
         std::set<std::string> names;
         for (const JointCamera &camera : m_cameras) {
             if (!names.insert(camera.name).second)
                 return refuseJoint(ODO_TEXT("calibration.camera_twice",
-                                            "camera '%1' is there twice")(Named::camera(camera.name)),
+                                            "camera '%1' appears twice")(Named::camera(camera.name)),
                                    ODO_TEXT("calibration.name_each_camera", "name each camera once"));
         }
         return {};
@@ -284,13 +284,13 @@ private:
                 return refuseJoint(
                     ODO_TEXT("calibration.camera_sees_too_few",
                              "camera '%1' sees only %2 of the markers")(Named::camera(camera.name), counted),
-                    ODO_TEXT("calibration.register_by_more", "register it by more of them first"));
+                    ODO_TEXT("calibration.register_by_more", "register it with more of them first"));
         }
         const auto isShared = [](const auto &each) { return each.second >= 2; };
         if (std::ranges::none_of(seenBy, isShared))
             return refuseJoint(
                 ODO_TEXT("calibration.no_common_marker", "no two of the cameras see the same marker"),
-                ODO_TEXT("calibration.see_same_floor", "let them see some of the same floor"));
+                ODO_TEXT("calibration.see_same_floor", "aim them at a common part of the floor"));
         return {};
     }
 
@@ -369,13 +369,13 @@ private:
                               off = quantity(toMillimetres(marker.offM.norm()), 0, "mm");
         if (marker.cameras > 1)
             return joined(
-                {ODO_TEXT("calibration.marker_off_by_all", "%1 is %2 off by all cameras")(label, off),
-                 ODO_TEXT("calibration.measure_it_again", "measure it again.")},
+                {ODO_TEXT("calibration.marker_off_by_all", "%1 is %2 off in all cameras")(label, off),
+                 ODO_TEXT("calibration.measure_it_again", "remeasure it.")},
                 Join::Colon);
         return joined(
-            {ODO_TEXT("calibration.marker_off_by_one", "%1 is %2 off by the one camera that sees it")(label,
+            {ODO_TEXT("calibration.marker_off_by_one", "%1 is %2 off in the one camera that sees it")(label,
                                                                                                       off),
-             ODO_TEXT("calibration.measure_or_mark_again", "measure it, or mark it in the picture, again.")},
+             ODO_TEXT("calibration.measure_or_mark_again", "measure it, or mark it in the image, again.")},
             Join::Colon);
     }
 
@@ -405,9 +405,10 @@ private:
                 });
             if (!isUsed)
                 joint.doubts.push_back(joined(
-                    {ODO_TEXT("calibration.camera_sees_elsewhere", "%1 sees %2 %3 from where the others do")(
+                    {ODO_TEXT("calibration.camera_sees_elsewhere",
+                              "%1 sees %2 %3 from where the others see it")(
                          Named::camera(camera.name), Named::marker(pixel.label), quantity(errorPx, 1, "px")),
-                     ODO_TEXT("calibration.mark_there_again", "mark it there again.")},
+                     ODO_TEXT("calibration.mark_there_again", "mark it again in that view.")},
                     Join::Colon));
             if (at >= m_markers)
                 continue;
@@ -426,7 +427,7 @@ private:
         registration.verdict = registrationVerdict(
             std::max(registration.rmsM, registration.floorSigmaM), extentM(),
             ODO_TEXT("calibration.markers_fit_together",
-                     "with %1 together %2 markers fit to %3 RMS, and the floor among them is known to ±%4")(
+                     "registered jointly with %1: %2 markers fit to %3 RMS; floor uncertainty ±%4")(
                 others(index), registration.markers.size(), millimetres(registration.rmsM),
                 millimetres(registration.floorSigmaM)));
         return registration;
@@ -458,7 +459,7 @@ private:
     static Message verdictOf(const JointRegistration &joint)
     {
         if (joint.doubts.empty())
-            return ODO_TEXT("calibration.all_agree", "The markers and the cameras agree with one another.");
+            return ODO_TEXT("calibration.all_agree", "The markers and the cameras agree with each other.");
         return joined(joint.doubts, Join::Space);
     }
 
@@ -476,7 +477,7 @@ Result<JointRegistration> registerJointly(const MarkerLayout &layout, const std:
     if (!(tapeSigmaM > 0) || !std::isfinite(tapeSigmaM))
         return refuseJoint(
             ODO_TEXT("calibration.tape_sigma_not_positive", "the σ of the tape measure is not above 0"),
-            ODO_TEXT("calibration.give_tape_sigma", "give some 2 mm"), ErrorCode::InvalidInput);
+            ODO_TEXT("calibration.give_tape_sigma", "give about 2 mm"), ErrorCode::InvalidInput);
     return Joining(layout, cameras, tapeSigmaM).join();
 }
 

@@ -88,8 +88,7 @@ Result<std::vector<MarkerPixel>> findMarkers(const Frame &frame, const MarkerLay
     const Message what = ODO_TEXT("calibration.markers_not_found", "the floor markers cannot be found");
     if (frame.y.data == nullptr || frame.y.width < leastPictureSide || frame.y.height < leastPictureSide)
         return fail(ErrorCode::Undetermined, what,
-                    ODO_TEXT("calibration.picture_too_small", "the picture is too small"),
-                    useCameraPicture());
+                    ODO_TEXT("calibration.picture_too_small", "the image is too small"), useCameraPicture());
     const auto tags = layoutTags(frame, layout, search);
     std::vector<MarkerPixel> markers;
     std::vector<std::string> missing;
@@ -98,7 +97,7 @@ Result<std::vector<MarkerPixel>> findMarkers(const Frame &frame, const MarkerLay
         const auto count = std::ranges::count_if(tags, isIt);
         if (count > 1)
             return fail(ErrorCode::Undetermined, what,
-                        ODO_TEXT("calibration.tag_seen_often", "tag %1 (marker %2) is seen %3 times")(
+                        ODO_TEXT("calibration.tag_seen_often", "tag %1 (marker %2) appears %3 times")(
                             i, Named::marker(layout.markers[i].label), count),
                         ODO_TEXT("calibration.leave_one_tag", "leave one of them on the floor"));
         if (count == 0)

@@ -49,8 +49,8 @@ Message wordsOf(const MovedCheck &check, const std::string &name, const std::vec
     switch (check.verdict) {
     case MovedCheck::Verdict::Still:
         words = joined(
-            {ODO_TEXT("calibration.camera_still", "%1 stands where it was registered")(camera),
-             ODO_TEXT("calibration.markers_in_place", "%1 markers lie within %2 = %3 of their places.")(
+            {ODO_TEXT("calibration.camera_still", "%1 has not moved")(camera),
+             ODO_TEXT("calibration.markers_in_place", "%1 markers are within %2 = %3 of their positions.")(
                  check.markers.size(), inPicture, onFloor)},
             Join::Colon);
         break;
@@ -66,12 +66,12 @@ Message wordsOf(const MovedCheck &check, const std::string &name, const std::vec
                 ? joined({ODO_TEXT("calibration.marker_moved", "Marker %1 has moved %2 = %3, %4 has not")(
                               Named::marker(moved.front()), inPicture, onFloor, camera),
                           ODO_TEXT("calibration.put_marker_back",
-                                   "put it back, or measure again and register all cameras.")},
+                                   "move it back, or measure the markers again and register all cameras.")},
                          Join::Colon)
                 : joined({ODO_TEXT("calibration.markers_moved", "Markers %1 have moved %2 = %3, %4 has not")(
                               listed(moved, MessageArgument::Kind::Marker), inPicture, onFloor, camera),
                           ODO_TEXT("calibration.put_markers_back",
-                                   "put them back, or measure again and register all cameras.")},
+                                   "move them back, or measure the markers again and register all cameras.")},
                          Join::Colon);
         break;
     }
@@ -109,7 +109,7 @@ std::vector<MarkerPixel> findAgain(const Frame &frame, const MarkerLayout &layou
 
 Message whetherMoved(MessageArgument camera)
 {
-    return ODO_TEXT("calibration.whether_moved", "whether %1 has moved cannot be told")(std::move(camera));
+    return ODO_TEXT("calibration.whether_moved", "cannot determine whether %1 has moved")(std::move(camera));
 }
 
 Result<MovedCheck> checkMoved(const std::string &camera, const FloorView &view,
@@ -136,7 +136,7 @@ Result<MovedCheck> checkMoved(const std::string &camera, const FloorView &view,
                                                                                       stored.size()),
                     joined({ODO_TEXT("calibration.clear_view", "clear the view of the markers"),
                             ODO_TEXT("calibration.register_if_gone",
-                                     "if they are gone or the camera looks elsewhere, register it again")},
+                                     "if they are gone or the camera points elsewhere, register it again")},
                            Join::Semicolon));
     if (!moved.empty())
         check.verdict = check.markers.size() - moved.size() >= provesCamera
@@ -175,19 +175,20 @@ Eigen::Matrix2d noiseOf(double sigmaPx)
 Result<Measured> measure(const SeenLength &seen, double heightM)
 {
     if ((seen.fromPixel - seen.toPixel).norm() < shortestPx)
-        return refuseLength(ODO_TEXT("calibration.ends_on_one_pixel",
-                                     "both ends lie on one pixel of camera '%1'")(Named::camera(seen.camera)),
-                            ODO_TEXT("calibration.mark_two_ends", "mark the two ends where they are seen"));
+        return refuseLength(
+            ODO_TEXT("calibration.ends_on_one_pixel",
+                     "both ends are on the same pixel of camera '%1'")(Named::camera(seen.camera)),
+            ODO_TEXT("calibration.mark_two_ends", "mark each end at its own position in the image"));
     const auto from = seen.view->locate(seen.fromPixel, noiseOf(seen.fromSigmaPx), heightM);
     const auto to = seen.view->locate(seen.toPixel, noiseOf(seen.toSigmaPx), heightM);
     if (!from || !to)
         return refuseLength(
             (from ? ODO_TEXT("calibration.second_end_beyond",
-                             "the second end lies at or beyond the horizon of camera '%1'")
+                             "the second end is at or beyond the horizon of camera '%1'")
                   : ODO_TEXT("calibration.first_end_beyond",
-                             "the first end lies at or beyond the horizon of camera '%1'"))(
+                             "the first end is at or beyond the horizon of camera '%1'"))(
                 Named::camera(seen.camera)),
-            ODO_TEXT("calibration.lay_stick_nearer", "lay the stick on the floor, nearer to the camera"));
+            ODO_TEXT("calibration.lay_stick_nearer", "put the stick on the floor, nearer to the camera"));
     const Vector2d along = to->pointInWorld - from->pointInWorld;
     const double length = along.norm();
     const Vector2d unit = along / length;
@@ -203,20 +204,19 @@ Message judgement(const LengthCheck &check, double toldM)
 {
     const double difference = *check.differenceM, allowed = agreesWithin * check.sigmaM;
     Message off =
-        (difference < 0 ? ODO_TEXT("calibration.length_shorter", "It is %1 shorter than the %2 told")
-                        : ODO_TEXT("calibration.length_longer", "It is %1 longer than the %2 told"))(
+        (difference < 0 ? ODO_TEXT("calibration.length_shorter", "It is %1 shorter than the %2 entered")
+                        : ODO_TEXT("calibration.length_longer", "It is %1 longer than the %2 entered"))(
             millimetres(std::abs(difference)), millimetres(toldM));
     if (std::abs(difference) <= allowed)
         return joined({std::move(off), ODO_TEXT("calibration.inside_expected_error",
-                                                "inside the expected error of %1.")(millimetres(allowed))},
+                                                "within the limit of %1 (2.5 σ).")(millimetres(allowed))},
                       Join::Colon);
-    return joined(
-        {joined({std::move(off), ODO_TEXT("calibration.outside_expected_error",
-                                          "outside the expected error of %1.")(millimetres(allowed))},
-                Join::Colon),
-         ODO_TEXT("calibration.check_length", "Check the length itself, whether it lies on the "
-                                              "floor, and the places of the markers.")},
-        Join::Space);
+    return joined({joined({std::move(off), ODO_TEXT("calibration.outside_expected_error",
+                                                    "beyond the limit of %1 (2.5 σ).")(millimetres(allowed))},
+                          Join::Colon),
+                   ODO_TEXT("calibration.check_length",
+                            "Check the length itself, that it lies on the floor, and the marker positions.")},
+                  Join::Space);
 }
 
 } // namespace
@@ -224,13 +224,12 @@ Message judgement(const LengthCheck &check, double toldM)
 Result<LengthCheck> checkLength(std::span<const SeenLength> seen, std::optional<double> toldM, double heightM)
 {
     if (seen.empty())
-        return refuseLength(
-            ODO_TEXT("calibration.length_unseen", "no camera was given that sees it"),
-            ODO_TEXT("calibration.mark_ends_in_one", "mark its ends in one picture at least"));
+        return refuseLength(ODO_TEXT("calibration.length_unseen", "no camera shows it"),
+                            ODO_TEXT("calibration.mark_ends_in_one", "mark its ends in at least one image"));
     if (toldM && !(*toldM > 0 && std::isfinite(*toldM)))
         return refuseLength(
-            ODO_TEXT("calibration.told_length_not_positive", "the told length is not above 0"),
-            ODO_TEXT("calibration.give_taped_length", "give the length as it was measured with a tape"));
+            ODO_TEXT("calibration.told_length_not_positive", "the entered length is not above 0"),
+            ODO_TEXT("calibration.give_taped_length", "enter the length measured with a tape"));
     double information = 0, weighted = 0;
     std::vector<Measured> each;
     for (const SeenLength &one : seen) {
@@ -248,12 +247,13 @@ Result<LengthCheck> checkLength(std::span<const SeenLength> seen, std::optional<
         const double off = each[i].lengthM - check.lengthM;
         if (each.size() > 1 && std::abs(off) > agreesWithin * std::sqrt(each[i].varianceM2)) {
             check.agrees = false;
-            sentences.push_back(
-                joined({ODO_TEXT("calibration.camera_alone_says", "Camera '%1' alone says %2")(
-                            Named::camera(seen[i].camera), millimetres(each[i].lengthM)),
-                        ODO_TEXT("calibration.look_at_ends", "look whether the same ends are marked in each "
-                                                             "picture, and register it again if they are.")},
-                       Join::Colon));
+            sentences.push_back(joined(
+                {ODO_TEXT("calibration.camera_alone_says", "Camera '%1' alone measures %2")(
+                     Named::camera(seen[i].camera), millimetres(each[i].lengthM)),
+                 ODO_TEXT(
+                     "calibration.look_at_ends",
+                     "check that the same ends are marked in each image; if they are, register it again.")},
+                Join::Colon));
         }
     }
     if (toldM) {

@@ -52,8 +52,8 @@ Result<double> turnOf(const MarkerLayout &layout, const AxesChange &change)
     if (!(along.norm() > 0))
         return refuse(
             layout,
-            ODO_TEXT("calibration.x_without_length", "the markers that X is to run along lie at one place"),
-            ODO_TEXT("calibration.name_two_apart", "name two that lie apart"));
+            ODO_TEXT("calibration.x_without_length", "the two markers for the X axis have the same position"),
+            ODO_TEXT("calibration.name_two_apart", "name two at different positions"));
     return -std::atan2(along.y(), along.x());
 }
 
@@ -97,19 +97,19 @@ Result<AxesTransform> axesTransformOf(const MarkerLayout &layout, const AxesChan
     if (!(change.lengthFactor > 0) || !std::isfinite(change.lengthFactor))
         return refuse(layout,
                       ODO_TEXT("calibration.length_factor",
-                               "a length factor of %1 makes no floor")(quantity(change.lengthFactor, 3)),
+                               "a length factor of %1 is not possible")(quantity(change.lengthFactor, 3)),
                       ODO_TEXT("calibration.give_positive_number", "give a number above 0"));
     if (change.reverseX != change.reverseY)
         return refuse(
             layout,
             change.reverseX
                 ? ODO_TEXT("calibration.reversed_x_alone",
-                           "reversing X alone would mirror the floor, and no camera above it sees it so")
+                           "reversing X alone would mirror the floor; no camera above it sees it that way")
                 : ODO_TEXT("calibration.reversed_y_alone",
-                           "reversing Y alone would mirror the floor, and no camera above it sees it so"),
+                           "reversing Y alone would mirror the floor; no camera above it sees it that way"),
             joined({ODO_TEXT("calibration.reverse_both", "reverse both (a half turn), or turn the axes"),
                     ODO_TEXT("calibration.layout_written_mirrored",
-                             "if the layout was written down mirrored, correct its signs and add it anew")},
+                             "if the layout was written down mirrored, correct its signs and add it again")},
                    Join::Semicolon));
     const auto origin = ODO_TRY(originOf(layout, change));
     const auto turn = ODO_TRY(turnOf(layout, change));

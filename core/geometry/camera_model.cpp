@@ -187,7 +187,7 @@ Eigen::Matrix<double, 2, 8> distortedByCoefficients(const std::array<double, 8> 
 Result<CameraModel> CameraModel::create(Intrinsics intrinsics)
 {
     if (intrinsics.widthPx <= 0 || intrinsics.heightPx <= 0)
-        return unusable(ODO_TEXT("geometry.size_not_positive", "the picture size %1 is not positive")(
+        return unusable(ODO_TEXT("geometry.size_not_positive", "the image size %1 is not positive")(
             std::to_string(intrinsics.widthPx) + "x" + std::to_string(intrinsics.heightPx)));
     if (!isFinite(intrinsics))
         return unusable(ODO_TEXT("geometry.value_not_finite", "one of the values is not a finite number"));
@@ -197,7 +197,7 @@ Result<CameraModel> CameraModel::create(Intrinsics intrinsics)
     const std::size_t count = intrinsics.distortion.size();
     if (!isCountAllowed(intrinsics.model, count))
         return unusable(ODO_TEXT("geometry.wrong_coefficients",
-                                 "%1 distortion coefficients do not belong to this lens model")(count));
+                                 "this lens model does not take %1 distortion coefficients")(count));
     const auto parameters = static_cast<Eigen::Index>(4 + count);
     if (intrinsics.covariance.size() != 0 &&
         (intrinsics.covariance.rows() != parameters || intrinsics.covariance.cols() != parameters))

@@ -129,9 +129,9 @@ Result<void> checkPoints(std::span<const PointPair> pairs, const std::vector<Vec
         if (const auto twice = coincidentPoints(*points))
             return noHomography(
                 points == &sources
-                    ? ODO_TEXT("geometry.at_one_place", "%1 lie at one place")(namesOf(pairs, *twice))
+                    ? ODO_TEXT("geometry.at_one_place", "%1 have the same position")(namesOf(pairs, *twice))
                     : ODO_TEXT("geometry.at_one_place_in_picture",
-                               "%1 lie at one place in the picture")(namesOf(pairs, *twice)),
+                               "%1 have the same position in the image")(namesOf(pairs, *twice)),
                 ODO_TEXT("geometry.correct_one", "correct one of them"));
     }
     for (const auto *points : {&sources, &targets}) {
@@ -142,7 +142,7 @@ Result<void> checkPoints(std::span<const PointPair> pairs, const std::vector<Vec
                 points == &sources
                     ? ODO_TEXT("geometry.on_one_line", "%1 lie on one line")(namesOf(pairs, spread.flattest))
                     : ODO_TEXT("geometry.on_one_line_in_picture",
-                               "%1 lie on one line in the picture")(namesOf(pairs, spread.flattest)),
+                               "%1 lie on one line in the image")(namesOf(pairs, spread.flattest)),
                 ODO_TEXT("geometry.use_four_points", "use four points of which no three are in line"));
     }
     return {};
@@ -176,7 +176,7 @@ Result<Homography> Homography::estimate(std::span<const PointPair> pairs)
             .push_back(i);
     if (!before.empty() && !beyond.empty())
         return noHomography(
-            joined({ODO_TEXT("geometry.beyond_horizon", "%1 would lie beyond the horizon")(
+            joined({ODO_TEXT("geometry.beyond_horizon", "%1 would be beyond the horizon")(
                         namesOf(pairs, before.size() < beyond.size() ? before : beyond)),
                     ODO_TEXT("geometry.bow_tie", "the order of the points crosses over like a bow tie")},
                    Join::Colon),

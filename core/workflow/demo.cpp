@@ -359,7 +359,7 @@ Result<fs::path> makeDemo(const fs::path &folder, const JobControl &control)
     for (const char *name : parts) {
         if (files::exists(folder / name))
             return fail(ErrorCode::AlreadyExists, what,
-                        ODO_TEXT("workflow.demo_is_there", "%1 is there already")(Named::file(name)),
+                        ODO_TEXT("workflow.demo_is_there", "%1 already exists")(Named::file(name)),
                         ODO_TEXT("workflow.open_it_or_elsewhere", "open it, or choose another folder"));
     }
     ODO_TRY(checkNewProject(folder / "demo.odo", what));

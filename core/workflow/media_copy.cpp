@@ -95,10 +95,9 @@ Result<MediaCopy> held(const std::filesystem::path &file, const Message &what, c
 {
     auto hold = ClaimedFile::hold(file);
     if (!hold && hold.error() == std::errc::resource_unavailable_try_again)
-        return fail(
-            ErrorCode::Unavailable, what,
-            ODO_TEXT("workflow.written_just_now", "another program is writing or removing it just now"),
-            waitUntilThatHasEnded());
+        return fail(ErrorCode::Unavailable, what,
+                    ODO_TEXT("workflow.written_just_now", "another program is writing or removing it"),
+                    waitUntilThatHasEnded());
     auto hash = ODO_TRY(fileSha256(file, control));
     if (!hold)
         return fail(ErrorCode::Io, what, foreignWords(hold.error().message()), checkFileIsThere());

@@ -33,7 +33,7 @@ Result<std::vector<std::filesystem::path>> filesOfSizes(const std::filesystem::p
     };
     files::eachFileBelow(folder, visit, problem);
     if (control.isCancelled())
-        return cancelled(ODO_TEXT("workflow.look_for_lost_videos", "look for lost videos"));
+        return cancelled(ODO_TEXT("workflow.look_for_lost_videos", "search for lost videos"));
     if (problem)
         return cannotLookIn(folder, problem);
     return files;
@@ -62,23 +62,23 @@ Result<void> RelinkJob::findLost()
     if (m_lost.empty())
         return fail(ErrorCode::NotFound, ODO_TEXT("workflow.lost_videos", "lost videos"),
                     ODO_TEXT("workflow.no_video_lost", "no video of this project is lost"),
-                    ODO_TEXT("workflow.nothing_to_do", "there is nothing to do"));
+                    ODO_TEXT("workflow.nothing_to_do", "no action is needed"));
     return {};
 }
 
 Result<void> RelinkJob::run(const JobControl &control)
 {
     ODO_TRY(findLost());
-    control.report(0, ODO_TEXT("workflow.looking_for_files", "looking for files"));
+    control.report(0, ODO_TEXT("workflow.looking_for_files", "searching for files"));
     const auto files = ODO_TRY(filesOfSizes(m_folder, m_lost, control));
     ODO_TRY(look(files, control));
     if (m_found.empty())
         return fail(
             ErrorCode::NotFound, lookIn(m_folder),
             m_lost.size() == 1
-                ? Message(ODO_TEXT("workflow.lost_video_not_there", "the lost video is not there"))
+                ? Message(ODO_TEXT("workflow.lost_video_not_there", "the lost video is not in this folder"))
                 : ODO_TEXT("workflow.lost_videos_not_there",
-                           "none of the %1 lost videos is there")(m_lost.size()),
+                           "none of the %1 lost videos is in this folder")(m_lost.size()),
             ODO_TEXT("workflow.choose_folder_of_copies", "choose the folder where they were copied to"));
     return {};
 }
@@ -157,7 +157,7 @@ Result<void> FindStraysJob::prepare(Project &project)
 
 Result<void> FindStraysJob::run(const JobControl &control)
 {
-    control.report(0, ODO_TEXT("workflow.looking_through_media", "looking through the media folder"));
+    control.report(0, ODO_TEXT("workflow.looking_through_media", "searching the media folder"));
     const auto project = ODO_TRY(Project::openAgain(m_project, Project::Access::ReadOnly));
     auto found = ODO_TRY(strayMedia(*project, control));
     m_strays = std::move(found.files);

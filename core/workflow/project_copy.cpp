@@ -134,7 +134,7 @@ Result<void> PackJob::look(Project &project, const JobControl &control)
         if (!files::exists(file)) {
             m_warnings.push_back(
                 ODO_TEXT("workflow.lost_not_packed",
-                         "the video of camera %1 in trial '%2' is lost, and not in the packed project")(
+                         "the video of camera %1 in trial '%2' is lost and is not in the packed project")(
                     Named::camera(recording.cameraName), Named::trial(trial)));
         } else if (!isOwnMedia(file, m_mediaFolder)) {
             const auto isIts = ODO_TRY(isItsVideo(file, recording, control));
@@ -142,10 +142,11 @@ Result<void> PackJob::look(Project &project, const JobControl &control)
                 m_elsewhere.push_back({recording.id, file});
                 m_inputs.add(file);
             } else {
-                m_warnings.push_back(ODO_TEXT("workflow.replaced_not_packed",
-                                              "the video of camera %1 in trial '%2' lies elsewhere and is "
-                                              "another file than it was, and not in the packed project")(
-                    Named::camera(recording.cameraName), Named::trial(trial)));
+                m_warnings.push_back(
+                    ODO_TEXT("workflow.replaced_not_packed",
+                             "the video of camera %1 in trial '%2' is outside the media folder and has "
+                             "changed since; it is not in the packed project")(
+                        Named::camera(recording.cameraName), Named::trial(trial)));
             }
         }
     }
@@ -249,7 +250,7 @@ Result<void> makeFilled(Project &from, const std::filesystem::path &file, const 
     files::remove(file);
     const auto original = ODO_TRY(from.title());
     const auto to = ODO_TRY(Project::create(file, title));
-    return to->note(ODO_TEXT("workflow.take_over_set_up", "take over the set-up of %1")(original),
+    return to->note(ODO_TEXT("workflow.take_over_set_up", "copy the set-up of %1")(original),
                     [&] { return takeSetUp(from, *to, control); });
 }
 
@@ -259,7 +260,7 @@ Result<std::filesystem::path> makeProjectLike(const std::filesystem::path &origi
                                               const std::filesystem::path &file, const std::string &title,
                                               const JobControl &control)
 {
-    control.report(0, ODO_TEXT("workflow.taking_over_set_up", "taking over the set-up"));
+    control.report(0, ODO_TEXT("workflow.taking_over_set_up", "copying the set-up"));
     const auto from = ODO_TRY(Project::openAgain(original, Project::Access::ReadOnly));
     const Message what = projectSubject(file);
     ODO_TRY(checkNewProject(file, what));

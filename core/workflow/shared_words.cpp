@@ -47,7 +47,7 @@ MessageArgument quotedNames(const std::vector<std::string> &names, MessageArgume
 tl::unexpected<Error> trialIsThere(Message what)
 {
     return fail(ErrorCode::AlreadyExists, std::move(what),
-                ODO_TEXT("workflow.trial_is_there", "the project has a trial of that name"),
+                ODO_TEXT("workflow.trial_is_there", "the project already has a trial of that name"),
                 chooseAnotherName());
 }
 
@@ -59,7 +59,7 @@ Message notTrackedYet()
 Message nothingToAnalyseAgain()
 {
     return ODO_TEXT("workflow.nothing_to_analyse_again",
-                    "it has not been tracked yet, so there is nothing to analyse again");
+                    "it has not been tracked yet, so it cannot be reanalysed");
 }
 
 Message trackItFirst()
@@ -76,18 +76,18 @@ Message severalRobots(const std::vector<std::string> &robots)
 
 Message robotNotTracked(const std::string &robot, const std::vector<std::string> &robots)
 {
-    return ODO_TEXT("workflow.robot_not_tracked", "robot '%1' was not tracked in it, but %2")(
+    return ODO_TEXT("workflow.robot_not_tracked", "robot '%1' was not tracked in it, only %2")(
         Named::robot(robot), quotedNames(robots, MessageArgument::Kind::Robot));
 }
 
 Message noRobotToLookFor()
 {
-    return ODO_TEXT("workflow.no_robot", "the project has no robot to look for");
+    return ODO_TEXT("workflow.no_robot", "the project has no robot to track");
 }
 
 Message noSuchFrame()
 {
-    return ODO_TEXT("workflow.no_such_frame", "there is no such frame");
+    return ODO_TEXT("workflow.no_such_frame", "this frame does not exist");
 }
 
 Message chooseFrame(std::int64_t first, std::int64_t last)
@@ -112,7 +112,7 @@ Message giveEachViewItsCamera()
 
 Message registerItFirst()
 {
-    return ODO_TEXT("workflow.register_it_first", "register it first, by markers or through another camera");
+    return ODO_TEXT("workflow.register_it_first", "register it first, with markers or via another camera");
 }
 
 } // namespace odo

@@ -49,7 +49,7 @@ Result<std::vector<RegisteredView>> registeredViews(Project &project, const Tria
                             ODO_TEXT("workflow.view_of_trial", "view '%1' of trial '%2'")(
                                 Named::camera(recording.cameraName), Named::trial(trial.name)),
                             ODO_TEXT("workflow.another_picture_size",
-                                     "its pictures are %1 but the camera was calibrated at %2")(
+                                     "its frames are %1 but the camera was calibrated at %2")(
                                 sizeText(recording.widthPx, recording.heightPx),
                                 sizeText(lens.widthPx, lens.heightPx)),
                             ODO_TEXT("workflow.calibrate_at_recorded_size",

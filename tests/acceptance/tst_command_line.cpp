@@ -291,17 +291,16 @@ private Q_SLOTS:
         const ProgramRun dull = runProgram(filled(QStringLiteral("track %P leaving --robot dull")));
         QVERIFY2(dull.exitStatus == 1 && dull.err.count('\n') == 1, dull.err);
         QVERIFY2(
-            dull.err.contains(
-                "robot 'dull' in trial 'leaving': its colour #b5a898 is also that of the floor (") &&
-                dull.err.contains("; put a plate of another colour on it, or tell the colour it really has"),
+            dull.err.contains("robot 'dull' in trial 'leaving': its colour #b5a898 is also the floor's (") &&
+                dull.err.contains("; put a plate of another colour on it, or set its true colour"),
             dull.err);
         QCOMPARE(good("robot add %P absent --colour #20c040").exitStatus, 0);
         const ProgramRun absent =
             runProgram(filled(QStringLiteral("track %P leaving --robot red --robot absent")));
         QCOMPARE(absent.exitStatus, 1);
-        QCOMPARE(absent.err, QByteArray("odograph: robot 'absent' in trial 'leaving': the robot was not "
-                                        "found in any picture of A; track only the robots that "
-                                        "are in the pictures (--robot)\n"));
+        QCOMPARE(absent.err,
+                 QByteArray("odograph: robot 'absent' in trial 'leaving': the robot was not found in any "
+                            "picture of A; track only the robots that are in view (--robot)\n"));
     }
 
     void badCallsFailInOneLine_data()
@@ -371,7 +370,7 @@ private Q_SLOTS:
         row("import %P --trial run2 --video A=%/novideo.mkv", 1, "novideo.mkv");
         row("import %P --trial run2 --video A=%/playlist.mkv", 1, "playlist.mkv");
         row("import %P --trial run2 --video A=%/a.mkv --video A=%/b.mkv", 1, "two videos");
-        row("import %P --trial run2 --video A=%/a.mkv --video B=%/b.mkv --sync 100", 1, "no time in common");
+        row("import %P --trial run2 --video A=%/a.mkv --video B=%/b.mkv --sync 100", 1, "do not overlap");
         row("import %P --trial run2 --video A=%/a.mkv --sync soon", 2, "--sync");
         row("import %P --trial run2 --video A=%/a.mkv --sync 1e300", 2,
             "--sync takes seconds from -3600 to 3600");
@@ -396,9 +395,9 @@ private Q_SLOTS:
         row("flag %P run1 --time 1 --frame 3 --spike", 2, "--time");
         row("flag %P run1 --time soon --spike", 2, "--time");
         row("flag %P run1 --frame 3.5 --spike", 2, "whole number");
-        row("flag %P run1 --time 77 --spike", 1, "no such frame");
+        row("flag %P run1 --time 77 --spike", 1, "this frame does not exist");
         row("flag %P run1 --frame 60 --valid", 1, "from 0 to 59");
-        row("flag %P run1 --frame 12 --clear", 1, "nothing was said by hand");
+        row("flag %P run1 --frame 12 --clear", 1, "no manual override");
         row("flag %P run1 --robot blue --frame 12 --spike", 1, "blue");
         row("flag %P uneven --frame 12 --spike", 1, "not been tracked yet");
         row("flag %P nowhere --frame 12 --spike", 1, "nowhere");

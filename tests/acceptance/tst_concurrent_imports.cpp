@@ -95,7 +95,7 @@ void TestConcurrentImports::importAtOnce(const QString &first, const QString &se
     for (std::size_t i = 0; i < names.size(); ++i) {
         if (ended[i].status != 0) {
             QCOMPARE(ended[i].status, 1);
-            QVERIFY2(ended[i].error.contains("the project has a trial of that name") ||
+            QVERIFY2(ended[i].error.contains("the project already has a trial of that name") ||
                          ended[i].error.contains("already"),
                      ended[i].error);
             continue;

@@ -296,7 +296,7 @@ private Q_SLOTS:
         QVERIFY(error({eight, QStringLiteral("nothing")}, 1).contains(QLatin1String("nothing")));
         QVERIFY(error({eight, other, QStringLiteral("--robot"), QStringLiteral("Pink")}, 1)
                     .contains(QLatin1String(
-                        "robot 'Pink' was not tracked in it, but 'Green 3'; track it, or choose another")));
+                        "robot 'Pink' was not tracked in it, only 'Green 3'; track it, or choose another")));
         QVERIFY(error({eight, other, QStringLiteral("--align"), QStringLiteral("north")}, 2)
                     .contains(QLatin1String("--align is auto")));
         QVERIFY(error({eight, other, QStringLiteral("-o"), QStringLiteral("/nowhere/report.pdf")}, 1)
@@ -387,7 +387,7 @@ private Q_SLOTS:
         const QByteArray before = fileHash(m_project);
         const ProgramRun run = runProgram({QStringLiteral("demo"), m_folder.path()});
         QCOMPARE(run.exitStatus, 1);
-        QVERIFY(run.err.contains("is there already"));
+        QVERIFY(run.err.contains("already exists"));
         QCOMPARE(fileHash(m_project), before);
     }
 };

@@ -154,7 +154,7 @@ private Q_SLOTS:
         QCOMPARE(run("reprocess %P nothing").exitStatus, 1);
         const ProgramRun same = run("register %P --camera B --again");
         QCOMPARE(same.exitStatus, 1);
-        QVERIFY2(same.err.contains("it was made with it already"), same.err);
+        QVERIFY2(same.err.contains("it already uses that calibration"), same.err);
         QCOMPARE(run("register %P --camera B --again --joint --layout floor").exitStatus, 2);
         const QByteArray back =
             "revisions %P B --use registration:" +

@@ -76,7 +76,7 @@ private Q_SLOTS:
         QCOMPARE(imported[u"format"_s].toString(), u"tum"_s);
         QCOMPARE(imported[u"file"_s].toString(), u"fast.tum"_s);
         QCOMPARE(imported[u"sha256"_s].toString(), QString::fromLatin1(fileHash(path("fast.tum")).toHex()));
-        QVERIFY(imported[u"reading"_s].toString().endsWith(u" mm, as estimated from them"_s));
+        QVERIFY(imported[u"reading"_s].toString().endsWith(u" mm, estimated from the track"_s));
 
         const QJsonObject shown = good({u"show"_s, m_project, u"fast"_s, u"--json"_s}).json();
         QCOMPARE(shown[u"robots"_s][u"red"_s][u"provenance"_s][u"imported"_s].toObject(), imported);
@@ -177,7 +177,7 @@ private Q_SLOTS:
         const ProgramRun track = runProgram({u"track"_s, m_project, u"slow"_s});
         QCOMPARE(track.exitStatus, 1);
         QVERIFY(track.err.startsWith(
-            "odograph: trial 'slow': its tracks were imported, so there is no video to track in; "));
+            "odograph: trial 'slow': its tracks were imported, so it has no video to track; "));
     }
     void hostileNames()
     {
@@ -207,9 +207,9 @@ private Q_SLOTS:
             QCOMPARE(sqlite3_exec(database, sql.constData(), nullptr, nullptr, nullptr), SQLITE_OK);
             sqlite3_close(database);
         };
-        const QString notice = u"robot 'red' in trial 'slow': its results are not those that its analysis "
-                               u"gave: they were changed in the file; run odograph check, or "
-                               "analyse the trial again"_s;
+        const QString notice =
+            u"robot 'red' in trial 'slow': its results differ from those of its "
+            u"analysis: they were changed in the file; run odograph check, or reanalyse the trial"_s;
         const auto warnings = [&] {
             return good({u"show"_s, m_project, u"slow"_s, u"--json"_s})
                 .json()[u"warnings"_s]

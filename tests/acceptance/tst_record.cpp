@@ -134,7 +134,7 @@ void TestRecord::badCallsFailInOneLine_data()
     row("record %/p.odo --trial live --camera A=sim:A", 1, "has a trial of that name");
     row("record %/p.odo --trial x --camera A=file:%/none.mkv", 1, "none.mkv");
     row("record %/p.odo --trial x --camera A=sim:A --ssl-vision robots.example:1", 1,
-        "it is no IPv4 address with a port; write it like 224.5.23.2:10006");
+        "it is not an IPv4 address with a port; write it like 224.5.23.2:10006");
     row("record --ssl-vision %/p.odo --trial x --camera A=sim:A", 1,
         "none of its cameras is registered to the floor");
     row("record %/p.odo --trial x --camera A=sim:A --ssl-vision", 1,

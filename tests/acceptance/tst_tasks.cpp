@@ -160,7 +160,7 @@ private Q_SLOTS:
         const QString warning = tracked.json().value(QStringLiteral("warnings")).toArray().at(0).toString();
         QVERIFY2(warning.startsWith(QStringLiteral("robot 'red' in trial 'run1': ")) &&
                      warning.endsWith(QStringLiteral(
-                         "is beyond the limits of task 'slow', so that they were left out; give the "
+                         "exceed the limits of task 'slow', so the limits were ignored; give the "
                          "task the limits of its fastest robot")),
                  qPrintable(warning));
     }
@@ -177,7 +177,7 @@ private Q_SLOTS:
             told.prepend(QString::fromStdString(entry.words.english()));
         const QStringList expected{QStringLiteral("add robot red"),
                                    QStringLiteral("add layout floor"),
-                                   QStringLiteral("import the lens of camera A from a.yaml"),
+                                   QStringLiteral("import the lens calibration of camera A from a.yaml"),
                                    QStringLiteral("register camera A"),
                                    QStringLiteral("add task quarter"),
                                    QStringLiteral("import trial run1"),

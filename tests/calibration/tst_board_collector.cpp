@@ -162,7 +162,7 @@ private Q_SLOTS:
         QCOMPARE(collector.spec().columns, 9);
         QCOMPARE(collector.spec().rows, 6);
         QVERIFY(refusedWith(collector.offer(rendered(posed({0.002, 0, 0.451}, 0, 1), 0, charuco), "b.png"),
-                            "the board stands as in a.png already"));
+                            "the board is in the same position as in a.png"));
         QVERIFY(collector.offer(rendered(posed({0, 0, 0.45}, 0, 30), 0, charuco), "c.png").kept);
         QCOMPARE(collector.views().size(), std::size_t(2));
         QCOMPARE(collector.coverage().pictures, 2);
@@ -171,17 +171,17 @@ private Q_SLOTS:
     void saysWhyAPictureDoesNotCount()
     {
         BoardCollector collector({});
-        QVERIFY(refusedWith(collector.offer(rendered(posed({0, 0, 0.3}, 0, 68)), "a.png"), "too obliquely"));
+        QVERIFY(refusedWith(collector.offer(rendered(posed({0, 0, 0.3}, 0, 68)), "a.png"), "tilted too far"));
         QVERIFY(refusedWith(collector.offer(rendered(posed({0, 0, 2.6}, 0, 0)), "b.png"), "too small"));
         QVERIFY(collector.offer(rendered(frontal), "c.png").kept);
         SimulatedBoard other;
         other.columns = 8;
         other.cameraFromBoard = frontal;
         QVERIFY(refusedWith(collector.offer(renderBoard(camera, other, 2, 1), "d.png"),
-                            "this board has 8x6 inner corners, 9x6 was asked for"));
+                            "this board has 8x6 inner corners, not 9x6"));
         const Frame larger =
             renderBoard(CameraModel::assumed(800, 600), SimulatedBoard{.cameraFromBoard = frontal}, 2, 1);
-        QVERIFY(refusedWith(collector.offer(larger, "e.png"), "it is 800×600, the first picture 640×360"));
+        QVERIFY(refusedWith(collector.offer(larger, "e.png"), "it is 800×600, the first image 640×360"));
     }
 
     void takesAPictureByItselfWhenTheBoardIsStill()
@@ -194,7 +194,7 @@ private Q_SLOTS:
         QVERIFY(still.kept);
         QVERIFY(!still.refusal);
         QVERIFY(refusedWith(collector.watch(rendered(posed({0.01, 0, 0.45}, 0, 0), 1400), "1400"),
-                            "already taken"));
+                            "the same position as in an earlier image"));
     }
 
     void aPictureCanBeTakenOutAndPutBack()

@@ -150,9 +150,9 @@ private Q_SLOTS:
     {
         const cv::Mat picture = seen(flatCheckerboard(9, 6), someWarp, {640, 480});
         QVERIFY(refusedWith(picture, spec(BoardPattern::Checkerboard, 8, 6),
-                            "this board has 9x6 inner corners, 8x6 was asked for"));
+                            "this board has 9x6 inner corners, not 8x6"));
         QVERIFY(refusedWith(picture, spec(BoardPattern::Checkerboard, 10, 7),
-                            "this board has 9x6 inner corners, 10x7 was asked for"));
+                            "this board has 9x6 inner corners, not 10x7"));
     }
     void saysWhenThereIsNone()
     {
@@ -173,7 +173,7 @@ private Q_SLOTS:
             refusedWith(picture, spec(BoardPattern::Checkerboard, 1, 6), "1x6 inner corners is too small"));
         BoardSpec board = spec(BoardPattern::Charuco, 0, 0);
         board.dictionary = "DICT_9X9";
-        QVERIFY(refusedWith(picture, board, "there is no marker dictionary DICT_9X9"));
+        QVERIFY(refusedWith(picture, board, "marker dictionary DICT_9X9 does not exist"));
         board.squareM = 0;
         QVERIFY(refusedWith(picture, board, "the squares have no size"));
     }

@@ -63,11 +63,11 @@ private Q_SLOTS:
     {
         const auto half = summaryOf([](const Vector2d &at) { return at.x() < 1.5 ? unseen : 0.002; });
         QVERIFY(half.seenPart > 0.4 && half.seenPart < 0.6);
-        QVERIFY(contains(half.words.english(), "% of the floor among the markers is not seen."));
+        QVERIFY(contains(half.words.english(), "% of the floor between the markers is out of view."));
         const auto none = summaryOf([](const Vector2d &) { return unseen; });
         QCOMPARE(none.seenPart, 0.0);
         QVERIFY(std::isnan(none.worstM));
-        QCOMPARE(none.words.english(), std::string("None of the floor among the markers is seen."));
+        QCOMPARE(none.words.english(), std::string("None of the floor between the markers is in view."));
         QVERIFY(std::isnan(summariseAccuracy({}, {}, {}).worstM));
     }
     void aCameraStandsWhereItWasPut()
@@ -149,12 +149,12 @@ private Q_SLOTS:
         const auto nowhere = bestPlace(low, layout(), {}, {0.2, false, 0, 0.1}, {});
         QVERIFY(!nowhere);
         QVERIFY(contains(nowhere.error().message(),
-                         "from nowhere within 0.2 m beyond the markers would it see four of them"));
+                         "no position within 0.2 m of the markers shows four of them"));
         PlannedCamera wrong;
         wrong.heightM = 0;
         const auto inTheGround = bestPlace(wrong, layout(), {}, {}, {});
         QVERIFY(!inTheGround);
-        QVERIFY(contains(inTheGround.error().message(), "it cannot stand 0.00 m above the floor"));
+        QVERIFY(contains(inTheGround.error().message(), "its height above the floor cannot be 0.00 m"));
         QVERIFY(contains(bestPlace({}, {"x", {{"O", {0, 0}}}}, {}, {}, {}).error().message(),
                          "the layout has 1 markers, four are needed"));
         const JobControl control;

@@ -92,7 +92,7 @@ private Q_SLOTS:
         QVERIFY((pose.translation - ownView.cameraInWorld()).norm() < 1e-7);
         QVERIFY(pose.rotation.angularDistance(ownView.worldFromCamera().rotation) < 1e-7);
         QCOMPARE(chained->places.markers.size(), std::size_t(6));
-        QVERIFY(chained->registration.verdict.english().find("through B 6 points") != std::string::npos);
+        QVERIFY(chained->registration.verdict.english().find("via B, 6 floor points") != std::string::npos);
     }
     /// A shift of B's whole world is C's shift, point for point: the closed form of the common part.
     void aShiftOfTheOtherCameraIsCarriedWhole()
@@ -150,16 +150,16 @@ private Q_SLOTS:
     {
         std::vector<SharedPoint> points = sharedPoints();
         points.resize(3);
-        QVERIFY(refusedWith(points, "four points are needed that both cameras see; there are 3"));
+        QVERIFY(refusedWith(points, "both cameras must see the same four points or more; 3 given"));
         points = sharedPoints();
         points[1].label = 'a';
-        QVERIFY(refusedWith(points, "point a is there twice"));
+        QVERIFY(refusedWith(points, "point a appears twice"));
         points = sharedPoints();
         points[1].pixel = points[0].pixel;
-        QVERIFY(refusedWith(points, "points a and b lie on one pixel"));
+        QVERIFY(refusedWith(points, "points a and b are on the same pixel"));
         points = sharedPoints();
         points[2].pixel = {1500, 300};
-        QVERIFY(refusedWith(points, "point c lies outside the picture of the camera to register (1280×720)"));
+        QVERIFY(refusedWith(points, "point c is outside the image of the camera to register (1280×720)"));
         points = sharedPoints();
         for (SharedPoint &point : points)
             point.pixel.x() = 1279 - point.pixel.x();
@@ -183,7 +183,7 @@ private Q_SLOTS:
         points[2].throughPixel = {600, 100};
         const auto chained = registerThrough(level, foreignWords("B"), points, lens(), true);
         QVERIFY(!chained.has_value());
-        QVERIFY(chained.error().message().find("point c lies at or beyond the horizon of B; choose") !=
+        QVERIFY(chained.error().message().find("point c is at or beyond the horizon of B; choose") !=
                 std::string::npos);
     }
 };

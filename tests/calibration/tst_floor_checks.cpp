@@ -84,10 +84,9 @@ private Q_SLOTS:
         QVERIFY(one && two && wrong);
         QVERIFY(two->sigmaM < one->sigmaM);
         QVERIFY(two->agrees);
-        QVERIFY(contains(two->words.english(), "inside the expected error of"));
+        QVERIFY(contains(two->words.english(), "within the limit of"));
         QVERIFY(!wrong->agrees);
-        QVERIFY(contains(wrong->words.english(),
-                         "shorter than the 1050.0 mm told: outside the expected error of"));
+        QVERIFY(contains(wrong->words.english(), "shorter than the 1050.0 mm entered: beyond the limit of"));
     }
     void badLengthsHaveTheirSentences()
     {
@@ -95,10 +94,10 @@ private Q_SLOTS:
         const Vector2d here(640, 500);
         const SeenLength same[] = {{&view, "A", here, here}}, sky[] = {{&view, "A", here, {640, -3000}}};
         const SeenLength fine[] = {{&view, "A", here, {300, 400}}};
-        QVERIFY(contains(checkLength({}, 1.0).error().message(), "no camera was given"));
-        QVERIFY(contains(checkLength(same, 1.0).error().message(), "both ends lie on one pixel"));
+        QVERIFY(contains(checkLength({}, 1.0).error().message(), "no camera shows it"));
+        QVERIFY(contains(checkLength(same, 1.0).error().message(), "both ends are on the same pixel"));
         QVERIFY(contains(checkLength(sky, 1.0).error().message(),
-                         "the second end lies at or beyond the horizon of camera 'A'"));
+                         "the second end is at or beyond the horizon of camera 'A'"));
         QVERIFY(contains(checkLength(fine, -1.0).error().message(), "is not above 0"));
     }
     void theMapSaysWhatAPositionScatters()
@@ -171,7 +170,7 @@ private Q_SLOTS:
         PlannedCamera planned;
         planned.heightM = -1;
         QVERIFY(contains(plannedView(planned, layout()).error().message(),
-                         "cannot stand -1.00 m above the floor"));
+                         "height above the floor cannot be -1.00 m"));
         planned.heightM = 0.5;
         planned.distanceM = 0.5;
         planned.fieldOfViewDegrees = 30;
@@ -187,7 +186,7 @@ private Q_SLOTS:
         const auto still = checkMoved("B", truth, stored, noisy(truth, 0.2, random), 0.2);
         QVERIFY(still.has_value());
         QCOMPARE(int(still->verdict), int(MovedCheck::Verdict::Still));
-        QVERIFY(contains(still->words.english(), "B stands where it was registered: 5 markers"));
+        QVERIFY(contains(still->words.english(), "B has not moved: 5 markers"));
 
         RigidTransform turned = truth.worldFromCamera();
         turned.rotation = Eigen::Quaterniond(Eigen::AngleAxisd(0.007, Vector3d(0.3, 0.1, 1).normalized())) *

@@ -103,7 +103,7 @@ private Q_SLOTS:
         QVERIFY(registration->rmsPx < 1e-8);
         QCOMPARE(registration->markers.size(), std::size_t(4));
         QVERIFY(contains(registration->verdict.english(), "Good: 4 markers fit to 0.0 mm RMS"));
-        QVERIFY(contains(registration->verdict.english(), "a fifth would"));
+        QVERIFY(contains(registration->verdict.english(), "add a fifth"));
         QVERIFY(registration->verdict.english().find("distortion") == std::string::npos);
     }
     void markersThatOnlyOneListHasAreLeftOut()
@@ -151,7 +151,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(registration->intrinsics.fxPx - 1111) < 1e-3);
         QVERIFY((registration->worldFromCamera.translation - place).norm() < 1e-5);
         QVERIFY(contains(registration->verdict.english(),
-                         "taken as free of distortion, its focal length estimated from the "
+                         "no distortion was assumed, and the focal length was estimated from the "
                          "markers (1111 px ± "));
     }
     void theFocalLengthIsGuessedWhereTheViewDoesNotDetermineIt()
@@ -173,24 +173,24 @@ private Q_SLOTS:
         MarkerLayout layout = rectangle();
         std::vector<MarkerPixel> pixels = seenBy(bentCamera(), layout);
         pixels[3].label = 'X';
-        QVERIFY(refusedWith(layout, pixels, "there are 3 (O, U and V)"));
-        QVERIFY(refusedWith(layout, {}, "there are 0 (none)"));
+        QVERIFY(refusedWith(layout, pixels, "they have 3 (O, U and V)"));
+        QVERIFY(refusedWith(layout, {}, "they have 0 (none)"));
     }
     void refusesDoubledMarkers()
     {
         const std::vector<MarkerPixel> pixels = seenBy(bentCamera(), rectangle());
         MarkerLayout layout = rectangle();
         layout.markers[1].label = 'O';
-        QVERIFY(refusedWith(layout, pixels, "marker O stands twice in the layout"));
+        QVERIFY(refusedWith(layout, pixels, "marker O appears twice in the layout"));
         std::vector<MarkerPixel> twice = pixels;
         twice[2].label = 'D';
-        QVERIFY(refusedWith(rectangle(), twice, "marker D stands twice in the picture"));
+        QVERIFY(refusedWith(rectangle(), twice, "marker D appears twice in the image"));
         layout = rectangle();
         layout.markers[1].pointInWorld = {0.0005, 0};
-        QVERIFY(refusedWith(layout, pixels, "markers O and U lie at one place of the floor"));
+        QVERIFY(refusedWith(layout, pixels, "markers O and U have the same floor position"));
         twice = pixels;
         twice[3].pixel = pixels[1].pixel + Vector2d(0.4, 0.2);
-        QVERIFY(refusedWith(rectangle(), twice, "markers U and D lie on one pixel"));
+        QVERIFY(refusedWith(rectangle(), twice, "markers U and D are on the same pixel"));
     }
     void refusesCollinearMarkers()
     {
@@ -265,7 +265,7 @@ private Q_SLOTS:
         pixels[1].pixel.y() = std::nan("");
         QVERIFY(refusedWith(layout, pixels, "the pixel of marker U is not a finite number"));
         layout.markers[2].pointInWorld.x() = std::numeric_limits<double>::infinity();
-        QVERIFY(refusedWith(layout, pixels, "the place of marker V is not a finite number"));
+        QVERIFY(refusedWith(layout, pixels, "the position of marker V is not a finite number"));
     }
     void refusesAWrongUnit()
     {
@@ -292,13 +292,12 @@ private Q_SLOTS:
         const MarkerLayout layout = rectangle();
         std::vector<MarkerPixel> pixels = seenBy(bentCamera(), layout);
         pixels[3].pixel += Vector2d(3, 1);
-        QVERIFY2(!refusedWith(layout, pixels, "check one another too little"),
+        QVERIFY2(!refusedWith(layout, pixels, "are too few to identify the wrong one"),
                  "three pixels may happen to anybody");
         pixels[3].pixel += Vector2d(4, 2);
-        QVERIFY(refusedWith(
-            layout, pixels,
-            "check one another too little to tell which of them; it may be wrong by much more; mark and "
-            "measure them again, or add another"));
+        QVERIFY(refusedWith(layout, pixels,
+                            "are too few to identify the wrong one; it may be wrong by much more; mark and "
+                            "remeasure them, or add another"));
         MarkerLayout five = layoutOf({{0, 0}, {2, 0}, {0, 1.5}, {2, 1.5}, {1.1, 0.4}});
         pixels = seenBy(bentCamera(), five);
         pixels[3].pixel += Vector2d(3, 1);

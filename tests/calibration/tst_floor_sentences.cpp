@@ -47,30 +47,30 @@ struct BadInput
 };
 
 const BadInput badInputs[] = {
-    {"too few", [](Given &g) { g.pixels.pop_back(); }, "there are 3 (O, U and V)",
+    {"too few", [](Given &g) { g.pixels.pop_back(); }, "they have 3 (O, U and V)",
      "mark more of the layout's markers"},
     {"names that the layout has not", [](Given &g) { g.pixels[3].label = 'X'; },
-     "and the layout does not know X", "under the layout's names"},
+     "and the layout does not contain X", "by their names in the layout"},
     {"a label twice in the layout", [](Given &g) { g.layout.markers[1].label = 'O'; },
-     "marker O stands twice in the layout", "a name of its own"},
+     "marker O appears twice in the layout", "a name of its own"},
     {"a label twice in the picture", [](Given &g) { g.pixels[1].label = 'O'; },
-     "marker O stands twice in the picture", "a name of its own"},
+     "marker O appears twice in the image", "a name of its own"},
     {"a pixel that is no number", [](Given &g) { g.pixels[2].pixel.x() = NAN; },
      "the pixel of marker V is not a finite number", "correct the pixels"},
     {"a place that is no number", [](Given &g) { g.layout.markers[2].pointInWorld.x() = INFINITY; },
-     "the place of marker V is not a finite number", "correct the layout"},
+     "the position of marker V is not a finite number", "correct the layout"},
     {"one place twice",
      [](Given &g) {
          g.layout.markers[1].pointInWorld = {0.0005, 0};
      },
-     "markers O and U lie at one place of the floor", "correct the layout"},
+     "markers O and U have the same floor position", "correct the layout"},
     {"one pixel twice", [](Given &g) { g.pixels[1].pixel = g.pixels[0].pixel; },
-     "markers O and U lie on one pixel", "where it is seen"},
+     "markers O and U are on the same pixel", "at its own position in the image"},
     {"too close",
      [](Given &g) {
          g.put(1, {0.02, 0.01});
      },
-     "markers O and U lie only 22.4 mm apart", "spread the markers"},
+     "markers O and U are only 22.4 mm apart", "spread the markers"},
     {"on one line",
      [](Given &g) {
          g.put(2, {0.9, 0});
@@ -90,11 +90,11 @@ const BadInput badInputs[] = {
      },
      "mirrored", "check"},
     {"metres for mm", [](Given &g) { g.scale(1e-3); }, "only 2.0 mm above the floor",
-     "its numbers look like metres, then it would stand 2.00 m"},
-    {"a thousand times too large", [](Given &g) { g.scale(1e3); }, "would stand 2000 m above the floor",
+     "its numbers look like metres, with the camera 2.00 m"},
+    {"a thousand times too large", [](Given &g) { g.scale(1e3); }, "would be 2000 m above the floor",
      "its numbers look like thousandths of a mm"},
     {"two labels exchanged", [](Given &g) { std::swap(g.pixels[1].pixel, g.pixels[2].pixel); }, "",
-     "with U and V exchanged they fit"},
+     "with U and V swapped they fit"},
 };
 
 } // namespace
@@ -130,8 +130,8 @@ private Q_SLOTS:
         given.scale(0.1); // centimetres read as mm
         const auto registration = registerFloor(given.layout, given.pixels, given.view.camera(), true);
         QVERIFY(registration.has_value());
-        QVERIFY(registration->verdict.english().find(
-                    "The camera would stand only 200.0 mm above the floor") != std::string::npos);
+        QVERIFY(registration->verdict.english().find("The camera would be only 200.0 mm above the floor") !=
+                std::string::npos);
     }
 };
 

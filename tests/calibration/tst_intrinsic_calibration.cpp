@@ -82,9 +82,9 @@ private Q_SLOTS:
             views[7].pixels[i].x() += 1.5;
         const auto result = calibrateIntrinsics(views, widthPx, heightPx, LensModel::Standard, JobControl());
         QVERIFY(result.has_value());
-        QVERIFY(contains(result->verdict.english(), "12 pictures fit to 0."));
-        QVERIFY(contains(result->verdict.english(), "Look at picture7"));
-        QVERIFY(contains(result->verdict.english(), "each half of them foretells the other to"));
+        QVERIFY(contains(result->verdict.english(), "12 images fit to 0."));
+        QVERIFY(contains(result->verdict.english(), "Check picture7"));
+        QVERIFY(contains(result->verdict.english(), "each half of the images predicts the other to"));
         QCOMPARE(result->picturesUsed(), std::size_t(12));
     }
     void picturesThatCannotBeUsedAreTold()
@@ -107,7 +107,7 @@ private Q_SLOTS:
             const auto result = calibrateIntrinsics(tiltedViews(camera, count, 0.1), widthPx, heightPx,
                                                     LensModel::Standard, JobControl());
             QVERIFY(!result.has_value());
-            QVERIFY(contains(result.error().message(), "three pictures of the board are needed, "));
+            QVERIFY(contains(result.error().message(), "calibration needs three images of the board, "));
         }
     }
     void refusesFrontalPictures()
@@ -140,7 +140,7 @@ private Q_SLOTS:
             views.push_back(see(camera, {0.02, 0.01, 0.6}, 0.5, -0.3, 0.1, random, 0.2));
         const auto result = calibrateIntrinsics(views, widthPx, heightPx, LensModel::Standard, JobControl());
         QVERIFY(!result.has_value());
-        QVERIFY(contains(result.error().message(), "nearly the same attitude"));
+        QVERIFY(contains(result.error().message(), "nearly the same tilt"));
     }
     void stopsWhenCancelled()
     {

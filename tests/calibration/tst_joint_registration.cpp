@@ -111,9 +111,9 @@ private Q_SLOTS:
             drawn.measured.markers[1].pointInWorld += Vector2d(0.023, 0);
             const auto joint = registerJointly(drawn.measured, drawn.cameras, 0.002);
             QVERIFY(joint.has_value());
-            const bool isNamed =
-                joint->doubts.size() == 1 && joint->doubts[0].english().starts_with("U is ") &&
-                contains(joint->doubts[0].english(), "mm off by all cameras: measure it again");
+            const bool isNamed = joint->doubts.size() == 1 &&
+                                 joint->doubts[0].english().starts_with("U is ") &&
+                                 contains(joint->doubts[0].english(), "mm off in all cameras: remeasure it");
             named += isNamed;
             if (!isNamed)
                 qInfo("%s", joint->verdict.english().c_str());
@@ -173,13 +173,13 @@ private Q_SLOTS:
         std::mt19937 random(11);
         Draw drawn = draw(2, random);
         QVERIFY(contains(registerJointly(drawn.measured, {drawn.cameras[0]}).error().message(),
-                         "there is 1 camera on layout 'floor', two are needed"));
+                         "layout 'floor' has 1 registered camera, two are needed"));
         QVERIFY(contains(registerJointly(drawn.measured, drawn.cameras, 0).error().message(),
                          "tape measure is not above 0"));
         auto twice = drawn.cameras;
         twice[1].name = 'A';
         QVERIFY(
-            contains(registerJointly(drawn.measured, twice).error().message(), "camera 'A' is there twice"));
+            contains(registerJointly(drawn.measured, twice).error().message(), "camera 'A' appears twice"));
         auto few = drawn.cameras;
         few[1].pixels.resize(2);
         QVERIFY(contains(registerJointly(drawn.measured, few).error().message(),

@@ -126,12 +126,12 @@ private Q_SLOTS:
         QTest::addColumn<QString>("words");
         QTest::newRow("standard") << int(LensModel::Standard)
                                   << QVector<double>{-0.28, 0.11, 0.001, -0.0007, -0.02}
-                                  << QStringLiteral("Standard lens: it foretells pictures held out to ");
+                                  << QStringLiteral("Standard lens: it predicts held-out images to ");
         QTest::newRow("without distortion")
             << int(LensModel::Standard) << QVector<double>{}
-            << QStringLiteral("Standard lens: it foretells pictures held out to ");
+            << QStringLiteral("Standard lens: it predicts held-out images to ");
         QTest::newRow("fisheye") << int(LensModel::Fisheye) << QVector<double>{0.35, -0.3, 0.25, -0.1}
-                                 << QStringLiteral("Fisheye lens: it foretells pictures held out to ");
+                                 << QStringLiteral("Fisheye lens: it predicts held-out images to ");
     }
     void theModelIsChosenByWhatItForetells()
     {
@@ -181,8 +181,7 @@ private Q_SLOTS:
                 leftOut.push_back(54 * i + corner);
         QCOMPARE(leftOut, moved);
         QCOMPARE(result->cornersLeftOut(), std::size_t(22));
-        QVERIFY(
-            contains(result->verdict.english(), "22 corners that stand out were left out, most in picture"));
+        QVERIFY(contains(result->verdict.english(), "22 outlier corners were left out, most in picture"));
         QVERIFY(std::abs(result->intrinsics.fxPx - clean->intrinsics.fxPx) < 0.5);
         QVERIFY(std::abs(result->rmsPx - clean->rmsPx) < 0.01);
         const CalibrationPicture &picture = result->pictures[moved.front() / 54];
@@ -210,8 +209,8 @@ private Q_SLOTS:
         QVERIFY(result.has_value());
         QCOMPARE(result->pictures[6].outliers, (std::vector<std::size_t>{0, 1, 2, 3, 4}));
         QVERIFY(result->pictures[6].leftOut.empty());
-        QVERIFY(contains(result->verdict.english(),
-                         "5 corners that stand out side by side were kept, in picture6 (5)"));
+        QVERIFY(
+            contains(result->verdict.english(), "5 neighbouring outlier corners were kept, in picture6 (5)"));
     }
     void picturesAreLeftOutByAThreshold()
     {
@@ -267,7 +266,7 @@ private Q_SLOTS:
         const auto result = calibrate(views);
         QVERIFY2(!result.has_value(), result ? result->verdict.english().c_str() : "");
         QVERIFY(
-            contains(result.error().message(), "12 pictures show the board in one place, the upper left"));
+            contains(result.error().message(), "12 images show the board in one position, the upper left"));
     }
     void refusesPicturesOfTwoZooms()
     {
@@ -279,7 +278,7 @@ private Q_SLOTS:
             views.push_back(view);
         const auto result = calibrate(views);
         QVERIFY2(!result.has_value(), result ? result->verdict.english().c_str() : "");
-        QVERIFY(contains(result.error().message(), "two focal lengths"));
+        QVERIFY(contains(result.error().message(), "do not agree on one focal length"));
     }
     void theFloorFiguresOfOddLensesAreNoneRatherThanWrong()
     {

@@ -111,7 +111,7 @@ const BadInput badInputs[] = {
      [] {
          return answerTo(seen(boardAt({0, 0, 0.3}, 68)));
      },
-     "too obliquely"},
+     "tilted too far"},
     {"too small",
      [] {
          return answerTo(seen(boardAt({0, 0, 2.6}, 0)));
@@ -121,31 +121,31 @@ const BadInput badInputs[] = {
      [] {
          return answerTo(seen(boardAt({0.002, 0, 0.451}, 1)));
      },
-     "stands as in first.png already"},
+     "is in the same position as in first.png"},
     {"another board",
      [] {
          SimulatedBoard board = boardAt({0.03, 0, 0.4}, 20);
          board.columns = 8;
          return answerTo(seen(board));
      },
-     "this board has 8x6 inner corners, 9x6 was asked for"},
+     "this board has 8x6 inner corners, not 9x6"},
     {"another size of picture",
      [] {
          return answerTo(seen(boardAt({0.03, 0, 0.4}, 20), 800, 600));
      },
-     "it is 800×600, the first picture 640×360"},
+     "it is 800×600, the first image 640×360"},
     {"too few", [] { return answerTo(tiltedViews(camera, 2, 0.1)); },
-     "three pictures of the board are needed, 2 can be used"},
+     "calibration needs three images of the board, 2 can be used"},
     {"all frontal",
      [] {
          return answerTo(twelve(0.7, {0.3, 0.18, 0.1}, 0));
      },
-     "in nearly the same attitude"},
+     "at nearly the same tilt"},
     {"all in one place",
      [] {
          return answerTo(twelve(1.3, {0.01, 0.01, 0.01}, 0.5));
      },
-     "show the board in one place, the middle"},
+     "show the board in one position, the middle"},
     {"two cameras", [] { return answerTo(ofTwoCameras()); }, "focal length"},
 };
 

@@ -94,7 +94,7 @@ private Q_SLOTS:
         tags[4].first = 2;
         const auto markers = findMarkers(frameOf(seen(flatFloor(tags))), layout());
         QVERIFY(!markers.has_value());
-        QVERIFY2(markers.error().message().find("tag 2 (marker V) is seen 2 times") != std::string::npos,
+        QVERIFY2(markers.error().message().find("tag 2 (marker V) appears 2 times") != std::string::npos,
                  markers.error().message().c_str());
     }
     void findsNothingInAnEmptyPicture()

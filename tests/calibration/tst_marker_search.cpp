@@ -133,7 +133,7 @@ private Q_SLOTS:
         QVERIFY(!unsure.has_value());
         QCOMPARE(unsure.error().code, ErrorCode::Undetermined);
         QVERIFY(contains(unsure.error().message(), "in 2 ways"));
-        QVERIFY(contains(unsure.error().message(), "tell by hand which of them is O"));
+        QVERIFY(contains(unsure.error().message(), "mark by hand which of them is O"));
         for (const MarkerPixel &told : truth) {
             const auto sure = assignMarkers(shapes, rectangle(), view().camera(), true,
                                             {{told.label, told.pixel + Vector2d(6, -5)}});

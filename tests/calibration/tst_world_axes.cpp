@@ -85,10 +85,10 @@ private Q_SLOTS:
         QVERIFY(refusedWith(directions, "both an angle and a pair"));
         AxesChange same;
         same.xAlong = {{"O", "O"}};
-        QVERIFY(refusedWith(same, "lie at one place"));
+        QVERIFY(refusedWith(same, "have the same position"));
         AxesChange nothing;
         nothing.lengthFactor = 0;
-        QVERIFY(refusedWith(nothing, "makes no floor"));
+        QVERIFY(refusedWith(nothing, "is not possible"));
     }
     void aRegistrationIsCarriedAsIfItHadBeenMadeInTheNewAxes()
     {

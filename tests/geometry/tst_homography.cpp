@@ -123,7 +123,7 @@ private Q_SLOTS:
     {
         QVERIFY(refusedWith(seen({{0, 0}, {2, 0}, {0, 1.5}}), "four points are needed, 3 given"));
         QVERIFY(refusedWith({}, "0 given"));
-        QVERIFY(refusedWith(seen({{0, 0}, {2, 0}, {0, 0}, {2, 1.5}}), "O and V lie at one place"));
+        QVERIFY(refusedWith(seen({{0, 0}, {2, 0}, {0, 0}, {2, 1.5}}), "O and V have the same position"));
         QVERIFY(refusedWith(seen({{0, 0}, {1, 0}, {2, 0}, {2, 1.5}}), "O, U and V lie on one line"));
         QVERIFY(
             refusedWith(seen({{0, 0}, {1, 0.003}, {2, -0.004}, {1.5, 0.002}, {0.4, 0}}), "lie on one line"));
@@ -131,9 +131,9 @@ private Q_SLOTS:
         QVERIFY(refusedWith(seen({{0, 0}, {1, 0}, {2, 0}, {1.5, 0}, {1, 1}}), "lie on one line"));
         std::vector<PointPair> pairs = square();
         pairs[1].target = pairs[2].target;
-        QVERIFY(refusedWith(pairs, "U and V lie at one place in the picture"));
+        QVERIFY(refusedWith(pairs, "U and V have the same position in the image"));
         pairs[1].target = 0.5 * (pairs[0].target + pairs[2].target);
-        QVERIFY(refusedWith(pairs, "lie on one line in the picture"));
+        QVERIFY(refusedWith(pairs, "lie on one line in the image"));
         pairs = square();
         pairs[3].source.x() = std::nan("");
         QVERIFY(refusedWith(pairs, "a coordinate of D is not a finite number"));

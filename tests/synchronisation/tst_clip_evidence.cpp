@@ -233,7 +233,7 @@ void TestClipEvidence::worksWithoutAnyRobot()
     LightFilm film;
     const std::vector<LightStep> steps{{4, 1.5}, {4.4, 1}};
     for (ClipEvidence &view : evidence) {
-        view.whyNoTracks = foreignWords("the project has no robot to look for");
+        view.whyNoTracks = foreignWords("the project has no robot to track");
         view.light = lightCourseOf(filmLight(steps, film, random));
         film.startS += 0.5;
     }

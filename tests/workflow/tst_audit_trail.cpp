@@ -60,7 +60,7 @@ private Q_SLOTS:
         QVERIFY(!refused);
         QCOMPARE(
             QString::fromStdString(refused.error().message()),
-            QStringLiteral("trial 'Trial 1': its task was changed while it was measured; measure it again"));
+            QStringLiteral("trial 'Trial 1': its task changed during the analysis; repeat the analysis"));
     }
 
 private:

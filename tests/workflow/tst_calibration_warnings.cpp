@@ -80,8 +80,9 @@ private Q_SLOTS:
     {
         const auto warnings = warned(january);
         QCOMPARE(warnings.size(), std::size_t(1));
-        QCOMPARE(warnings[0], std::string("The lens of camera 'A' was never calibrated, its distortion is "
-                                          "taken as none: calibrate it."));
+        QCOMPARE(warnings[0],
+                 std::string(
+                     "The lens of camera 'A' is not calibrated, so no distortion is assumed: calibrate it."));
     }
     void nothingOfAFreshOne()
     {
@@ -100,9 +101,9 @@ private Q_SLOTS:
                     .has_value());
         const auto warnings = warned(january + std::chrono::days(91));
         QCOMPARE(warnings.size(), std::size_t(2));
-        QCOMPARE(warnings[0], std::string("The lens calibration of camera 'A' is 91 days old: if zoom, focus "
-                                          "or the camera's settings were "
-                                          "touched since, calibrate it again."));
+        QCOMPARE(warnings[0],
+                 std::string("The lens calibration of camera 'A' is 91 days old: if zoom, focus or the "
+                             "camera's settings have changed since, calibrate it again."));
         QCOMPARE(warnings[1], std::string("The floor registration of camera 'A' is 91 days old: check that "
                                           "the camera has not moved, or "
                                           "register it again."));
@@ -123,9 +124,8 @@ private Q_SLOTS:
         QVERIFY(warned(january).empty());
         QVERIFY(m_project->cameras().addIntrinsics(lensOf(m_camera.id, january + 1h)).has_value());
         QCOMPARE(warned(january + 2h),
-                 (std::vector<std::string>{
-                     "The floor registration of camera 'A' was made with another calibration of its "
-                     "lens than the one in force: register it again."}));
+                 (std::vector<std::string>{"The floor registration of camera 'A' uses another lens "
+                                           "calibration than the current one: register it again."}));
     }
 };
 

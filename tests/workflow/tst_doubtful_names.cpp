@@ -64,7 +64,7 @@ private Q_SLOTS:
         QVERIFY(kept.front().from == 500ms && kept.front().to == 700ms);
         QVERIFY((kept.front().otherNames == std::vector<std::string>{"Blue 1"}));
         QVERIFY(std::ranges::any_of(again.warnings, [](const Message &warning) {
-            return warning.english().find("doubtful whether this is Red 2 or Blue 1") != std::string::npos;
+            return warning.english().find("this may be Red 2 or Blue 1") != std::string::npos;
         }));
 
         const TrackOutcome anew = track(false);

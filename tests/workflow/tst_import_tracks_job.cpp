@@ -117,7 +117,7 @@ private Q_SLOTS:
         const double noiseM = source.noiseM;
         QVERIFY2(noiseM > 0.0001 && noiseM < 0.001, qPrintable(QString::number(noiseM)));
         QCOMPARE(source.reading.english(),
-                 "positions to " + formatNumber(1e3 * noiseM, 2) + " mm, as estimated from them");
+                 "positions to " + formatNumber(1e3 * noiseM, 2) + " mm, estimated from the track");
         QCOMPARE(m_project->changes()->front().words.english(), std::string("import trial lap"));
         QVERIFY(m_project->check(true)->empty());
     }
@@ -155,9 +155,9 @@ private Q_SLOTS:
         TrackJob track("lap", {});
         const auto done = runToEnd(track, *m_project, JobControl());
         QVERIFY(!done);
-        QCOMPARE(done.error().message(), std::string("trial 'lap': its tracks were imported, so there is no "
-                                                     "video to track in; analyse them anew with: "
-                                                     "odograph track PROJECT TRIAL --again"));
+        QCOMPARE(done.error().message(),
+                 std::string("trial 'lap': its tracks were imported, so it has no video to track; reanalyse "
+                             "them with: odograph track PROJECT TRIAL --again"));
     }
     void isMeasuredByATask()
     {
@@ -215,7 +215,7 @@ private Q_SLOTS:
                 QVERIFY(isMetres ? is == was : (is - was).norm() <= 4e-16 * was.norm());
             }
             const ImportedTrack source = importedTracksOf(*m_project, *m_project->trials().find(name))->at(0);
-            QCOMPARE(source.reading.english().ends_with("as the file says"), !isMetres);
+            QCOMPARE(source.reading.english().ends_with("as stated in the file"), !isMetres);
         }
     }
     void severalRobotsShareAClock()
@@ -232,9 +232,9 @@ private Q_SLOTS:
         QCOMPARE(analyses->at(1).profile.samples[1].time, Nanoseconds(100000000));
         QVERIFY(!analyses->at(1).profile.samples[0].position);
         const auto source = importedTracksOf(*m_project, *m_project->trials().find("two"))->at(1);
-        QVERIFY2(source.reading.english().ends_with(
-                     "; the file's track 'blue_1'; its times count from 5000.000 s"),
-                 source.reading.english().c_str());
+        QVERIFY2(
+            source.reading.english().ends_with("; the file's track 'blue_1'; its times start at 5000.000 s"),
+            source.reading.english().c_str());
         settings.trial = "third";
         settings.tracks[0].first = "green";
         QCOMPARE(errorOf(settings), "file '" + both.string() +
@@ -254,7 +254,8 @@ private Q_SLOTS:
         QVERIFY(import(settingsOf("lap", write("lap.csv", circle()))));
         QCOMPARE(
             errorOf(settingsOf("lap", write("lap.csv", circle()))),
-            std::string("import of trial 'lap': the project has a trial of that name; choose another name"));
+            std::string(
+                "import of trial 'lap': the project already has a trial of that name; choose another name"));
         QCOMPARE(errorOf(settingsOf("new", "nowhere.csv")),
                  std::string("'nowhere.csv': there is no such file; check the name and the folder"));
         const auto bad = write("bad.csv", "t_s,x_mm,y_mm\n0,0,0\n0,0,0\n");

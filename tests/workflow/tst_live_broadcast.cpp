@@ -147,10 +147,9 @@ private Q_SLOTS:
                                   "10.0.0.7:1x", ":", "::1"}) {
             const auto target = parseBroadcastTarget(wrong);
             QVERIFY2(!target, wrong);
-            QCOMPARE(
-                target.error().message(),
-                "address '" + std::string(wrong) +
-                    "' of live positions: it is no IPv4 address with a port; write it like 224.5.23.2:10006");
+            QCOMPARE(target.error().message(), "address '" + std::string(wrong) +
+                                                   "' of live positions: it is not an IPv4 address with a "
+                                                   "port; write it like 224.5.23.2:10006");
         }
     }
     void groups()
@@ -166,9 +165,9 @@ private Q_SLOTS:
         target.interface = "none7";
         const auto broadcast = LiveBroadcast::create(target, {});
         QVERIFY(!broadcast);
-        QCOMPARE(broadcast.error().message(), std::string("interface 'none7' of live positions: this machine "
-                                                          "has none of that name; choose one that `ip link` "
-                                                          "names, or lo to stay on this machine"));
+        QCOMPARE(broadcast.error().message(),
+                 std::string("interface 'none7' of live positions: this computer has no interface of that "
+                             "name; choose one that `ip link` lists, or lo to stay on this computer"));
     }
 };
 

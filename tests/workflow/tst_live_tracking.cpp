@@ -251,8 +251,9 @@ void TestLiveTracking::saysHowFarBehindTheMapIs()
 {
     QCOMPARE(liveWords({}).english(), std::string());
     QCOMPARE(liveWords({60, 0, 0.0384, 0.06}).english(),
-             std::string("the map is 38 ms behind, none skipped"));
-    QCOMPARE(liveWords({60, 12, 0.051, 0.06}).english(), std::string("the map is 51 ms behind, 12 skipped"));
+             std::string("the map is 38 ms behind, no frame skipped"));
+    QCOMPARE(liveWords({60, 12, 0.051, 0.06}).english(),
+             std::string("the map is 51 ms behind, 12 frames skipped"));
 }
 
 ODOGRAPH_TEST(TestLiveTracking, QCoreApplication)

@@ -190,8 +190,8 @@ void TestLiveTrial::aViewWithoutPicturesIsLeftOut()
     QTRY_COMPARE(sitting.session->health().views[1].delivered, 10u);
     QVERIFY(runToEnd(**live, *sitting.project, {}));
     QCOMPARE((*live)->warnings().size(), std::size_t(1));
-    QVERIFY((*live)->warnings().front().english().starts_with(
-        "view 'A': it is left out, because nothing was recorded of it"));
+    QVERIFY(
+        (*live)->warnings().front().english().starts_with("view 'A': it recorded nothing and was left out"));
     const auto recordings = sitting.project->trials().recordings(sitting.trial().id);
     QCOMPARE(recordings->size(), std::size_t(1));
     QCOMPARE(recordings->front().cameraName, std::string("B"));
@@ -205,8 +205,8 @@ void TestLiveTrial::withoutAnyPictureItFails()
     const auto live = sitting.begin();
     const auto ended = runToEnd(**live, *sitting.project, {});
     QCOMPARE(ended.error().message(),
-             std::string("recording of trial 'run': no camera gave a picture; check that they are connected "
-                         "and not used by another program"));
+             std::string("recording of trial 'run': no camera delivered a frame; check that they are "
+                         "connected and not used by another program"));
     QVERIFY(sitting.project->trials().all()->empty());
 }
 
@@ -222,8 +222,8 @@ void TestLiveTrial::whatWasCutOffIsRecovered()
     const auto told = recoverTrials(*sitting.project, {});
     QVERIFY(told);
     QCOMPARE(test::english(*told),
-             std::vector<std::string>{"trial 'run': its recording was cut off; 1.0 s of 2 views are "
-                                      "kept, all but the last second at most"});
+             std::vector<std::string>{"trial 'run': its recording was cut off; 1.0 s of 2 views were saved, "
+                                      "at most the last second is missing"});
     const TrialRecord trial = sitting.trial();
     QVERIFY(!trial.unfinished);
     QVERIFY(std::abs(trial.syncOffsetS - 0.007) < 1e-6);
@@ -365,8 +365,8 @@ void TestLiveTrial::aProjectThatIsNoLongerThereIsNotRecordedInto()
     QVERIFY(!live);
     QCOMPARE(live.error().code, ErrorCode::NotFound);
     QCOMPARE(live.error().message(),
-             std::string("recording of trial 'run': the project's file is no longer there; "
-                         "put its disk or folder back where it was; nothing was recorded"));
+             std::string("recording of trial 'run': the project file no longer exists; put its disk or "
+                         "folder back where it was; nothing was recorded"));
     QVERIFY(!QFile::exists(sitting.folder.filePath(QStringLiteral("p.media"))));
     QVERIFY(QFile::rename(file + QStringLiteral(".away"), file));
     QVERIFY(sitting.begin());

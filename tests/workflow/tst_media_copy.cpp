@@ -80,7 +80,7 @@ private Q_SLOTS:
         const auto written = claimMediaFile(media, "A", ".mkv");
         const auto copy = copyIntoMedia(written->path(), media, "B", {});
         QVERIFY(!copy && copy.error().code == ErrorCode::Unavailable);
-        QVERIFY(copy.error().message().find("another program is writing or removing it just now") !=
+        QVERIFY(copy.error().message().find("another program is writing or removing it") !=
                 std::string::npos);
     }
 

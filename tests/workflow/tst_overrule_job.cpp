@@ -65,8 +65,8 @@ private Q_SLOTS:
         const auto stored = slow.commit(*project);
         QVERIFY(!stored);
         QCOMPARE(QString::fromStdString(stored.error().message()),
-                 QStringLiteral("frame 12 of trial 'Trial 1': another sample was judged by hand while this "
-                                "one was analysed; say it again for frame 12"));
+                 QStringLiteral("frame 12 of trial 'Trial 1': another sample was overridden while this one "
+                                "was analysed; repeat it for frame 12"));
         QCOMPARE(contentOf(*project), before);
     }
 

@@ -170,7 +170,7 @@ void TestPackJob::whatIsLostIsNamed()
     QVERIFY(runToEnd(job, *m_project, {}));
     QCOMPARE(test::english(job.warnings()),
              std::vector<std::string>{
-                 "the video of camera A in trial 'run' is lost, and not in the packed project"});
+                 "the video of camera A in trial 'run' is lost and is not in the packed project"});
 }
 
 /// The system refuses to look at it, which is no reason to end the program.
@@ -212,9 +212,8 @@ void TestPackJob::aVideoElsewhereThatIsAnotherFileIsLeftOut()
     PackJob job(file("lesson.zip"));
     QVERIFY(runToEnd(job, *m_project, {}));
     QCOMPARE(test::english(job.warnings()),
-             std::vector<std::string>{
-                 "the video of camera A in trial 'run' lies elsewhere and is another file than it was, "
-                 "and not in the packed project"});
+             std::vector<std::string>{"the video of camera A in trial 'run' is outside the media folder and "
+                                      "has changed since; it is not in the packed project"});
     QVERIFY(unpackArchive(file("lesson.zip"), file("home"), {}));
     QVERIFY(QFile::exists(path("home/lesson.media/run.mkv")));
     QVERIFY(!QFile::exists(path("home/lesson.media/run_2.mkv")));
@@ -284,12 +283,12 @@ void TestPackJob::sayingWhatIsMissing()
 {
     RelinkJob none(file("elsewhere"));
     QCOMPARE(runToEnd(none, *m_project, {}).error().message(),
-             std::string("lost videos: no video of this project is lost; there is nothing to do"));
+             std::string("lost videos: no video of this project is lost; no action is needed"));
     QVERIFY(QFile::remove(path("elsewhere/run.mkv")));
     RelinkJob empty(file("elsewhere"));
     QCOMPARE(runToEnd(empty, *m_project, {}).error().message(),
              "look in '" + file("elsewhere").string() +
-                 "': the lost video is not there; choose the folder where they were copied to");
+                 "': the lost video is not in this folder; choose the folder where they were copied to");
     RelinkJob nowhere("/no/such/folder");
     QCOMPARE(runToEnd(nowhere, *m_project, {}).error().code, ErrorCode::Io);
     JobControl control;

@@ -64,17 +64,17 @@ private Q_SLOTS:
         QTest::newRow("view") << "Red 2"
                               << "Z" << 0.5 << QPointF(10, 10) << "the trial has no such view";
         QTest::newRow("time") << "Red 2"
-                              << "A" << 500.0 << QPointF(10, 10) << "the view has no picture at that time";
+                              << "A" << 500.0 << QPointF(10, 10) << "the view has no frame at that time";
         QTest::newRow("before") << "Red 2"
-                                << "A" << -3.0 << QPointF(10, 10) << "the view has no picture at that time";
+                                << "A" << -3.0 << QPointF(10, 10) << "the view has no frame at that time";
         QTest::newRow("outside") << "Red 2"
-                                 << "A" << 0.5 << QPointF(10, 1e9) << "the place lies outside the picture";
+                                 << "A" << 0.5 << QPointF(10, 1e9) << "the position is outside the frame";
         QTest::newRow("no number") << "Red 2"
                                    << "A" << std::nan("") << QPointF(10, 10)
-                                   << "the view has no picture at that time";
+                                   << "the view has no frame at that time";
         QTest::newRow("nothing there")
             << "Red 2"
-            << "A" << 0.5 << QPointF(2, 2) << "nothing stands out from the floor at 2,2 at 0.5";
+            << "A" << 0.5 << QPointF(2, 2) << "no foreground object was found at pixel 2,2 at 0.5";
     }
 
     void whatCannotBeMeantIsRefused()
@@ -96,7 +96,7 @@ private Q_SLOTS:
     {
         QVERIFY(m_project->robots().set(m_coloured));
         const QString words = track({{"Red 2", "A", 0.5, {10, 10}}});
-        QVERIFY2(words.contains(QStringLiteral("it is found by its colour")), qPrintable(words));
+        QVERIFY2(words.contains(QStringLiteral("it is detected by its colour")), qPrintable(words));
     }
 
 private:

@@ -61,13 +61,12 @@ private Q_SLOTS:
         const auto recorded = recordTrial(*m_project, settings, control);
         QVERIFY2(recorded, recorded ? "" : recorded.error().message().c_str());
         QCOMPARE(told,
-                 QStringList(QStringLiteral("the project's file was deleted, renamed or replaced; recording "
-                                            "goes on, and what is in it is rescued at the end")));
+                 QStringList(QStringLiteral("the project file was deleted, renamed or replaced; recording "
+                                            "continues, and its contents will be saved at the end")));
         const std::filesystem::path rescued = file.parent_path() / "p (rescued).odo";
-        QCOMPARE(
-            (*recorded)->warnings().back().english(),
-            "the project's file was deleted, renamed or replaced meanwhile; what was in it is rescued in '" +
-                rescued.string() + "', which is the project from now on");
+        QCOMPARE((*recorded)->warnings().back().english(),
+                 "the project file was deleted, renamed or replaced; its contents were saved in '" +
+                     rescued.string() + "', the project from now on");
         const auto project = Project::open(rescued, Project::Access::ReadOnly);
         QVERIFY(project);
         const auto trial = (*project)->trials().find("run");
@@ -136,11 +135,12 @@ private Q_SLOTS:
         QTest::addColumn<double>("seconds");
         QTest::addColumn<double>("preRollS");
         QTest::addColumn<QByteArray>("why");
-        QTest::newRow("no time") << 0.0 << 0.0 << QByteArray("it would take no time, or more than a day");
+        QTest::newRow("no time") << 0.0 << 0.0
+                                 << QByteArray("the duration must be above zero and at most a day");
         QTest::newRow("more than is kept")
-            << 1.0 << 60.0 << QByteArray("what is kept from before is no time, or more than 10 s");
+            << 1.0 << 60.0 << QByteArray("the pre-roll must be from 0 s to 10 s");
         QTest::newRow("no number") << 1.0 << std::nan("")
-                                   << QByteArray("what is kept from before is no time, or more than 10 s");
+                                   << QByteArray("the pre-roll must be from 0 s to 10 s");
     }
     void whatCannotBeDoneIsRefused()
     {

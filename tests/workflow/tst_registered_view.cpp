@@ -44,10 +44,10 @@ private Q_SLOTS:
         TrackJob job("larger", {});
         const auto tracked = runToEnd(job, *m_project, {});
         QVERIFY(!tracked);
-        QCOMPARE(tracked.error().message(),
-                 std::string(
-                     "view 'A' of trial 'larger': its pictures are 640×360 but the camera was calibrated at "
-                     "320×180; calibrate and register the camera at the size it records"));
+        QCOMPARE(
+            tracked.error().message(),
+            std::string("view 'A' of trial 'larger': its frames are 640×360 but the camera was calibrated at "
+                        "320×180; calibrate and register the camera at the size it records"));
     }
 
 private:

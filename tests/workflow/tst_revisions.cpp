@@ -76,7 +76,7 @@ private Q_SLOTS:
         QVERIFY(!older.isCurrent);
         QCOMPARE(older.trials, (std::vector<std::string>{"Trial 1", "Trial 2"}));
         QCOMPARE(calibration.trials, older.trials); // it was made with that lens
-        QVERIFY(contains(older.origin.english(), "layout 'floor', lens of calibration "));
+        QVERIFY(contains(older.origin.english(), "layout 'floor', lens calibration "));
         QVERIFY(contains(revisionsOf(*m_project, "Q").error().message(), "'Q'"));
     }
 
@@ -91,7 +91,7 @@ private Q_SLOTS:
         QVERIFY2(current("B") != first, "the other camera keeps its own");
         QVERIFY(
             contains(chooseRevision(*m_project, "B", Revision::Kind::Registration, first).error().message(),
-                     "camera 'B' has none of that number"));
+                     "camera 'B' has no such number"));
         registerMoved(0.02);
         QVERIFY(current("A") > second);
     }
@@ -107,7 +107,7 @@ private Q_SLOTS:
         const auto cameraRecord = *m_project->cameras().get(camera);
         const auto warnings = *calibrationWarnings(*m_project, cameraRecord, record.made);
         QVERIFY(std::ranges::any_of(warnings, [](const Message &each) {
-            return each.english().find("another calibration of its lens") != std::string::npos;
+            return each.english().find("another lens calibration") != std::string::npos;
         }));
         QVERIFY(chooseRevision(*m_project, "A", Revision::Kind::Calibration, first));
         QCOMPARE(m_project->cameras().currentIntrinsics(camera).value()->id, first);
@@ -117,7 +117,7 @@ private Q_SLOTS:
     void aNewerLensIsTakenWithTheSameMarkers()
     {
         QVERIFY(contains(registerWithLensInForce(*m_project, "A").error().message(),
-                         "it was made with it already"));
+                         "it already uses that calibration"));
         const RecordId camera = m_project->cameras().find("A")->id, before = current("A");
         const RegistrationRecord old = *m_project->cameras().registration(before);
         IntrinsicsRecord lens = *m_project->cameras().currentIntrinsics(camera).value();
@@ -186,7 +186,7 @@ private Q_SLOTS:
     {
         ReprocessJob job("Trial 3");
         QVERIFY(contains(runToEnd(job, *m_project, {}).error().message(),
-                         "it has not been tracked yet, so there is nothing to analyse again"));
+                         "it has not been tracked yet, so it cannot be reanalysed"));
         ReprocessJob none("Trial 9");
         QCOMPARE(runToEnd(none, *m_project, {}).error().code, ErrorCode::NotFound);
         const JobControl control;
@@ -219,7 +219,8 @@ private Q_SLOTS:
         QCOMPARE(change.metrics[0].after.value(), 4.0);
         QCOMPARE(change.metrics[0].sigma.value(), 0.1);
         QVERIFY(!change.metrics[1].after && !change.metrics[2].before);
-        QVERIFY(contains(changeBetween({}, {}).words.english(), "No place was measured by both"));
+        QVERIFY(
+            contains(changeBetween({}, {}).words.english(), "The two analyses have no position in common"));
     }
 
     void checksAreKeptWithTheRegistrationTheyWereMadeOf()

@@ -62,11 +62,11 @@ private Q_SLOTS:
             return;
         }
         QCOMPARE(said->error.code, ErrorCode::Undetermined);
-        QCOMPARE(said->error.message(),
-                 "robot 'r' in trial 't': its colour #b09470 is also that of the floor (" +
-                     std::to_string(std::lround(100 * share)) +
-                     " % of view A's picture); put a plate of another colour on it, or tell the colour it "
-                     "really has");
+        QCOMPARE(
+            said->error.message(),
+            "robot 'r' in trial 't': its colour #b09470 is also the floor's (" +
+                std::to_string(std::lround(100 * share)) +
+                " % of the frame in view A); put a plate of another colour on it, or set its true colour");
     }
 
     void howViewsAreInStep_data()
@@ -74,10 +74,10 @@ private Q_SLOTS:
         QTest::addColumn<QString>("method");
         QTest::addColumn<double>("sigmaS");
         QTest::addColumn<QString>("said");
-        const QString unknown = QStringLiteral("view 'B' in trial 't': it is not synchronised but taken as "
-                                               "begun together with the first view, so that a moving "
-                                               "robot is not where the two views put it; import the videos "
-                                               "again and let the offset be found, or tell it");
+        const QString unknown =
+            QStringLiteral("view 'B' in trial 't': it is not synchronised: the same start time as the first "
+                           "view was assumed, and positions of a moving robot are wrong; import the videos "
+                           "again with automatic synchronisation, or enter the time offset");
         QTest::newRow("none") << "none" << 0.0 << unknown;
         QTest::newRow("a word of a later program") << "" << 0.0 << unknown;
         QTest::newRow("by hand") << "told" << 0.0 << "";
@@ -85,9 +85,8 @@ private Q_SLOTS:
         QTest::newRow("flash") << "flash" << 0.003 << "";
         QTest::newRow("motion that hardly tells")
             << "auto" << 0.0123
-            << "view 'B' in trial 't': it is in step to 12 ms only, which is 12 mm at 1 m/s; let the robot "
-               "turn, or flash the "
-               "room's light, where both cameras see it";
+            << "view 'B' in trial 't': it is synchronised only to 12 ms, which is 12 mm at 1 m/s; turn the "
+               "robot, or flash the room light, in view of both cameras";
     }
     void howViewsAreInStep()
     {
@@ -118,29 +117,28 @@ private Q_SLOTS:
         QTest::addColumn<Doubts>("doubts");
         QTest::addColumn<QString>("said");
         const QString subject = QStringLiteral("robot 'Blue 1' in trial 't': "),
-                      advice = QStringLiteral("; give each a colour of its own");
+                      advice = QStringLiteral("; give each its own colour");
         QTest::newRow("none") << Doubts{} << QString();
-        QTest::newRow("one")
-            << Doubts{{3204ms, 3898ms, {2}, {"Blue 2"}}}
-            << subject +
-                   QStringLiteral("from 3.20 s to 3.90 s it is doubtful whether this is Blue 1 or Blue 2") +
-                   advice;
+        QTest::newRow("one") << Doubts{{3204ms, 3898ms, {2}, {"Blue 2"}}}
+                             << subject +
+                                    QStringLiteral("from 3.20 s to 3.90 s this may be Blue 1 or Blue 2") +
+                                    advice;
         QTest::newRow("three robots")
             << Doubts{{1s, 2s, {2, 3}, {"Blue 2", "Blue 3"}}}
+            << subject + QStringLiteral("from 1.00 s to 2.00 s this may be Blue 1, Blue 2 or Blue 3") +
+                   advice;
+        QTest::newRow("not known who")
+            << Doubts{{1s, 2s, {}, {}}}
             << subject +
                    QStringLiteral(
-                       "from 1.00 s to 2.00 s it is doubtful whether this is Blue 1, Blue 2 or Blue 3") +
+                       "from 1.00 s to 2.00 s this may be Blue 1 or another robot that looks the same") +
                    advice;
-        QTest::newRow("not known who") << Doubts{{1s, 2s, {}, {}}}
-                                       << subject +
-                                              QStringLiteral("from 1.00 s to 2.00 s it is doubtful whether "
-                                                             "this is Blue 1 or another robot of its look") +
-                                              advice;
-        QTest::newRow("twice") << Doubts{{1s, 2s, {3}, {"Blue 3"}}, {5s, 6s, {2}, {"Blue 2"}}}
-                               << subject +
-                                      QStringLiteral("from 1.00 s to 2.00 s (the first of 2 times) it is "
-                                                     "doubtful whether this is Blue 1, Blue 2 or Blue 3") +
-                                      advice;
+        QTest::newRow("twice")
+            << Doubts{{1s, 2s, {3}, {"Blue 3"}}, {5s, 6s, {2}, {"Blue 2"}}}
+            << subject +
+                   QStringLiteral(
+                       "from 1.00 s to 2.00 s (the first of 2 times) this may be Blue 1, Blue 2 or Blue 3") +
+                   advice;
     }
     void whoItMayBeIsSaid()
     {
@@ -170,12 +168,11 @@ private Q_SLOTS:
         analysis.profile.samples[10].flags = flagBit(SampleFlag::ViewsDisagree);
         const auto sentences = analysisWarnings(analysis, "t");
         QCOMPARE(sentences.size(), std::size_t(1));
-        QCOMPARE(
-            QString::fromStdString(sentences.front().english()),
-            QStringLiteral("robot 'Blue 1' in trial 't': in 11 of 100 pictures the views have it at places "
-                           "far apart: one of them follows something else, or is not where it was "
-                           "registered; look at the outlines, and tell the robot's colour or keep others out "
-                           "of the pictures"));
+        QCOMPARE(QString::fromStdString(sentences.front().english()),
+                 QStringLiteral(
+                     "robot 'Blue 1' in trial 't': in 11 of 100 frames the views show it at positions far "
+                     "apart: one of them tracks another object, or has moved since its registration; check "
+                     "the outlines, and set the robot's colour or keep other objects out of view"));
     }
 
     void viewsThatContradictOneAnotherAreSaid()
@@ -190,11 +187,12 @@ private Q_SLOTS:
         }
         const auto sentences = analysisWarnings(analysis, "t");
         QCOMPARE(sentences.size(), std::size_t(1));
-        QCOMPARE(QString::fromStdString(sentences.front().english()),
-                 QStringLiteral("robot 'Blue 1' in trial 't': in 50 of 100 pictures the views contradict one "
-                                "another: they put it 20.5 mm apart; a camera was moved after it was "
-                                "registered, the views are out of step, or the robot's height is not what "
-                                "was told; register the cameras again"));
+        QCOMPARE(
+            QString::fromStdString(sentences.front().english()),
+            QStringLiteral(
+                "robot 'Blue 1' in trial 't': in 50 of 100 frames the views contradict each other: their "
+                "floor positions differ by 20.5 mm; a camera has moved since its registration, the views are "
+                "not synchronised, or the robot's height is wrong; register the cameras again"));
     }
 
     void hardlyEverFoundIsAnError()

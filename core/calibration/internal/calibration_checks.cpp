@@ -89,7 +89,7 @@ constexpr double leastZoom = 0.02;                    // of the focal length
 Message tiltAdvice()
 {
     return ODO_TEXT("calibration.tilt_board",
-                    "take pictures with the board tilted by 30 to 45 degrees, to each side");
+                    "take images with the board tilted by 30 to 45 degrees, to each side");
 }
 
 /// The largest angle between the board's normals of any two pictures, degrees.
@@ -205,12 +205,13 @@ Result<void> checkOneCamera(const std::vector<BoardView> &views, const LensFit &
     if (together < groupGain * (lower->squares + upper->squares) || std::abs(other / one - 1) < leastZoom)
         return {};
     return refuseCalibration(
-        joined({ODO_TEXT("calibration.two_focal_lengths", "the pictures ask for two focal lengths"),
-                ODO_TEXT("calibration.focal_length_groups", "%1 for about %2, %3 (such as %4) for about %5")(
-                    split, quantity(one, 0, "px"), focals.size() - split, views[focals[split].view].source,
-                    quantity(other, 0, "px"))},
-               Join::Colon),
-        ODO_TEXT("calibration.use_one_camera", "use pictures of one camera at one zoom and focus"));
+        joined(
+            {ODO_TEXT("calibration.two_focal_lengths", "the images do not agree on one focal length"),
+             ODO_TEXT("calibration.focal_length_groups", "%1 give about %2, %3 (such as %4) give about %5")(
+                 split, quantity(one, 0, "px"), focals.size() - split, views[focals[split].view].source,
+                 quantity(other, 0, "px"))},
+            Join::Colon),
+        ODO_TEXT("calibration.use_one_camera", "use images of one camera at one zoom and focus"));
 }
 
 Message cannotBeCalibrated()
@@ -260,12 +261,12 @@ Result<void> checkPlaces(const std::vector<BoardView> &views, int widthPx, int h
         return {};
     return refuseCalibration(
         joined({ODO_TEXT("calibration.board_in_one_place",
-                         "all %1 pictures show the board in one place, the %2 %3 of the picture")(
+                         "all %1 images show the board in one position, the %2 %3 of the image")(
                     views.size(), placeOfCorners(views, widthPx, heightPx), quantity(100 * box, 0, "%")),
-                ODO_TEXT("calibration.lens_unknown_elsewhere", "how the lens bends elsewhere stays unknown")},
+                ODO_TEXT("calibration.lens_unknown_elsewhere", "the distortion elsewhere stays unknown")},
                Join::Colon),
         ODO_TEXT("calibration.show_everywhere",
-                 "show the board in the middle and near each corner of the picture, and closer"));
+                 "show the board in the middle and near each corner of the image, and closer"));
 }
 
 Result<double> checkDetermined(const std::vector<BoardView> &views, const LensFit &fit,
@@ -273,8 +274,8 @@ Result<double> checkDetermined(const std::vector<BoardView> &views, const LensFi
 {
     if (largestTurn(fit) < leastTurn)
         return refuseCalibration(ODO_TEXT("calibration.same_attitude",
-                                          "all %1 pictures show the board in nearly the same attitude, which "
-                                          "does not determine the focal length")(views.size()),
+                                          "all %1 images show the board at nearly the same tilt, too "
+                                          "little to determine the focal length")(views.size()),
                                  tiltAdvice());
     const double sigma = focalSigma(views, fit, control);
     if (control.isCancelled())
@@ -282,13 +283,13 @@ Result<double> checkDetermined(const std::vector<BoardView> &views, const LensFi
     if (!(sigma < doubtfulFocalSigma))
         return refuseCalibration(
             joined({ODO_TEXT("calibration.focal_length_unsure",
-                             "the pictures determine the focal length only to %1")(percentOf(sigma)),
-                    ODO_TEXT("calibration.too_frontal", "the board is seen too nearly frontal")},
+                             "the images determine the focal length only to %1")(percentOf(sigma)),
+                    ODO_TEXT("calibration.too_frontal", "the board faces the camera too directly")},
                    Join::Colon),
             tiltAdvice());
     if (halves && halves->focalDifference() > 3 * doubtfulFocalSigma)
         return refuseCalibration(ODO_TEXT("calibration.halves_contradict",
-                                          "two halves of the pictures give focal lengths that differ by %1")(
+                                          "two halves of the images give focal lengths that differ by %1")(
                                      percentOf(halves->focalDifference())),
                                  tiltAdvice());
     return sigma;

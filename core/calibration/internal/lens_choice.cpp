@@ -213,12 +213,12 @@ Message reasonOf(const LensCandidate &chosen, const std::vector<LensCandidate> &
     const LensCandidate &against = simplest ? *other : candidates.front();
     const MessageText &words =
         !simplest ? ODO_TEXT("calibration.foretells_better",
-                             "it foretells pictures held out to %1, the %2 one only to %3")
+                             "it predicts held-out images to %1, the %2 model only to %3")
         : against.heldOutPx() < chosen.heldOutPx()
             ? ODO_TEXT("calibration.foretells_by_chance",
-                       "it foretells pictures held out to %1, the %2 one to %3, which may be chance")
+                       "it predicts held-out images to %1, the %2 model to %3; the difference may be chance")
             : ODO_TEXT("calibration.foretells_as_well",
-                       "it foretells pictures held out to %1, the %2 one no better (%3)");
+                       "it predicts held-out images to %1, the %2 model no better (%3)");
     return words(pixelsOf(chosen), lensModelName(against.model()), pixelsOf(against));
 }
 
@@ -248,7 +248,7 @@ std::optional<LensChoice> chooseLens(const std::vector<BoardView> &views,
         return LensChoice{std::move(candidates.front().fit),
                           std::move(candidates.front().outliers),
                           {},
-                          ODO_TEXT("calibration.lens_told", "told")};
+                          ODO_TEXT("calibration.lens_told", "as specified")};
 
     const std::vector<BoardView> sound =
         withoutCorners(views, singleCorners(views, candidates.front().fit, common(candidates)));

@@ -395,7 +395,7 @@ constexpr double clearlyBetter = 3, leastDifferencePx = 0.7;
 tl::unexpected<Error> refuseAssignment(Message why, Message advice)
 {
     return fail(ErrorCode::Undetermined,
-                ODO_TEXT("calibration.markers_not_told_apart", "the markers cannot be told apart"),
+                ODO_TEXT("calibration.markers_not_told_apart", "the markers cannot be distinguished"),
                 std::move(why), std::move(advice));
 }
 
@@ -439,9 +439,9 @@ tl::unexpected<Error> askForOne(const MarkerLayout &layout, const std::vector<So
     }
     return refuseAssignment(
         ODO_TEXT("calibration.markers_fit_many_ways",
-                 "in %1 ways they fit the layout equally well, which looks the same from several sides")(
+                 "they fit the layout equally well in %1 ways, because it looks the same from several sides")(
             equal.size()),
-        ODO_TEXT("calibration.tell_by_hand", "tell by hand which of them is %1")(Named::marker(best)));
+        ODO_TEXT("calibration.tell_by_hand", "mark by hand which of them is %1")(Named::marker(best)));
 }
 
 } // namespace
@@ -481,12 +481,11 @@ Result<std::vector<MarkerPixel>> assignMarkers(const std::vector<RoundMarker> &s
                      "%1 rings or dots were found, four are needed")(shapes.size()),
             ODO_TEXT("calibration.show_more_shapes",
                      "show more of them, larger or in better light, or mark the markers by hand"));
-    return refuseAssignment(
-        ODO_TEXT("calibration.shapes_fit_nowhere",
-                 "none of the ways to name the %1 rings and dots fits the layout")(shapes.size()),
-        ODO_TEXT("calibration.check_layout_places",
-                 "check the layout's places and their unit, cover other round things, or "
-                 "mark the markers by hand"));
+    return refuseAssignment(ODO_TEXT("calibration.shapes_fit_nowhere",
+                                     "no assignment of the %1 rings and dots fits the layout")(shapes.size()),
+                            ODO_TEXT("calibration.check_layout_places",
+                                     "check the layout's positions and their unit, cover "
+                                     "other round objects, or mark the markers by hand"));
 }
 
 } // namespace odo

@@ -124,7 +124,7 @@ Result<Homography> raysFromPlane(std::span<const PointPair> pairs, const CameraM
         if (!(cosine > std::cos(mostDegreesFromAxis * EIGEN_PI / 180)))
             return noPose(
                 ODO_TEXT("calibration.marker_against_lens",
-                         "%1 lies where this camera's lens cannot have put it")(Named::marker(pair.label)),
+                         "this camera's lens model cannot project %1")(Named::marker(pair.label)),
                 ODO_TEXT("calibration.check_pixel_and_lens", "check its pixel and the camera's intrinsics"));
         rays.push_back({pair.source, ray->hnormalized(), pair.label});
     }
@@ -249,7 +249,7 @@ Message describe(std::span<const PointPair> pairs, const Order &order, double rm
     }
     const MessageArgument fit = quantity(rmsPx, 1, "px");
     if (moved.size() == 2)
-        return ODO_TEXT("calibration.labels_exchanged", "with %1 and %2 exchanged they fit to %3")(
+        return ODO_TEXT("calibration.labels_exchanged", "with %1 and %2 swapped they fit to %3")(
             Named::marker(pairs[moved[0]].label), Named::marker(pairs[moved[1]].label), fit);
     std::vector<std::string> told, meant;
     for (std::size_t i : moved) {
@@ -259,8 +259,8 @@ Message describe(std::span<const PointPair> pairs, const Order &order, double rm
     const auto inOrder = [](const std::vector<std::string> &labels) {
         return listed(labels, MessageArgument::Kind::Marker, MessageArgument::Joint::Comma);
     };
-    return ODO_TEXT("calibration.labels_called", "with %1 called %2 they fit to %3")(inOrder(told),
-                                                                                     inOrder(meant), fit);
+    return ODO_TEXT("calibration.labels_called", "with %1 renamed %2 they fit to %3")(inOrder(told),
+                                                                                      inOrder(meant), fit);
 }
 
 } // namespace

@@ -44,22 +44,22 @@ Message edgesAreWide(double widthPx)
 
 Message pointsUndetermined()
 {
-    return ODO_TEXT("calibration.points_undetermined", "the points do not determine where the camera stands");
+    return ODO_TEXT("calibration.points_undetermined", "the points do not determine the camera position");
 }
 
 Message hardlyChecked(Message four)
 {
-    return joined({std::move(four), ODO_TEXT("calibration.fifth_would", "a fifth would.")}, Join::Semicolon);
+    return joined({std::move(four), ODO_TEXT("calibration.fifth_would", "add a fifth.")}, Join::Semicolon);
 }
 
 Message calibrateToRely()
 {
-    return ODO_TEXT("calibration.calibrate_to_rely", "Calibrate it for positions to rely on.");
+    return ODO_TEXT("calibration.calibrate_to_rely", "Calibrate it for reliable positions.");
 }
 
 Message useCameraPicture()
 {
-    return ODO_TEXT("calibration.use_camera_picture", "use a picture of the camera");
+    return ODO_TEXT("calibration.use_camera_picture", "use an image from the camera");
 }
 
 Message correctPixels()
@@ -69,7 +69,7 @@ Message correctPixels()
 
 Message markWhereSeen()
 {
-    return ODO_TEXT("calibration.mark_where_seen", "mark each of them where it is seen");
+    return ODO_TEXT("calibration.mark_where_seen", "mark each of them at its own position in the image");
 }
 
 Message spreadMarkers()

@@ -29,7 +29,7 @@ CalibrationStorage::CalibrationStorage(const std::filesystem::path &mediaFolder,
     : m_media(mediaFolder), m_camera(std::move(camera))
 {
     m_record.origin = ODO_TEXT("workflow.calibrated_from_pictures",
-                               "calibrated from %1 pictures")(calibration.picturesUsed());
+                               "calibrated from %1 images")(calibration.picturesUsed());
     m_record.calibration = std::move(calibration);
     m_record.board = board;
     m_record.softwareVersion = ODOGRAPH_VERSION;
@@ -43,7 +43,7 @@ Result<void> CalibrationStorage::writePictures(const std::vector<BoardPicture> &
         if (control.isCancelled())
             return cancelled(calibrationOf(m_camera));
         control.report(double(i) / double(used.size()),
-                       ODO_TEXT("workflow.keeping_pictures", "keeping the pictures"));
+                       ODO_TEXT("workflow.keeping_pictures", "saving the images"));
         const auto picture = std::ranges::find(pictures, used[i].view.source, &BoardPicture::source);
         m_record.files.emplace_back(); // those without a picture have none
         if (picture == pictures.end())
@@ -96,17 +96,17 @@ Result<void> CalibrateJob::run(const JobControl &control)
     for (std::size_t i = 0; i < m_settings.files.size(); ++i) {
         control.report(0.8 * double(i) / double(m_settings.files.size()),
                        ODO_TEXT("workflow.looking_for_board_in",
-                                "looking for the board in %1")(Named::file(m_settings.files[i].filename())));
+                                "detecting the board in %1")(Named::file(m_settings.files[i].filename())));
         ODO_TRY(searchFile(m_settings.files[i], control));
     }
     if (m_views.empty()) {
         const Message why = m_rejected.empty()
-                                ? Message(ODO_TEXT("workflow.no_picture_read", "no picture could be read"))
+                                ? Message(ODO_TEXT("workflow.no_picture_read", "no image could be read"))
                                 : m_rejected.front().reason;
         return fail(
             ErrorCode::Undetermined, calibrationOf(m_settings.camera),
             ODO_TEXT("workflow.board_in_no_picture",
-                     "the board was found in none of %1 pictures (%2)")(m_rejected.size(), why),
+                     "the board was found in none of %1 images (%2)")(m_rejected.size(), why),
             ODO_TEXT("workflow.show_whole_board",
                      "show the whole board, flat, sharp and evenly lit, and check --pattern and --board"));
     }

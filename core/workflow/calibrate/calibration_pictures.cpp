@@ -40,7 +40,7 @@ Result<StoredPicture> CalibrationMedia::write(const std::string &name, const std
         return StoredPicture{};
     auto file = ODO_TRY(writeMediaFile(
         m_folder, name, ".png", {reinterpret_cast<const char *>(png.data()), png.size()},
-        ODO_TEXT("workflow.calibration_picture", "calibration picture '%1'")(Named::file(name))));
+        ODO_TEXT("workflow.calibration_picture", "calibration image '%1'")(Named::file(name))));
     const std::string path = files::absolute(file.path()).string();
     m_files.push_back(std::move(file));
     m_bytes += png.size();
@@ -80,7 +80,7 @@ Result<Frame> pictureOf(const std::filesystem::path &file, std::int64_t frame)
             ODO_TEXT("workflow.frame_of_file", "frame %1 of '%2'")(frame, Named::file(file.filename())),
             noSuchFrame(),
             frames > 1 ? chooseFrame(0, static_cast<std::int64_t>(frames) - 1)
-                       : ODO_TEXT("workflow.only_frame", "its only one is frame 0"));
+                       : ODO_TEXT("workflow.only_frame", "its only frame is 0"));
     };
     if (isStillPicture(file)) {
         if (frame != 0)
@@ -117,7 +117,7 @@ Result<void> visitPictures(const std::filesystem::path &file, int videoStep,
 
 Message lookingForMarkersIn(const std::string &name)
 {
-    return ODO_TEXT("workflow.looking_for_markers_in", "looking for the markers in %1")(Named::file(name));
+    return ODO_TEXT("workflow.looking_for_markers_in", "detecting the markers in %1")(Named::file(name));
 }
 
 } // namespace odo

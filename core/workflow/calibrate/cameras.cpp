@@ -35,15 +35,16 @@ Result<IntrinsicsRecord> importIntrinsics(Project &project, const std::string &c
     const MessageArgument name = Named::file(file.filename());
     record.origin = ODO_TEXT("workflow.lens_imported_from", "imported from %1")(name);
     record.calibration.intrinsics = std::move(intrinsics);
-    const auto stored = project.note(
-        ODO_TEXT("workflow.import_lens", "import the lens of camera %1 from %2")(Named::camera(camera), name),
-        [&]() -> Result<void> {
-            const auto found = ODO_TRY(findOrAddCamera(project, camera));
-            record.camera = found.id;
-            auto added = ODO_TRY(project.cameras().addIntrinsics(record));
-            record = std::move(added);
-            return {};
-        });
+    const auto stored =
+        project.note(ODO_TEXT("workflow.import_lens", "import the lens calibration of camera %1 from %2")(
+                         Named::camera(camera), name),
+                     [&]() -> Result<void> {
+                         const auto found = ODO_TRY(findOrAddCamera(project, camera));
+                         record.camera = found.id;
+                         auto added = ODO_TRY(project.cameras().addIntrinsics(record));
+                         record = std::move(added);
+                         return {};
+                     });
     if (!stored)
         return tl::unexpected(stored.error());
     return record;
@@ -149,8 +150,8 @@ Result<Revision> revisionOf(Project &project, const RegistrationRecord &record)
     revision.origin =
         record.intrinsics == 0
             ? ODO_TEXT("workflow.by_layout_without_lens", "layout '%1', lens not calibrated")(name)
-            : ODO_TEXT("workflow.by_layout_and_lens",
-                       "layout '%1', lens of calibration %2")(name, record.intrinsics);
+            : ODO_TEXT("workflow.by_layout_and_lens", "layout '%1', lens calibration %2")(name,
+                                                                                          record.intrinsics);
     revision.evidence = static_cast<int>(record.registration.markers.size());
     revision.rmsPx = record.registration.rmsPx;
     revision.verdict = record.registration.verdict;
@@ -198,12 +199,12 @@ Result<void> chooseRevision(Project &project, const std::string &camera, Revisio
         revisions, [&](const Revision &each) { return each.kind == kind && each.id == id; });
     const bool isCalibration = kind == Revision::Kind::Calibration;
     if (!isThere)
-        return fail(ErrorCode::NotFound,
-                    isCalibration ? ODO_TEXT("workflow.calibration", "calibration %1")(id)
-                                  : ODO_TEXT("workflow.registration", "registration %1")(id),
-                    ODO_TEXT("workflow.none_of_that_number",
-                             "camera '%1' has none of that number")(Named::camera(camera)),
-                    ODO_TEXT("workflow.see_revisions", "see its revisions for those there are"));
+        return fail(
+            ErrorCode::NotFound,
+            isCalibration ? ODO_TEXT("workflow.calibration", "calibration %1")(id)
+                          : ODO_TEXT("workflow.registration", "registration %1")(id),
+            ODO_TEXT("workflow.none_of_that_number", "camera '%1' has no such number")(Named::camera(camera)),
+            ODO_TEXT("workflow.see_revisions", "see the list of its revisions"));
     return project.change(isCalibration
                               ? ODO_TEXT("workflow.choose_calibration",
                                          "choose calibration %1 of camera %2")(id, Named::camera(camera))
@@ -257,14 +258,14 @@ Result<std::vector<Message>> calibrationWarnings(Project &project, const CameraR
     const MessageArgument name = Named::camera(camera.name);
     if (!intrinsics) {
         warn(ODO_TEXT("workflow.lens_never_calibrated",
-                      "The lens of camera '%1' was never calibrated, its distortion is taken as none")(name),
+                      "The lens of camera '%1' is not calibrated, so no distortion is assumed")(name),
              ODO_TEXT("workflow.calibrate_it", "calibrate it."));
     } else {
         if (const auto days = daysOfOld(intrinsics->made, now, oldAfter))
             warn(ODO_TEXT("workflow.old_calibration",
                           "The lens calibration of camera '%1' is %2 days old")(name, *days),
                  ODO_TEXT("workflow.calibrate_if_touched",
-                          "if zoom, focus or the camera's settings were touched since, calibrate it again."));
+                          "if zoom, focus or the camera's settings have changed since, calibrate it again."));
         const Intrinsics &lens = intrinsics->calibration.intrinsics;
         if (recording && (recording->widthPx != lens.widthPx || recording->heightPx != lens.heightPx))
             warn(ODO_TEXT("workflow.recorded_at_another_size",
@@ -286,8 +287,8 @@ Result<std::vector<Message>> calibrationWarnings(Project &project, const CameraR
                             "The floor registration of camera '%1' was made before its lens was calibrated")(
                        name)
                  : ODO_TEXT("workflow.registered_with_other_lens",
-                            "The floor registration of camera '%1' was made with another calibration of its "
-                            "lens than the one in force")(name),
+                            "The floor registration of camera '%1' uses another lens calibration than the "
+                            "current one")(name),
              ODO_TEXT("workflow.register_it_again", "register it again."));
     return warnings;
 }
@@ -348,7 +349,7 @@ Result<LayoutAxesOutcome> changeLayoutAxes(Project &project, const std::string &
     LayoutAxesOutcome outcome{std::move(stored), newFromOld, {}, std::move(tasks)};
     const auto world = ODO_TRY(layoutsOfWorld(project, outcome.layout));
     const auto done = project.change(
-        ODO_TEXT("workflow.put_axes_elsewhere", "put the axes of layout %1 elsewhere")(Named::layout(layout)),
+        ODO_TEXT("workflow.put_axes_elsewhere", "change the world axes of layout %1")(Named::layout(layout)),
         [&]() -> Result<void> {
             for (LayoutRecord each : world) {
                 each.layout = transformed(each.layout, newFromOld);

@@ -73,22 +73,22 @@ Result<Frame> MovedJob::picture(const JobControl &control) const
         return tl::unexpected(visited.error());
     if (!first)
         return fail(ErrorCode::Undetermined, fileSubject(m_settings.pictureFile),
-                    ODO_TEXT("workflow.file_without_picture", "it has no picture"), giveAnotherFile());
+                    ODO_TEXT("workflow.file_without_picture", "it contains no image"), giveAnotherFile());
     return *first;
 }
 
 Result<void> MovedJob::run(const JobControl &control)
 {
-    control.report(0, ODO_TEXT("workflow.looking_for_markers_again", "looking for the markers again"));
+    control.report(0, ODO_TEXT("workflow.looking_for_markers_again", "detecting the markers again"));
     const auto frame = ODO_TRY(picture(control));
     const Message camera = cameraSubject(m_settings.camera);
     const Intrinsics &lens = m_view->camera().intrinsics();
     if (frame.y.width != lens.widthPx || frame.y.height != lens.heightPx)
         return fail(ErrorCode::InvalidInput, whetherMoved(camera),
                     ODO_TEXT("workflow.registered_at_another_size",
-                             "the picture is %1, the camera was registered at %2")(
+                             "the image is %1, the camera was registered at %2")(
                         sizeText(frame.y.width, frame.y.height), sizeText(lens.widthPx, lens.heightPx)),
-                    ODO_TEXT("workflow.give_picture_of_that_size", "give a picture of that size"));
+                    ODO_TEXT("workflow.give_picture_of_that_size", "give an image of that size"));
     auto check = ODO_TRY(checkMoved(m_settings.camera, *m_view, m_stored,
                                     findAgain(frame, m_layout, m_stored, m_view->camera()), m_fitPx));
     if (control.isCancelled())

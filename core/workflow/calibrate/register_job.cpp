@@ -28,7 +28,7 @@ Message registrationOf(const std::string &camera)
 
 Message pictureSizeNotKnown()
 {
-    return joined({ODO_TEXT("workflow.picture_size_not_known", "the size of its pictures is not known"),
+    return joined({ODO_TEXT("workflow.picture_size_not_known", "the size of its images is not known"),
                    ODO_TEXT("workflow.neither_lens_nor_recording", "it has no intrinsics and no recording")},
                   Join::Colon);
 }
@@ -105,9 +105,9 @@ Result<void> RegisterJob::findInPictures(const JobControl &control)
     if (m_settings.pictureFile.empty())
         return fail(ErrorCode::NotFound, what,
                     ODO_TEXT("workflow.no_pixels_no_picture",
-                             "neither their pixels nor a picture to look in was given"),
+                             "it needs pixels, or an image to detect the markers in"),
                     ODO_TEXT("workflow.give_pixels_or_picture",
-                             "give --pixels pixels.csv, --image picture.png or --video clip.mp4"));
+                             "give --pixels pixels.csv, --image image.png or --video clip.mp4"));
     const bool wanted = m_settings.pixels.empty();
     MarkerSearch search{std::nullopt, m_intrinsicsKnown, m_settings.hints};
     if (m_intrinsicsKnown) {
@@ -116,7 +116,7 @@ Result<void> RegisterJob::findInPictures(const JobControl &control)
     }
     tl::unexpected<Error> lastProblem =
         fail(ErrorCode::Undetermined, what,
-             ODO_TEXT("workflow.video_without_picture", "the video has no picture"), giveAnotherFile());
+             ODO_TEXT("workflow.video_without_picture", "the video has no frame"), giveAnotherFile());
     int looked = 0;
     auto visited = visitPictures(
         m_settings.pictureFile, markerVideoStep,
@@ -170,23 +170,22 @@ Result<RegistrationRecord> registerWithLensInForce(Project &project, const std::
 {
     const Message what =
         ODO_TEXT("workflow.registration_with_lens_in_force",
-                 "registration of camera '%1' with the lens in force")(Named::camera(camera));
+                 "registration of camera '%1' with the current lens calibration")(Named::camera(camera));
     const auto registered = ODO_TRY(registeredCamera(project, camera));
     const auto intrinsics = ODO_TRY(project.cameras().currentIntrinsics(registered.camera.id));
     if (!intrinsics || intrinsics->id == registered.registration.intrinsics)
         return fail(ErrorCode::InvalidInput, what,
-                    ODO_TEXT("workflow.made_with_it_already", "it was made with it already"),
+                    ODO_TEXT("workflow.made_with_it_already", "it already uses that calibration"),
                     ODO_TEXT("workflow.calibrate_lens_first",
-                             "calibrate the lens first, or put another calibration in force"));
+                             "calibrate the lens first, or choose another calibration"));
     const auto layout = ODO_TRY(project.layouts().get(registered.registration.layout));
     const auto cameras = ODO_TRY(project.cameras().all());
     if (std::ranges::any_of(cameras, [&](const CameraRecord &each) {
             return isLayoutThrough(layout.layout.name, each.name);
         }))
-        return fail(
-            ErrorCode::InvalidInput, what,
-            ODO_TEXT("workflow.registered_through_another", "it was registered through another camera"),
-            ODO_TEXT("workflow.register_through_it_again", "register it through that camera again"));
+        return fail(ErrorCode::InvalidInput, what,
+                    ODO_TEXT("workflow.registered_through_another", "it was registered via another camera"),
+                    ODO_TEXT("workflow.register_through_it_again", "register it via that camera again"));
     RegisterSettings settings{
         camera, layout.layout.name, {}, {}, registered.registration.pixels, registered.registration.picture};
     RegisterJob job(std::move(settings));
@@ -225,7 +224,7 @@ constexpr const char *throughWord = " through ";
 
 Message subject(const RegisterThroughSettings &settings)
 {
-    return ODO_TEXT("workflow.registration_through", "registration of camera '%1' through '%2'")(
+    return ODO_TEXT("workflow.registration_through", "registration of camera '%1' via '%2'")(
         Named::camera(settings.camera), Named::camera(settings.through));
 }
 
@@ -248,7 +247,7 @@ Result<void> RegisterThroughJob::prepare(Project &project)
 {
     if (m_settings.camera == m_settings.through)
         return fail(ErrorCode::InvalidInput, subject(m_settings),
-                    ODO_TEXT("workflow.through_itself", "a camera cannot be registered through itself"),
+                    ODO_TEXT("workflow.through_itself", "a camera cannot be registered via itself"),
                     ODO_TEXT("workflow.name_another_camera", "name another camera that is registered"));
     const auto through = ODO_TRY(project.cameras().find(m_settings.through));
     const auto registration = ODO_TRY(project.cameras().currentRegistration(through.id));
@@ -300,14 +299,14 @@ Result<void> RegisterThroughJob::run(const JobControl &)
     m_record.registration.verdict =
         joined({std::move(m_record.registration.verdict),
                 ODO_TEXT("workflow.made_through_registration",
-                         "It was made through registration %1 of the project.")(m_throughRegistration)},
+                         "It was made via registration %1 of the project.")(m_throughRegistration)},
                Join::Space);
     return {};
 }
 
 Result<void> RegisterThroughJob::commit(Project &project)
 {
-    return project.note(ODO_TEXT("workflow.register_camera_through", "register camera %1 through camera %2")(
+    return project.note(ODO_TEXT("workflow.register_camera_through", "register camera %1 via camera %2")(
                             Named::camera(m_settings.camera), Named::camera(m_settings.through)),
                         [&]() -> Result<void> {
                             const auto layouts = ODO_TRY(project.layouts().all());
@@ -353,7 +352,7 @@ Result<void> RegisterJointJob::prepare(Project &project)
 Result<void> RegisterJointJob::run(const JobControl &control)
 {
     control.report(
-        0, ODO_TEXT("workflow.fitting_cameras_together", "fitting %1 cameras together")(m_cameras.size()));
+        0, ODO_TEXT("workflow.fitting_cameras_together", "fitting %1 cameras jointly")(m_cameras.size()));
     auto joint = ODO_TRY(registerJointly(m_layout, m_cameras, m_settings.tapeSigmaM));
     m_joint = std::move(joint);
     return {};
@@ -363,7 +362,7 @@ Result<void> RegisterJointJob::commit(Project &project)
 {
     return project.note(
         ODO_TEXT("workflow.register_cameras_together",
-                 "register the cameras of layout %1 together")(Named::layout(m_settings.layout)),
+                 "register the cameras of layout %1 jointly")(Named::layout(m_settings.layout)),
         [&]() -> Result<void> {
             for (std::size_t i = 0; i < m_records.size(); ++i) {
                 m_records[i].registration = m_joint.registrations[i];

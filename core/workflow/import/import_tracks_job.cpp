@@ -207,13 +207,13 @@ void ImportTracksJob::makeSamples(std::size_t robot)
     source.noiseM = level.sigmaM();
     const MessageArgument noise = quantity(toMillimetres(source.noiseM), 2, "mm");
     std::vector<Message> reading{
-        isStated ? ODO_TEXT("workflow.error_stated", "positions to %1, as the file says")(noise)
-                 : ODO_TEXT("workflow.error_estimated", "positions to %1, as estimated from them")(noise)};
+        isStated ? ODO_TEXT("workflow.error_stated", "positions to %1, as stated in the file")(noise)
+                 : ODO_TEXT("workflow.error_estimated", "positions to %1, estimated from the track")(noise)};
     if (!read.track.empty())
         reading.push_back(ODO_TEXT("workflow.track_of_file", "the file's track '%1'")(read.track));
     if (m_zero != Nanoseconds(0))
         reading.push_back(ODO_TEXT("workflow.times_count_from",
-                                   "its times count from %1")(quantity(toSeconds(m_zero), 3, "s")));
+                                   "its times start at %1")(quantity(toSeconds(m_zero), 3, "s")));
     source.reading = joined(std::move(reading), Join::Semicolon);
 }
 

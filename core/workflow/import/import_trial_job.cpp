@@ -220,7 +220,7 @@ Result<void> ImportTrialJob::checkSteps()
         return fail(
             ErrorCode::InvalidInput, importSubject(m_settings.trial),
             ODO_TEXT("workflow.offsets_of_other_count",
-                     "%1 views were given and the offsets of %2")(others + 1, given),
+                     "the number of views is %1, the number of offsets %2")(others + 1, given),
             ODO_TEXT("workflow.give_offset_for_each",
                      "give one offset for each view but the first, like --sync 0.1,0.2, or use --sync auto"));
     if (forAll)
@@ -268,7 +268,7 @@ Result<void> ImportTrialJob::findOffsets(const std::vector<std::size_t> &toFind,
                                       "synchronisation of view '%1'")(Named::camera(recording.cameraName));
         if (!offset) {
             const Message taken = ODO_TEXT("workflow.taken_as_begun_together",
-                                           "%1, so it is taken as begun together")(offset.error().why);
+                                           "%1; the same start time was assumed")(offset.error().why);
             m_warnings.push_back(wholeMessage(what, taken, offset.error().advice));
             continue;
         }
@@ -299,7 +299,7 @@ Result<void> ImportTrialJob::compareViews()
         if (commonS <= 0)
             return fail(ErrorCode::InvalidInput, importSubject(m_settings.trial),
                         ODO_TEXT("workflow.no_common_time",
-                                 "views '%1' and '%2' have no time in common with an offset of %3")(
+                                 "views '%1' and '%2' do not overlap with a time offset of %3")(
                             firstName, otherName, quantity(startS, 2, "s")),
                         ODO_TEXT("workflow.check_files_and_offset", "check the files and the --sync offset"));
         const auto warn = [&](Message why, Message advice) {
@@ -312,13 +312,13 @@ Result<void> ImportTrialJob::compareViews()
                      quantity(firstEndS, 2, "s"), quantity(durationOf(other), 2, "s"),
                      quantity(commonS, 2, "s")),
                  ODO_TEXT("workflow.check_views_of_one_run",
-                          "outside it only one view measures, so check that both belong to one run"));
+                          "only one view measures the rest, so check that both belong to one run"));
         const double a = m_recordings[0].framesPerSecond, b = other.framesPerSecond;
         if (a > 0 && b > 0 && std::abs(a - b) > 0.02 * a)
             warn(ODO_TEXT("workflow.unequal_rates", "%1 and %2")(std::lround(a),
                                                                  quantity(std::round(b), 0, "frames/s")),
                  ODO_TEXT("workflow.check_rate",
-                          "the views are joined by time, check --rate if one is slow motion"));
+                          "views are matched by time: check --rate if one is in slow motion"));
     }
     return {};
 }

@@ -146,12 +146,12 @@ Result<void> RecoverJob::complete(Project &project, Unfinished &unfinished)
         return {};
     }
     if (unfinished.recordings.empty()) {
-        tell(ODO_TEXT("workflow.trial_left_out", "nothing of it had reached the disk, and it is left out"),
+        tell(ODO_TEXT("workflow.trial_left_out", "nothing of it had reached the disk, and it was removed"),
              ODO_TEXT("workflow.record_it_again", "record it again"));
-        if (auto removed = project.note(
-                ODO_TEXT("workflow.leave_out_trial",
-                         "leave out %1, of which nothing was recorded")(Named::trial(trial.name)),
-                [&] { return project.trials().removeUnfinished(trial.id); });
+        if (auto removed =
+                project.note(ODO_TEXT("workflow.leave_out_trial",
+                                      "remove %1, which recorded nothing")(Named::trial(trial.name)),
+                             [&] { return project.trials().removeUnfinished(trial.id); });
             !removed)
             return removed;
         removeEmpty(unfinished);
@@ -160,10 +160,11 @@ Result<void> RecoverJob::complete(Project &project, Unfinished &unfinished)
     describeTrial(trial, unfinished.recordings);
     const MessageArgument length = quantity(trial.durationS, 1, "s");
     const std::size_t views = unfinished.recordings.size();
-    tell(views == 1 ? ODO_TEXT("workflow.view_is_kept",
-                               "%1 of %2 view are kept, all but the last second at most")(length, views)
-                    : ODO_TEXT("workflow.views_are_kept",
-                               "%1 of %2 views are kept, all but the last second at most")(length, views));
+    tell(views == 1
+             ? ODO_TEXT("workflow.view_is_kept",
+                        "%1 of %2 view were saved, at most the last second is missing")(length, views)
+             : ODO_TEXT("workflow.views_are_kept",
+                        "%1 of %2 views were saved, at most the last second is missing")(length, views));
     if (auto completed =
             project.note(ODO_TEXT("workflow.complete_trial",
                                   "complete %1, whose recording was cut off")(Named::trial(trial.name)),
@@ -211,7 +212,7 @@ Result<void> HashJob::run(const JobControl &control)
     for (std::size_t i = 0; i < m_files.size(); ++i) {
         control.report(static_cast<double>(i) / static_cast<double>(m_files.size()),
                        ODO_TEXT("workflow.making_hash",
-                                "making the hash of %1")(Named::file(m_files[i].path.filename())));
+                                "computing the hash of %1")(Named::file(m_files[i].path.filename())));
         auto hash = fileSha256(m_files[i].path, control);
         if (hash)
             m_files[i].sha256 = std::move(*hash);

@@ -40,9 +40,9 @@ Message liveWords(const LiveFigures &figures)
         return {};
     const MessageArgument behind = quantity(std::round(1e3 * figures.latencyMedianS), 0, "ms");
     return figures.dropped == 0
-               ? ODO_TEXT("workflow.map_behind", "the map is %1 behind, none skipped")(behind)
+               ? ODO_TEXT("workflow.map_behind", "the map is %1 behind, no frame skipped")(behind)
                : ODO_TEXT("workflow.map_behind_and_skipping",
-                          "the map is %1 behind, %2 skipped")(behind, figures.dropped);
+                          "the map is %1 behind, %2 frames skipped")(behind, figures.dropped);
 }
 
 Result<TaskAnalysis> analyseRun(const LiveRun &run, const AnalysisOptions &options,
@@ -240,7 +240,7 @@ Result<in_addr> addressOf(const BroadcastTarget &target)
     in_addr address{};
     if (inet_pton(AF_INET, target.address.c_str(), &address) != 1 || target.port == 0)
         return fail(ErrorCode::InvalidInput, addressSubject(shown(target)),
-                    ODO_TEXT("workflow.no_address_with_port", "it is no IPv4 address with a port"),
+                    ODO_TEXT("workflow.no_address_with_port", "it is not an IPv4 address with a port"),
                     ODO_TEXT("workflow.write_address", "write it like 224.5.23.2:10006"));
     return address;
 }
@@ -257,15 +257,16 @@ Result<void> setMulticast(int socket, const BroadcastTarget &target)
         return fail(ErrorCode::InvalidInput,
                     ODO_TEXT("workflow.interface_of_live_positions",
                              "interface '%1' of live positions")(target.interface),
-                    ODO_TEXT("workflow.no_such_interface", "this machine has none of that name"),
+                    ODO_TEXT("workflow.no_such_interface", "this computer has no interface of that name"),
                     ODO_TEXT("workflow.choose_interface",
-                             "choose one that `ip link` names, or lo to stay on this machine"));
+                             "choose one that `ip link` lists, or lo to stay on this computer"));
     if (setsockopt(socket, IPPROTO_IP, IP_MULTICAST_IF, &interface, sizeof interface) != 0 ||
         setsockopt(socket, IPPROTO_IP, IP_MULTICAST_TTL, &hops, sizeof hops) != 0 ||
         setsockopt(socket, IPPROTO_IP, IP_MULTICAST_LOOP, &heardHere, sizeof heardHere) != 0)
-        return fail(ErrorCode::Io, livePositionsTo(target),
-                    ODO_TEXT("workflow.no_multicast", "interface '%1' takes no multicast")(target.interface),
-                    chooseAnotherOne());
+        return fail(
+            ErrorCode::Io, livePositionsTo(target),
+            ODO_TEXT("workflow.no_multicast", "interface '%1' does not support multicast")(target.interface),
+            chooseAnotherOne());
     return {};
 }
 
@@ -315,7 +316,8 @@ Result<std::unique_ptr<LiveBroadcast>> LiveBroadcast::create(const BroadcastTarg
     const int socket = ::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
     if (socket < 0)
         return fail(ErrorCode::Io, livePositionsTo(target),
-                    ODO_TEXT("workflow.no_socket", "this machine gives no socket"), closeOtherPrograms());
+                    ODO_TEXT("workflow.no_socket", "the system could not open a socket"),
+                    closeOtherPrograms());
     if (isMulticastGroup(target.address)) {
         if (auto set = setMulticast(socket, target); !set) {
             close(socket);

@@ -35,7 +35,7 @@ Result<std::shared_ptr<LiveTrial>> LiveTrial::begin(Project &project, TrialRecor
     // one.
     if (!files::exists(project.file()))
         return fail(ErrorCode::NotFound, recordingSubject(trial.name),
-                    ODO_TEXT("workflow.project_file_gone", "the project's file is no longer there"),
+                    ODO_TEXT("workflow.project_file_gone", "the project file no longer exists"),
                     joined({putDiskBack(), ODO_TEXT("workflow.nothing_recorded", "nothing was recorded")},
                            Join::Semicolon));
     auto lock = ODO_TRY(RecordingLock::take(project.mediaFolder()));
@@ -142,7 +142,7 @@ Result<void> LiveTrial::prepare(Project &project)
 
 Result<void> LiveTrial::run(const JobControl &control)
 {
-    control.report(0, ODO_TEXT("workflow.writing_last_pictures", "writing the last pictures"));
+    control.report(0, ODO_TEXT("workflow.writing_last_pictures", "writing the last frames"));
     const std::vector<ViewHealth> health = m_session.health().views;
     m_outcome = m_session.stopRecording();
     m_recording = false;
@@ -184,7 +184,7 @@ Result<void> LiveTrial::commit(Project &project)
         ODO_TRY(discard(project));
         return fail(ErrorCode::Io, recordingSubject(m_trial.name),
                     problem ? problem->why
-                            : ODO_TEXT("workflow.no_camera_gave_picture", "no camera gave a picture"),
+                            : ODO_TEXT("workflow.no_camera_gave_picture", "no camera delivered a frame"),
                     problem ? problem->advice
                             : ODO_TEXT("workflow.check_they_are_connected",
                                        "check that they are connected and not used by another program"));
@@ -231,50 +231,47 @@ void LiveTrial::warnOf(const ViewRecording &view, const std::string &camera, boo
     const auto warn = [&](Message why, Message advice = {}) {
         m_warnings.push_back(wholeMessage(viewSubject(camera), std::move(why), std::move(advice)));
     };
-    const Message leftOut =
-        ODO_TEXT("workflow.view_left_out", "it is left out, because nothing was recorded of it");
+    const Message leftOut = ODO_TEXT("workflow.view_left_out", "it recorded nothing and was left out");
     if (view.taken.empty() && view.problem)
         warn(joined({leftOut, wholeMessage(*view.problem)}, Join::Colon));
     else if (view.taken.empty())
         warn(leftOut,
              ODO_TEXT("workflow.check_its_cable", "check its cable, and whether another program uses it"));
     else if (view.problem)
-        warn(
-            ODO_TEXT("workflow.view_ended_early", "it ended early, because %1")(wholeMessage(*view.problem)));
+        warn(ODO_TEXT("workflow.view_ended_early", "it ended early because %1")(wholeMessage(*view.problem)));
     for (const RecordingGap &gap : view.gaps)
-        warn(ODO_TEXT("workflow.nothing_came", "nothing came for %1, because %2")(
+        warn(ODO_TEXT("workflow.nothing_came", "no frame arrived for %1 because %2")(
             quantity(toSeconds(gap.length), 1, "s"), wholeMessage(gap.why)));
     if (view.longestWaitS > slowFromS && view.lostByUs == 0)
-        warn(ODO_TEXT("workflow.waited_for_disk", "pictures waited up to %1 for the disk, and none was lost")(
+        warn(ODO_TEXT("workflow.waited_for_disk", "frames waited up to %1 for the disk, and none was lost")(
                  quantity(view.longestWaitS, 1, "s")),
              ODO_TEXT("workflow.record_to_faster_disk", "record to a faster disk"));
     if (view.lostByUs > 0)
         warn(view.lostByUs == 1
                  ? Message(ODO_TEXT("workflow.picture_lost_here",
-                                    "1 picture was lost because this computer or its disk was too slow"))
+                                    "1 frame was lost because this computer or its disk was too slow"))
                  : ODO_TEXT("workflow.pictures_lost_here",
-                            "%1 pictures were lost because this computer or its disk was too slow")(
+                            "%1 frames were lost because this computer or its disk was too slow")(
                        view.lostByUs),
              ODO_TEXT("workflow.faster_disk_or_fewer_cameras",
                       "record to a faster disk, or fewer cameras at once"));
     if (view.lostOnWire > 0 && byWire)
         warn(view.lostOnWire == 1
                  ? Message(ODO_TEXT("workflow.picture_lost_on_wire",
-                                    "1 picture was lost between the camera and this program"))
+                                    "1 frame was lost between the camera and this program"))
                  : ODO_TEXT("workflow.pictures_lost_on_wire",
-                            "%1 pictures were lost between the camera and this program")(view.lostOnWire),
+                            "%1 frames were lost between the camera and this program")(view.lostOnWire),
              ODO_TEXT("workflow.check_cable_and_bandwidth",
-                      "check cable, bandwidth and what else this machine does"));
+                      "check the cable, the bandwidth and what else this computer is doing"));
     else if (view.lostOnWire > 0)
         warn(view.lostOnWire == 1
-                 ? Message(
-                       ODO_TEXT("workflow.picture_made_too_late",
-                                "1 picture was lost because this machine was too slow to make them in time"))
+                 ? Message(ODO_TEXT("workflow.picture_made_too_late",
+                                    "1 frame was lost: this computer was too slow to generate it in time"))
                  : ODO_TEXT("workflow.pictures_made_too_late",
-                            "%1 pictures were lost because this machine was too slow to make them in time")(
+                            "%1 frames were lost: this computer was too slow to generate them in time")(
                        view.lostOnWire),
              ODO_TEXT("workflow.take_fewer_cameras",
-                      "close other programs, or take fewer such cameras at once"));
+                      "close other programs, or use fewer such cameras at once"));
 }
 
 } // namespace odo

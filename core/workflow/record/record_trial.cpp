@@ -33,13 +33,12 @@ Result<void> checkSettings(Project &project, const RecordSettings &settings)
                     ODO_TEXT("workflow.give_cameras", "give one or more, like --camera A=sim:A"));
     if (!(settings.seconds > 0 && settings.seconds <= longestRecordingS))
         return fail(ErrorCode::InvalidInput, what,
-                    ODO_TEXT("workflow.unusual_length", "it would take no time, or more than a day"),
-                    ODO_TEXT("workflow.give_seconds", "give the seconds, like 10"));
+                    ODO_TEXT("workflow.unusual_length", "the duration must be above zero and at most a day"),
+                    ODO_TEXT("workflow.give_seconds", "give the seconds, such as 10"));
     if (!(settings.preRollS >= 0 && settings.preRollS <= longestPreRollS))
-        return fail(
-            ErrorCode::InvalidInput, what,
-            ODO_TEXT("workflow.unusual_pre_roll", "what is kept from before is no time, or more than 10 s"),
-            ODO_TEXT("workflow.give_pre_roll", "give a pre-roll of 0 to 10 seconds"));
+        return fail(ErrorCode::InvalidInput, what,
+                    ODO_TEXT("workflow.unusual_pre_roll", "the pre-roll must be from 0 s to 10 s"),
+                    ODO_TEXT("workflow.give_pre_roll", "give a pre-roll of 0 to 10 seconds"));
     if (project.trials().find(settings.trial))
         return trialIsThere(what);
     std::set<std::string> names, addresses;
@@ -83,7 +82,7 @@ Result<void> waitForPictures(const CaptureSession &session, const RecordSettings
                 settings.cameras[static_cast<std::size_t>(silent - views.begin())].first;
             return fail(ErrorCode::Io, recordingSubject(settings.trial),
                         joined({ODO_TEXT("workflow.camera_gave_no_picture",
-                                         "camera '%1' gave no picture")(Named::camera(camera)),
+                                         "camera '%1' delivered no frame")(Named::camera(camera)),
                                 silent->trouble ? silent->trouble->error.why : Message()},
                                Join::Colon),
                         ODO_TEXT("workflow.check_it_is_connected",
@@ -183,8 +182,8 @@ Result<void> rescueIfLost(const Project &project, LiveTrial &live)
         return {};
     const auto rescued = ODO_TRY(rescueProject(project));
     live.addWarning(ODO_TEXT("workflow.project_rescued",
-                             "the project's file was deleted, renamed or replaced meanwhile; what was in it "
-                             "is rescued in '%1', which is the project from now on")(Named::file(rescued)));
+                             "the project file was deleted, renamed or replaced; its contents were saved in "
+                             "'%1', the project from now on")(Named::file(rescued)));
     return {};
 }
 
@@ -203,10 +202,9 @@ Result<void> keepRecording(Project &project, LiveTrial &live, const CaptureSessi
         control.report(std::min(1.0, passedS / settings.seconds),
                        ODO_TEXT("workflow.recording", "recording"));
         if (std::exchange(wasInPlace, project.isInPlace()) && !wasInPlace && settings.warn)
-            settings.warn(
-                ODO_TEXT("workflow.project_lost",
-                         "the project's file was deleted, renamed or replaced; recording goes on, and what "
-                         "is in it is rescued at the end"));
+            settings.warn(ODO_TEXT("workflow.project_lost",
+                                   "the project file was deleted, renamed or replaced; recording continues, "
+                                   "and its contents will be saved at the end"));
         const CaptureHealth health = session.health();
         if (passedS >= settings.seconds || control.isCancelled() || health.disk.ended ||
             std::ranges::any_of(health.views, hasEnded))

@@ -70,8 +70,7 @@ Result<Sample> chosenSample(const std::vector<Sample> &samples, const OverruleRe
                                         quantity(toSeconds(samples.back().time), 3, "s")));
     if (!nearest->position && request.word != OverruleRequest::Word::Clear)
         return fail(ErrorCode::InvalidInput, what,
-                    ODO_TEXT("workflow.not_measured_there",
-                             "the robot was not measured there, so there is nothing to judge"),
+                    ODO_TEXT("workflow.not_measured_there", "the robot has no measurement at that time"),
                     ODO_TEXT("workflow.choose_measured_frame", "choose a frame with a measurement"));
     return *nearest;
 }
@@ -99,7 +98,7 @@ Result<void> OverruleJob::prepare(Project &project)
         m_overrules = withoutOverrule(m_before, sample.frame);
         if (m_overrules.size() == m_before.size())
             return fail(ErrorCode::NotFound, sampleSubject(m_request),
-                        ODO_TEXT("workflow.nothing_said_there", "nothing was said by hand there"),
+                        ODO_TEXT("workflow.nothing_said_there", "that frame has no manual override"),
                         ODO_TEXT("workflow.see_flags_by_hand", "see the flags by_hand in odograph export"));
     } else {
         m_overrules = withOverrule(m_before, {sample.frame, m_request.word == OverruleRequest::Word::Spike});
@@ -129,16 +128,16 @@ Result<void> OverruleJob::commit(Project &project)
         case OverruleRequest::Word::Clear:
             break;
         }
-        return ODO_TEXT("workflow.leave_frame", "leave frame %1 of %2 to the program")(m_outcome.frame,
-                                                                                       trial);
+        return ODO_TEXT("workflow.leave_frame", "remove the override of frame %1 of %2")(m_outcome.frame,
+                                                                                         trial);
     };
     auto stored = project.change(words(), [&]() -> Result<void> {
         const auto now = ODO_TRY(project.trials().overrules(m_trial, m_robot));
         if (now != m_before)
             return fail(ErrorCode::InvalidInput, sampleSubject(m_request),
                         ODO_TEXT("workflow.other_sample_judged",
-                                 "another sample was judged by hand while this one was analysed"),
-                        ODO_TEXT("workflow.say_it_again", "say it again for frame %1")(m_outcome.frame));
+                                 "another sample was overridden while this one was analysed"),
+                        ODO_TEXT("workflow.say_it_again", "repeat it for frame %1")(m_outcome.frame));
         ODO_TRY(project.trials().setOverrules(m_trial, m_robot, m_overrules));
         return m_analysis->commit(project);
     });
@@ -196,7 +195,7 @@ void compareMetrics(const Profile &before, const Profile &after, ProfileChange &
 Message wordsOf(const ProfileChange &change)
 {
     if (change.compared == 0)
-        return ODO_TEXT("workflow.no_common_place", "No place was measured by both analyses.");
+        return ODO_TEXT("workflow.no_common_place", "The two analyses have no position in common.");
     const Message shift =
         ODO_TEXT("workflow.positions_change", "Positions change by %1 RMS, at most by %2 (at %3).")(
             quantity(toMillimetres(change.rmsShiftM), 1, "mm"),

@@ -34,10 +34,10 @@ Error nothingThere(const RegisteredView &view, const PointedOut &told, const Rob
     return {ErrorCode::InvalidInput,
             ODO_TEXT("workflow.robot_in_view", "robot '%1' in view '%2'")(
                 Named::robot(robot.name), Named::camera(view.recording.cameraName)),
-            ODO_TEXT("workflow.nothing_stands_out",
-                     "nothing stands out from the floor at %1,%2 at %3 for some frames")(
+            ODO_TEXT("workflow.nothing_stands_out", "no foreground object was found at pixel %1,%2 at %3")(
                 quantity(told.pixel.x(), 0), quantity(told.pixel.y(), 0), quantity(timeS, 2, "s")),
-            ODO_TEXT("workflow.point_out_whole_robot", "point it out where all of it is seen and it moves")};
+            ODO_TEXT("workflow.point_out_whole_robot",
+                     "point it out where the whole robot is visible and moving")};
 }
 
 } // namespace
@@ -200,7 +200,7 @@ Result<SettledViews> trackAndSettle(const std::vector<RegisteredView> &views,
     const auto tracked = [&](double part, const auto &track) -> Result<SettledViews> {
         auto seen = ODO_TRY(track(partOf(control, done, done + part)));
         done += part;
-        control.report(done, ODO_TEXT("workflow.settling_names", "settling which robot is which"));
+        control.report(done, ODO_TEXT("workflow.settling_names", "assigning names to the robots"));
         auto doubts = ODO_TRY(settleNames(views, robots, seen, pointedOut));
         return SettledViews{std::move(seen), std::move(doubts)};
     };

@@ -42,9 +42,9 @@ Result<PointedOutRobot> resolved(const RobotPointer &pointer, const RobotRecord 
     const Message what = ODO_TEXT("workflow.robot_pointed_out", "robot '%1' pointed out in view '%2'")(
         Named::robot(robot.name), Named::camera(pointer.view));
     if (isFoundByColour({robot.name, robot.colour}))
-        return fail(
-            ErrorCode::InvalidInput, what, ODO_TEXT("workflow.found_by_colour", "it is found by its colour"),
-            ODO_TEXT("workflow.pick_or_take_colour", "pick its colour again, or take the colour from it"));
+        return fail(ErrorCode::InvalidInput, what,
+                    ODO_TEXT("workflow.found_by_colour", "it is detected by its colour"),
+                    ODO_TEXT("workflow.pick_or_take_colour", "pick its colour again, or remove its colour"));
     const auto view = std::ranges::find_if(
         views, [&](const RegisteredView &one) { return one.recording.cameraName == pointer.view; });
     if (view == views.end())
@@ -54,15 +54,15 @@ Result<PointedOutRobot> resolved(const RobotPointer &pointer, const RobotRecord 
     const auto frame = frameAt(view->recording, pointer.timeS);
     if (!frame)
         return fail(ErrorCode::InvalidInput, what,
-                    ODO_TEXT("workflow.no_picture_then", "the view has no picture at that time"),
+                    ODO_TEXT("workflow.no_picture_then", "the view has no frame at that time"),
                     ODO_TEXT("workflow.name_time_within_trial", "name a time within the trial, in seconds"));
     const auto isWithin = [](double at, int size) { return at >= 0 && at <= size - 1; };
     if (!isWithin(pointer.pixel.x(), view->recording.widthPx) ||
         !isWithin(pointer.pixel.y(), view->recording.heightPx))
-        return fail(ErrorCode::InvalidInput, what,
-                    ODO_TEXT("workflow.outside_picture", "the place lies outside the picture"),
-                    ODO_TEXT("workflow.name_place_in_pixels",
-                             "name it in pixels from the picture's top left corner"));
+        return fail(
+            ErrorCode::InvalidInput, what,
+            ODO_TEXT("workflow.outside_picture", "the position is outside the frame"),
+            ODO_TEXT("workflow.name_place_in_pixels", "give it in pixels from the frame's top left corner"));
     return PointedOutRobot{robot.id, view->recording.id, *frame, pointer.pixel};
 }
 
@@ -204,8 +204,8 @@ Result<void> TrackJob::Impl::takeImported(Project &project)
     if (!settings.again)
         return fail(ErrorCode::InvalidInput, trialSubject(trialName),
                     ODO_TEXT("workflow.tracks_were_imported",
-                             "its tracks were imported, so there is no video to track in"),
-                    joined({ODO_TEXT("workflow.analyse_anew_with", "analyse them anew with"),
+                             "its tracks were imported, so it has no video to track"),
+                    joined({ODO_TEXT("workflow.analyse_anew_with", "reanalyse them with"),
                             nameAlone(std::string("odograph track PROJECT TRIAL --again"))},
                            Join::Colon));
     for (const RobotRecord &robot : robots) {
@@ -280,8 +280,8 @@ Result<void> TrackJob::Impl::analyseAll(std::vector<TrackedView> &tracked)
             for (std::size_t other = 0; imported.empty() && other < robots.size(); ++other)
                 isAnotherSeen = isAnotherSeen || isEverSeen(views, tracked, other);
             if (isAnotherSeen && !isEverSeen(views, tracked, r))
-                error.advice = ODO_TEXT("workflow.track_those_seen",
-                                        "track only the robots that are in the pictures (--robot)");
+                error.advice =
+                    ODO_TEXT("workflow.track_those_seen", "track only the robots that are in view (--robot)");
             return tl::unexpected(floorColour ? floorColour->error : error);
         }
         if (floorColour && usedShare(analysed->profile) < leastOfFloorColour)
@@ -336,29 +336,29 @@ Result<void> TrackJob::commit(Project &project)
 {
     Impl &d = *m_impl;
     const MessageArgument name = Named::trial(d.trial.name);
-    return project.note(d.observations.empty() ? ODO_TEXT("workflow.measure_again", "measure %1 again")(name)
-                                               : ODO_TEXT("workflow.track", "track %1")(name),
-                        [&]() -> Result<void> {
-                            if (d.task && !project.tasks().get(d.task->id))
-                                return fail(ErrorCode::InvalidInput, trialSubject(d.trial.name),
-                                            ODO_TEXT("workflow.task_was_changed",
-                                                     "its task was changed while it was measured"),
-                                            ODO_TEXT("workflow.measure_it_again", "measure it again"));
-                            for (const ObservationSeries &series : d.observations)
-                                ODO_TRY(project.trials().addObservations(series));
-                            if (!d.settings.pointers.empty())
-                                ODO_TRY(project.trials().setPointedOut(d.trial.id, d.pointedOut));
-                            for (TrackedRobot &robot : d.outcome.robots) {
-                                auto stored = ODO_TRY(project.analyses().add(std::move(robot.analysis)));
-                                robot.analysis = std::move(stored);
-                            }
-                            std::vector<RecordId> all = d.trial.robots;
-                            for (const RobotRecord &robot : d.robots) {
-                                if (std::find(all.begin(), all.end(), robot.id) == all.end())
-                                    all.push_back(robot.id);
-                            }
-                            return project.trials().setRobots(d.trial.id, all);
-                        });
+    return project.note(
+        d.observations.empty() ? ODO_TEXT("workflow.measure_again", "reanalyse %1")(name)
+                               : ODO_TEXT("workflow.track", "track %1")(name),
+        [&]() -> Result<void> {
+            if (d.task && !project.tasks().get(d.task->id))
+                return fail(ErrorCode::InvalidInput, trialSubject(d.trial.name),
+                            ODO_TEXT("workflow.task_was_changed", "its task changed during the analysis"),
+                            ODO_TEXT("workflow.measure_it_again", "repeat the analysis"));
+            for (const ObservationSeries &series : d.observations)
+                ODO_TRY(project.trials().addObservations(series));
+            if (!d.settings.pointers.empty())
+                ODO_TRY(project.trials().setPointedOut(d.trial.id, d.pointedOut));
+            for (TrackedRobot &robot : d.outcome.robots) {
+                auto stored = ODO_TRY(project.analyses().add(std::move(robot.analysis)));
+                robot.analysis = std::move(stored);
+            }
+            std::vector<RecordId> all = d.trial.robots;
+            for (const RobotRecord &robot : d.robots) {
+                if (std::find(all.begin(), all.end(), robot.id) == all.end())
+                    all.push_back(robot.id);
+            }
+            return project.trials().setRobots(d.trial.id, all);
+        });
 }
 
 const TrackOutcome &TrackJob::outcome() const

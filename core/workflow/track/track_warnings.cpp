@@ -22,9 +22,9 @@ constexpr double doubtfulStepS = 0.005;
 Message changedResults()
 {
     return wholeMessage(
-        ODO_TEXT("workflow.results_changed", "its results are not those that its analysis gave"),
+        ODO_TEXT("workflow.results_changed", "its results differ from those of its analysis"),
         ODO_TEXT("workflow.changed_in_file", "they were changed in the file"),
-        ODO_TEXT("workflow.check_or_analyse_again", "run odograph check, or analyse the trial again"));
+        ODO_TEXT("workflow.check_or_analyse_again", "run odograph check, or reanalyse the trial"));
 }
 
 double partFound(const std::vector<TrackedView> &tracked, std::size_t robot)
@@ -52,7 +52,7 @@ std::vector<Message> analysisWarnings(const AnalysisRecord &analysis, const std:
         sentences.push_back(std::move(apart));
     if (!analysis.doubtfulNames.empty())
         sentences.push_back(joined({doubtfulNamesSentence(analysis.doubtfulNames, analysis.robotName),
-                                    ODO_TEXT("workflow.give_own_colours", "give each a colour of its own")},
+                                    ODO_TEXT("workflow.give_own_colours", "give each its own colour")},
                                    Join::Semicolon));
     for (Message &sentence : sentences)
         sentence =
@@ -71,18 +71,19 @@ Message viewsApartSentence(const Profile &profile)
     if (medianM > farApartM)
         return wholeMessage(
             ODO_TEXT("workflow.views_far_apart",
-                     "in %1 of %2 pictures the views have it at places far apart")(apart, found.seen),
+                     "in %1 of %2 frames the views show it at positions far apart")(apart, found.seen),
             ODO_TEXT("workflow.one_follows_something_else",
-                     "one of them follows something else, or is not where it was registered"),
+                     "one of them tracks another object, or has moved since its registration"),
             ODO_TEXT("workflow.look_at_outlines",
-                     "look at the outlines, and tell the robot's colour or keep others out of the pictures"));
+                     "check the outlines, and set the robot's colour or keep other objects out of view"));
     const Message cause =
-        ODO_TEXT("workflow.why_views_contradict", "a camera was moved after it was registered, the views are "
-                                                  "out of step, or the robot's height is not what was told");
+        ODO_TEXT("workflow.why_views_contradict", "a camera has moved since its registration, the views are "
+                                                  "not synchronised, or the robot's height is wrong");
     return wholeMessage(
         ODO_TEXT("workflow.views_contradict",
-                 "in %1 of %2 pictures the views contradict one another")(apart, found.seen),
-        ODO_TEXT("workflow.views_put_it_apart", "they put it %1 apart")(quantity(1000 * medianM, 1, "mm")),
+                 "in %1 of %2 frames the views contradict each other")(apart, found.seen),
+        ODO_TEXT("workflow.views_put_it_apart",
+                 "their floor positions differ by %1")(quantity(1000 * medianM, 1, "mm")),
         joined({cause, ODO_TEXT("workflow.register_cameras_again", "register the cameras again")},
                Join::Semicolon));
 }
@@ -98,21 +99,20 @@ Message doubtfulNamesSentence(std::span<const DoubtfulName> doubts, const std::s
                           to = quantity(toSeconds(doubts.front().to), 2, "s");
     const bool isOnce = doubts.size() == 1;
     if (others.empty())
-        return isOnce
-                   ? ODO_TEXT("workflow.doubtful_name_unknown",
-                              "from %1 to %2 it is doubtful whether this is %3 or another robot of its look")(
-                         from, to, Named::robot(robotName))
-                   : ODO_TEXT("workflow.doubtful_names_unknown",
-                              "from %1 to %2 (the first of %3 times) it is doubtful whether this is %4 or "
-                              "another robot of its look")(from, to, doubts.size(), Named::robot(robotName));
+        return isOnce ? ODO_TEXT("workflow.doubtful_name_unknown",
+                                 "from %1 to %2 this may be %3 or another robot that looks the same")(
+                            from, to, Named::robot(robotName))
+                      : ODO_TEXT("workflow.doubtful_names_unknown",
+                                 "from %1 to %2 (the first of %3 times) this may be %4 or another robot that "
+                                 "looks the same")(from, to, doubts.size(), Named::robot(robotName));
     std::vector<std::string> names{robotName};
     names.insert(names.end(), others.begin(), std::prev(others.end()));
     const MessageArgument first = listed(names, MessageArgument::Kind::Robot, MessageArgument::Joint::Comma),
                           last = Named::robot(*others.rbegin());
-    return isOnce ? ODO_TEXT("workflow.doubtful_name",
-                             "from %1 to %2 it is doubtful whether this is %3 or %4")(from, to, first, last)
+    return isOnce ? ODO_TEXT("workflow.doubtful_name", "from %1 to %2 this may be %3 or %4")(from, to, first,
+                                                                                             last)
                   : ODO_TEXT("workflow.doubtful_names",
-                             "from %1 to %2 (the first of %3 times) it is doubtful whether this is %4 or %5")(
+                             "from %1 to %2 (the first of %3 times) this may be %4 or %5")(
                         from, to, doubts.size(), first, last);
 }
 
@@ -128,21 +128,21 @@ std::vector<Message> stepWarnings(const std::string &trialName,
         const bool found = isStepMeasured(view);
         const double sigmaMs = 1e3 * view.startOffsetSigmaS;
         if (!found && view.syncMethod != "told")
-            sentences.push_back(
-                wholeMessage(what,
-                             ODO_TEXT("workflow.not_synchronised",
-                                      "it is not synchronised but taken as begun together with the first "
-                                      "view, so that a moving robot "
-                                      "is not where the two views put it"),
-                             ODO_TEXT("workflow.import_again_for_offset",
-                                      "import the videos again and let the offset be found, or tell it")));
+            sentences.push_back(wholeMessage(
+                what,
+                ODO_TEXT("workflow.not_synchronised",
+                         "it is not synchronised: the same start time as the first view was assumed, and "
+                         "positions of a moving robot are wrong"),
+                ODO_TEXT(
+                    "workflow.import_again_for_offset",
+                    "import the videos again with automatic synchronisation, or enter the time offset")));
         else if (found && view.startOffsetSigmaS > doubtfulStepS)
             sentences.push_back(wholeMessage(
                 what,
-                ODO_TEXT("workflow.doubtful_step", "it is in step to %1 only, which is %2 at 1 m/s")(
+                ODO_TEXT("workflow.doubtful_step", "it is synchronised only to %1, which is %2 at 1 m/s")(
                     quantity(sigmaMs, 0, "ms"), quantity(sigmaMs, 0, "mm")),
                 ODO_TEXT("workflow.turn_or_flash",
-                         "let the robot turn, or flash the room's light, where both cameras see it")));
+                         "turn the robot, or flash the room light, in view of both cameras")));
     }
     return sentences;
 }
@@ -173,14 +173,14 @@ std::optional<FloorColour> floorColourOf(const RobotRecord &robot, const std::st
     }
     if (share <= mostOfPicture)
         return std::nullopt;
-    return FloorColour{{ErrorCode::Undetermined, robotInTrialSubject(robot.name, trialName),
-                        ODO_TEXT("workflow.floor_has_its_colour",
-                                 "its colour %1 is also that of the floor (%2 of view %3's picture)")(
-                            robot.colour->toString(), quantity(std::round(100 * share), 0, "%"),
-                            Named::camera(views[worst].recording.cameraName)),
-                        ODO_TEXT("workflow.put_plate_on_it",
-                                 "put a plate of another colour on it, or tell the colour it really has")},
-                       partFound(tracked, robotIndex) < hardlyEver};
+    return FloorColour{
+        {ErrorCode::Undetermined, robotInTrialSubject(robot.name, trialName),
+         ODO_TEXT("workflow.floor_has_its_colour",
+                  "its colour %1 is also the floor's (%2 of the frame in view %3)")(
+             robot.colour->toString(), quantity(std::round(100 * share), 0, "%"),
+             Named::camera(views[worst].recording.cameraName)),
+         ODO_TEXT("workflow.put_plate_on_it", "put a plate of another colour on it, or set its true colour")},
+        partFound(tracked, robotIndex) < hardlyEver};
 }
 
 } // namespace odo

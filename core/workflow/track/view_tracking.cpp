@@ -77,7 +77,7 @@ public:
             return;
         const std::lock_guard lock(m_mutex); // the caller's function need not be thread-safe
         m_control.report(m_from + (m_to - m_from) * double(done) / double(m_total),
-                         ODO_TEXT("workflow.tracking_picture", "tracking, picture %1 of %2")(done, m_total));
+                         ODO_TEXT("workflow.tracking_picture", "tracking, frame %1 of %2")(done, m_total));
     }
 
 private:
@@ -411,12 +411,13 @@ Result<TaskAnalysis> analyseByTask(const MakeProfile &make, const AnalysisOption
     if (second && refusedShare(*second) < refused / 2) {
         const MessageArgument name = Named::task(task->name);
         const Message why =
-            profile ? ODO_TEXT("workflow.beyond_limits",
-                               "%1 of what was measured is beyond the limits of task '%2', so that they were "
-                               "left out")(quantity(std::round(100 * refused), 0, "%"), name)
-                    : ODO_TEXT("workflow.nearly_all_beyond_limits",
-                               "nearly all that was measured is beyond the limits of task '%1', so that they "
-                               "were left out")(name);
+            profile
+                ? ODO_TEXT("workflow.beyond_limits",
+                           "%1 of the samples exceed the limits of task '%2', so the limits were ignored")(
+                      quantity(std::round(100 * refused), 0, "%"), name)
+                : ODO_TEXT("workflow.nearly_all_beyond_limits",
+                           "nearly all samples exceed the limits of task '%1', so the limits were ignored")(
+                      name);
         return TaskAnalysis{std::move(*second), withoutLimits,
                             joined({why, ODO_TEXT("workflow.give_limits_of_fastest",
                                                   "give the task the limits of its fastest robot")},

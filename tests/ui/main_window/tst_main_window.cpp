@@ -273,7 +273,7 @@ void TestMainWindow::completesARecordingThatWasCutOff()
     QTRY_VERIFY(!window.workspace().isBusy());
     QCOMPARE(window.findChild<MessageBar *>()->text(),
              QStringLiteral("trial 'run': its recording was cut off; nothing of it had reached the disk, and "
-                            "it is left out: record it again"));
+                            "it was removed: record it again"));
     QVERIFY(window.workspace().project()->trials().all()->empty());
 }
 

@@ -189,7 +189,7 @@ void TestTransfer::lostVideosAreFound()
     QVERIFY(QFile::rename(path("home/clip.mkv"), path("other name")));
     QCOMPARE(lostVideos(), lost + 1);
     run("Find lost videos…", {chooseFile(path("empty"))});
-    QVERIFY2(message().contains(QLatin1String("lost videos is there")), qPrintable(message()));
+    QVERIFY2(message().contains(QLatin1String("lost videos is in this folder")), qPrintable(message()));
     run("Find lost videos…", {chooseFile(m_folder.path())});
     QVERIFY2(message().startsWith(QLatin1String("1 of ")) &&
                  message().endsWith(QLatin1String(" lost videos were found, by their content.")),

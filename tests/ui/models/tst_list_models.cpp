@@ -134,9 +134,8 @@ private Q_SLOTS:
         QCOMPARE(model.summary(), QStringLiteral("2 flagged · 1 restored · 1 doubtful"));
         const QModelIndex doubt = model.index(1, SpikeModel::ReasonColumn);
         QCOMPARE(doubt.data().toString(), QStringLiteral("Which robot? Until 4.20\u00a0s"));
-        QCOMPARE(
-            doubt.data(Qt::ToolTipRole).toString(),
-            QStringLiteral("Red 2: from 3.41 s to 4.20 s it is doubtful whether this is Red 2 or Blue 1"));
+        QCOMPARE(doubt.data(Qt::ToolTipRole).toString(),
+                 QStringLiteral("Red 2: from 3.41 s to 4.20 s this may be Red 2 or Blue 1"));
         // the nearest frame
         QCOMPARE(doubt.data(SpikeModel::TimeRole).toLongLong(), scene->frameTimes()[102].count());
         QCOMPARE(doubt.data(SpikeModel::SampleIndexRole).toLongLong(), -1);

@@ -85,7 +85,7 @@ void TestRecordWords::tellsHowAllDo()
     QVERIFY(facts[0].value.endsWith(QStringLiteral("not registered")));
     QCOMPARE(facts[1].badge.state, BadgeState::Warning);
     QVERIFY(facts[2].value.startsWith(QStringLiteral("in step to 1.2 ms")));
-    QCOMPARE(facts[3].value, QStringLiteral("the map is 38 ms behind, none skipped"));
+    QCOMPARE(facts[3].value, QStringLiteral("the map is 38 ms behind, no frame skipped"));
     health.disk.recording = true;
     health.disk.bytes = 12'400'000;
     QVERIFY(healthFacts(health, cameras, {}).back().value.startsWith(QStringLiteral("12 MB written")));

@@ -61,8 +61,8 @@ private Q_SLOTS:
         const auto fact = std::ranges::find(facts, QStringLiteral("Views"), &Fact::name);
         QVERIFY(fact != facts.end());
         QCOMPARE(fact->badge.text, QStringLiteral("doubtful"));
-        QVERIFY2(fact->value.contains(QStringLiteral(
-                     "in 60 of 60 pictures the views contradict one another: they put it 21.3 mm apart")),
+        QVERIFY2(fact->value.contains(QStringLiteral("in 60 of 60 frames the views contradict each other: "
+                                                     "their floor positions differ by 21.3 mm")),
                  qPrintable(fact->value));
     }
 

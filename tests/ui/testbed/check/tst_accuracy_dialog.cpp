@@ -159,7 +159,7 @@ void TestAccuracyDialog::saysWhyAPlannedCameraCannotBeThere()
     summary(*dialog);
     QVERIFY(says(*dialog, "four are needed"));
     QVERIFY(says(*dialog, "choose a wider lens"));
-    QVERIFY(says(*dialog, "None of the floor among the markers is seen."));
+    QVERIFY(says(*dialog, "None of the floor between the markers is in view."));
     named<QDoubleSpinBox>(*dialog, "Field of view")->setValue(80);
     summary(*dialog);
     QVERIFY(named<QLabel>(*dialog, "What is wrong")->isHidden());

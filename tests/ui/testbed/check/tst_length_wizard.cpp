@@ -210,7 +210,7 @@ void TestLengthWizard::tellsWhatIsWrong()
         named<QTableWidget>(*same, "Ends of the length")->selectRow(end);
         QTest::keyClick(&canvas, Qt::Key_Up);
     }
-    QVERIFY(says(*same, "both ends lie on one pixel"));
+    QVERIFY(says(*same, "both ends are on the same pixel"));
     QVERIFY(!same->page().check());
 }
 

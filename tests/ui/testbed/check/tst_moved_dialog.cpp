@@ -206,7 +206,7 @@ void TestMovedDialog::checksAllByKeysAlone()
     QCOMPARE(table->currentRow(), 1); // the one that is wrong
     table->setFocus();
     QTest::keyClick(table, Qt::Key_Up);
-    QVERIFY(says(*dialog, "A stands where it was registered"));
+    QVERIFY(says(*dialog, "A has not moved"));
     QTest::keyClick(dialog.get(), Qt::Key_Escape);
     QVERIFY(!dialog->isVisible());
 }
@@ -221,7 +221,7 @@ void TestMovedDialog::picturesOfAnotherSizeAreRefused()
     QCOMPARE(result(*dialog, 1), QStringLiteral("not told"));
     auto *table = named<QTableWidget>(*dialog, "Registered cameras");
     table->selectRow(0);
-    QVERIFY(says(*dialog, "the picture is 640×480, the camera was registered at 1280×720"));
+    QVERIFY(says(*dialog, "the image is 640×480, the camera was registered at 1280×720"));
     table->selectRow(1);
     QVERIFY(says(*dialog, "nowhere.png"));
     QVERIFY2(!kept("A") && !kept("B"), "a picture that is none says nothing of the camera");

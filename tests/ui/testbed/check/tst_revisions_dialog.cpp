@@ -132,7 +132,7 @@ void TestRevisionsDialog::registersWithANewerLens()
     auto *table = named<QTableWidget>(dialog, "Revisions");
     table->selectRow(0); // the only calibration
     QTest::mouseClick(button(dialog, "Register with this lens"), Qt::LeftButton);
-    QVERIFY(says(dialog, "it was made with it already"));
+    QVERIFY(says(dialog, "it already uses that calibration"));
     QVERIFY(!dialog.hasChanged());
     dialog.close();
     IntrinsicsRecord lens =

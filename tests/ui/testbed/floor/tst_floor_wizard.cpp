@@ -185,13 +185,13 @@ void TestFloorWizard::byMouseFromACamera()
 
 void TestFloorWizard::staysOpenWhenTheDiskIsFull()
 {
-    m_problem = test::saidError(ErrorCode::Io, "calibration picture 'A_floor'", "no space left on device",
+    m_problem = test::saidError(ErrorCode::Io, "calibration image 'A_floor'", "no space left on device",
                                 "check the free space");
     const auto wizard = makeWizard(m_picture);
     walkToMarkers(*wizard);
     QTRY_VERIFY_WITH_TIMEOUT(button(*wizard, "Save")->isEnabled(), patienceMs);
     QTest::mouseClick(button(*wizard, "Save"), Qt::LeftButton);
-    QTRY_VERIFY(says(*wizard, "The registration was not stored. calibration picture 'A_floor': no space left "
+    QTRY_VERIFY(says(*wizard, "The registration was not stored. calibration image 'A_floor': no space left "
                               "on device; check the free space"));
     m_problem.reset();
     QTRY_VERIFY(button(*wizard, "Save")->isEnabled());
@@ -235,7 +235,7 @@ void TestFloorWizard::takesOutAndUndoes()
     QTest::mouseClick(button(*wizard, "Take out"), Qt::LeftButton);
     QCOMPARE(wizard->markers().pixels().size(), std::size_t(3));
     QVERIFY(!button(*wizard, "Save")->isEnabled());
-    QVERIFY(says(*wizard, "four markers are needed"));
+    QVERIFY(says(*wizard, "four markers in common"));
     QTest::mouseClick(button(*wizard, "Undo"), Qt::LeftButton);
     QVERIFY(button(*wizard, "Save")->isEnabled());
 }

@@ -368,12 +368,12 @@ void TestLensWizard::staysOpenWhenTheDiskIsFull()
     walkToPictures(*wizard);
     QTest::mouseClick(button(*wizard, "Next >"), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(button(*wizard, "Save")->isEnabled(), patienceMs);
-    m_problem = test::saidError(ErrorCode::Io, "calibration picture 'B_1'", "no space left on device",
+    m_problem = test::saidError(ErrorCode::Io, "calibration image 'B_1'", "no space left on device",
                                 "check the free space");
     QTest::mouseClick(button(*wizard, "Save"), Qt::LeftButton);
     QTRY_VERIFY(says(
         *wizard,
-        "The lens was not stored. calibration picture 'B_1': no space left on device; check the free space"));
+        "The lens was not stored. calibration image 'B_1': no space left on device; check the free space"));
     QVERIFY(wizard->isVisible());
     m_problem.reset();
     QTRY_VERIFY(button(*wizard, "Save")->isEnabled());
