@@ -161,8 +161,7 @@ Result<FloorView> exactView(const PlannedCamera &camera)
     const Vector2d foot = camera.footM();
     const Vector3d place(foot.x(), foot.y(), camera.heightM);
     const Vector3d forward = (Vector3d(camera.aimM.x(), camera.aimM.y(), 0) - place).normalized();
-    // Along the floor, so that the picture is upright; straight down it has no up, and the direction gives
-    // one.
+    // Along the floor, so that the image is upright; straight down it has no up, and the direction gives one.
     const Vector3d right(-away.y(), away.x(), 0);
     Eigen::Matrix3d axes;
     axes << right, forward.cross(right), forward;
@@ -187,7 +186,7 @@ using Eigen::Vector2d;
 
 constexpr double nearABorder = 0.15; // of the extent
 
-/// The sentence about the figures. place: of the worst one.
+/// The sentence about the values. place: of the worst one.
 Message figureWords(const AccuracySummary &summary, const Vector2d &place, const Vector2d &lower,
                     const Vector2d &upper, const MarkerLayout &layout)
 {
@@ -300,7 +299,7 @@ public:
             m_floor.extend(marker.pointInWorld);
     }
 
-    /// Tries every place of a square of so many places about a point.
+    /// Tries every position of a square grid around a point.
     void tryAbout(const Vector2d &middle, const Vector2d &halfSize, int across)
     {
         for (int i = 0; i < across * across; ++i) {
@@ -386,7 +385,7 @@ Result<PlannedCamera> bestPlace(const PlannedCamera &like, const MarkerLayout &l
         return cancelled(what);
     if (searcher.best())
         return *searcher.best();
-    // Why not even the plainest place will do tells more than that none will.
+    // Why even the plainest position fails says more than that all of them do.
     PlannedCamera plain = like;
     plain.aimM = searcher.floor().center();
     plain.standAt(plain.aimM - Vector2d(0, 0.5 * searcher.floor().sizes().y() + search.reachM));

@@ -12,7 +12,7 @@
 
 namespace odo {
 
-/// Places of the floor in rows along X, from lowerM on, the first row at the smallest Y.
+/// Floor positions in rows along X, from lowerM on, the first row at the smallest Y.
 struct FloorGrid
 {
     Eigen::Vector2d lowerM = Eigen::Vector2d::Zero();
@@ -27,22 +27,23 @@ struct FloorGrid
     }
 };
 
-/// A grid over the layout's markers and a margin about them, of at most so many places along its longer side.
+/// A grid over the layout's markers and a margin about them, of at most so many positions along its longer
+/// side.
 FloorGrid gridOver(const MarkerLayout &layout, double marginM, int mostAcross = 60);
 
-/// σ to expect of a position at each place of a grid: along the direction in which it is the least sure.
-/// Metres, in the order of FloorGrid::index; NaN where no camera sees the place.
+/// σ to expect of a position at each position of a grid: along the direction in which it is the least sure.
+/// Metres, in the order of FloorGrid::index; NaN where no camera sees the position.
 struct AccuracyMap
 {
     FloorGrid grid;
     std::vector<std::vector<double>> cameraSigmaM; ///< one map a view, in the order of the views
-    /// of all views that see the place, joined by their information
+    /// of all views that see the position, joined by their information
     std::vector<double> fusedSigmaM;
 };
 
-/// sigmaPx: of one coordinate of what is followed in the picture (the tracker: about 0.1; a click: 0.5).
+/// sigmaPx: of one coordinate of the tracked point in the image (the tracker: about 0.1; a click: 0.5).
 /// heightM: of the plane. Each view's σ holds the pixel's part and that of its calibration; the calibrations
-/// of the views count as independent of one another. Some 2 µs a place and view. Pure; any thread.
+/// of the views count as independent of one another. Some 2 µs a position and view. Pure; any thread.
 AccuracyMap accuracyMap(std::span<const FloorView> views, const FloorGrid &grid, double sigmaPx,
                         double heightM = 0);
 
@@ -53,9 +54,9 @@ struct PlannedCamera
     double distanceM = 2; ///< over the floor, from the point it aims at
     /// from that point to the camera; 0: +X, -90: -Y
     double directionDegrees = -90;
-    /// point of the floor in the middle of the picture
+    /// point of the floor in the middle of the image
     Eigen::Vector2d aimM = Eigen::Vector2d::Zero();
-    double fieldOfViewDegrees = 60; ///< across the picture's width
+    double fieldOfViewDegrees = 60; ///< across the image's width
     int widthPx = 1280, heightPx = 720;
 
     /// The point of the floor below it.
@@ -64,10 +65,10 @@ struct PlannedCamera
     void standAt(const Eigen::Vector2d &footM);
 };
 
-/// The view such a camera would have when it were registered by these markers with this σ of one coordinate
-/// of a marker's pixel: for accuracyMap, before anything is recorded. Its lens counts as known. Refuses a
-/// height, distance or field of view that no camera has, and a pose from which fewer than four markers are in
-/// the picture, naming them.
+/// The view such a camera would have if it were registered by these markers with this σ of one coordinate of
+/// a marker's pixel: for accuracyMap, before anything is recorded. Its lens counts as known. Refuses a
+/// height, distance or field of view that no camera has, and a pose from which it sees fewer than four
+/// markers, naming them.
 Result<FloorView> plannedView(const PlannedCamera &camera, const MarkerLayout &layout, double sigmaPx = 0.3);
 
 /// What a map of σ says of the floor among the markers (the rectangle about them). Metres.
@@ -79,11 +80,11 @@ struct AccuracySummary
     Message words; ///< "±1.8 mm in the middle, ±6.0 mm in the corner near D." and what is not seen
 };
 
-/// sigmaM: one value a place of the grid, NaN where it is not seen. Pure; any thread.
+/// sigmaM: one value a position of the grid, NaN where it is not seen. Pure; any thread.
 AccuracySummary summariseAccuracy(const FloorGrid &grid, const std::vector<double> &sigmaM,
                                   const MarkerLayout &layout);
 
-/// Where a camera may stand.
+/// Allowed camera positions.
 struct PlaceSearch
 {
     double reachM = 2;          ///< so far beyond the rectangle about the markers
@@ -92,11 +93,11 @@ struct PlaceSearch
     double sigmaPx = 0.1;       ///< of what is followed, as accuracyMap takes it
 };
 
-/// The place and aim for one more camera of the height and lens given, so that with the others the most of
-/// the floor among the markers is seen and, of those that see as much, the worst place is known best. Looks
-/// on a grid of places, each with three aims, then about the best ones ever finer. Some hundred milliseconds;
-/// any thread. Errors: no place from which four markers are seen; Cancelled; those of plannedView for the
-/// height and the lens.
+/// The position and aim of one more camera of the given height and lens that shows, with the others, the most
+/// of the floor between the markers; among equals the one with the smallest σ at the worst position. Searches
+/// a grid of positions with three aims each, then ever finer around the best. Some hundred milliseconds; any
+/// thread. Errors: no position sees four markers; Cancelled; those of plannedView for the height and the
+/// lens.
 Result<PlannedCamera> bestPlace(const PlannedCamera &like, const MarkerLayout &layout,
                                 std::span<const FloorView> others, const PlaceSearch &search,
                                 const JobControl &control);

@@ -62,7 +62,7 @@ std::vector<NamedDictionary> dictionariesFor(const std::string &name)
     return chosen;
 }
 
-/// The markers of a picture that is `scale` times as large as the one their corners are given in.
+/// The markers of an image that is `scale` times as large as the one their corners are given in.
 std::vector<ReadMarker> readMarkers(const cv::Mat &picture, double scale, const NamedDictionary &dictionary)
 {
     endIfCancelled();
@@ -80,13 +80,13 @@ std::vector<ReadMarker> readMarkers(const cv::Mat &picture, double scale, const 
     }
     std::vector<ReadMarker> markers;
     for (const auto &[id, sameId] : byId) {
-        if (sameId.size() == 1) // one number in two places: one of them is wrong, and nothing says which
+        if (sameId.size() == 1) // one number at two positions: one is wrong, and we cannot know which
             markers.push_back(sameId.front());
     }
     return markers;
 }
 
-/// A board's corner as the two markers beside it foretell it.
+/// A board's corner as the two markers beside it predict it.
 struct ForetoldCorner
 {
     Vector2d pointInSquares, pixel;
@@ -230,7 +230,7 @@ namespace {
 using cv::Point2f;
 
 constexpr double firstSearchSide =
-    1000; // pixels: search a picture of this size first, it is fast and forgives noise
+    1000; // pixels: search an image of this size first, it is fast and forgives noise
 constexpr double leastSearchSide = 240;
 constexpr float windowOfSpacing = 0.5F;
 constexpr float mostMoved = 0.3F; // of the spacing, when a corner is refined
@@ -299,7 +299,7 @@ CornerGrid oriented(const CornerGrid &grid, int columns, int rows)
     return best;
 }
 
-/// Whether the next line of corners beyond a side of the grid would leave the picture.
+/// Whether the next line of corners beyond a side of the grid would leave the image.
 bool leavesPicture(const CornerGrid &grid, const cv::Mat &luma, bool alongColumns)
 {
     const int lines = alongColumns ? grid.columns : grid.rows,
@@ -398,7 +398,7 @@ BoardView viewOf(const CornerGrid &grid, const BoardSpec &spec, const std::strin
     return view;
 }
 
-/// The board as told, turned upright; also one that is cut off by the picture's border.
+/// The board of the given size, turned upright, even if the image border cuts it off.
 Result<CornerGrid> matched(const cv::Mat &luma, const CornerGrid &grid, const BoardSpec &spec,
                            const std::string &source)
 {
@@ -429,8 +429,8 @@ Result<CornerGrid> matched(const cv::Mat &luma, const CornerGrid &grid, const Bo
 
 } // namespace
 
-/// findBoard for BoardPattern::Checkerboard. A board of a told size of which rows or columns lie outside the
-/// picture is taken with the corners that are in it (two thirds at least).
+/// findBoard for BoardPattern::Checkerboard. A board of a given size that is partly outside the image counts
+/// with its visible corners (at least two thirds).
 Result<BoardView> findCheckerboard(const cv::Mat &luma, const BoardSpec &spec, const std::string &source)
 {
     const CornerGrid grid = searchScales(luma, spec);

@@ -13,7 +13,7 @@ namespace odo {
 
 enum class BoardPattern { Checkerboard, Charuco };
 
-/// What board to look for. Columns and rows count inner corners.
+/// The board to find. Columns and rows count inner corners.
 struct BoardSpec
 {
     std::optional<BoardPattern> pattern; ///< nullopt: find out
@@ -23,10 +23,10 @@ struct BoardSpec
     std::string dictionary;   ///< ChArUco: e.g. "DICT_6X6_250"; empty: find out
 };
 
-/// With fewer corners a view tells nothing of a lens.
+/// With fewer corners a view does not constrain the intrinsics.
 inline constexpr std::size_t leastCornersOfView = 6;
 
-/// Corners found in one picture, with their places on the board (metres, z = 0).
+/// Corners found in one image, with their board coordinates (metres, z = 0).
 struct BoardView
 {
     std::string source; ///< file, or file@frame
@@ -41,14 +41,14 @@ struct BoardView
 /// Half the widest window in which a corner is refined, pixels.
 inline constexpr int widestCornerWindowPx = 11;
 
-/// Why a picture shows no board that can be used: Undetermined.
+/// Why an image has no usable board: Undetermined.
 tl::unexpected<Error> refuseBoard(const std::string &source, Message why, Message advice);
 
-/// Why a picture cannot be used that has another size than the first one.
+/// Why an image of another size than the first cannot be used.
 Message otherSizeThanFirst(const FrameFormat &format, int firstWidthPx, int firstHeightPx);
 
-/// Looks for the board in the luma plane. Error Undetermined with the reason: none found, another size found,
-/// too blurred, cut off.
+/// Finds the board in the luma plane. Error Undetermined with the reason: none found, another size found, too
+/// blurred, cut off.
 Result<BoardView> findBoard(const Frame &frame, const BoardSpec &spec, const std::string &source);
 
 } // namespace odo

@@ -34,7 +34,7 @@ double areaOf(const std::array<Vector2d, 4> &outline)
     return 0.5 * std::abs(twice);
 }
 
-/// 0 to 1 over the way that the middle of something of this size can go.
+/// 0 to 1 over the range in which the middle of something of this size can be.
 double along(double middle, double size, double room)
 {
     const double border = std::min(size, 0.9 * room);
@@ -58,7 +58,7 @@ Vector2d slopeAt(const Eigen::Matrix3d &pixelFromBoard, const Vector2d &middle)
         return Vector2d::Zero();
     const double angle =
         std::acos(std::clamp(scales.y() / scales.x(), 0.0, 1.0)) * degreesPerRadian / fullSlopeDegrees;
-    // The picture is shortened along the slope; depth tells its sign.
+    // The image is shortened along the slope; depth gives its sign.
     const Vector2d axis = svd.matrixU().col(1);
     const Vector2d depthByPixel = pixelByBoard.transpose().inverse() * depthByBoard;
     return angle * (axis.dot(depthByPixel) < 0 ? Vector2d(-axis) : axis);
@@ -118,8 +118,7 @@ double part(double value, double wanted)
     return std::clamp(value / wanted, 0.0, 1.0);
 }
 
-/// How far the slopes spread: the largest difference of two. One tilt against a frontal picture is half of
-/// it.
+/// How far the slopes spread: the largest difference of two. One tilt against a frontal image is half of it.
 double spreadOfSlopes(const std::vector<BoardPlacement> &placements)
 {
     double widest = 0;
@@ -186,7 +185,7 @@ constexpr double closeEnough = 0.12;
 struct Candidate
 {
     Vector2d place;   ///< of the middle, −1 to 1 of what is free
-    double size;      ///< of the picture's height or width, whichever is tighter
+    double size;      ///< of the image's height or width, whichever is tighter
     Vector2d towards; ///< the side that leans away
 };
 
@@ -212,7 +211,7 @@ std::vector<Candidate> candidates()
     return all;
 }
 
-/// The board's picture through a lens of ordinary width, moved to its place.
+/// The board projected with ordinary intrinsics, moved to its position.
 std::optional<BoardPlacement> placed(const Candidate &candidate, int columns, int rows, int widthPx,
                                      int heightPx)
 {
@@ -245,7 +244,7 @@ std::optional<BoardPlacement> placed(const Candidate &candidate, int columns, in
     const Vector2d picture(widthPx, heightPx), extent = most - least;
     // Outside the inner corners lies a row of squares, and a little white.
     const Vector2d margin(1.2 * extent.x() / (columns - 1), 1.2 * extent.y() / (rows - 1));
-    // A tilted board's near side may reach out of the picture: then it is held a little farther away.
+    // A tilted board's near side may leave the image: then hold it a little farther away.
     const Vector2d free = picture - 2 * margin;
     const double scale = std::min({1.0, free.x() / extent.x(), free.y() / extent.y()});
     const Vector2d room = 0.5 * (free - scale * extent);
@@ -286,7 +285,7 @@ BoardHint hintTowards(const WantedPose &wanted, const BoardPlacement &now)
         double amount;
         BoardHint less, more;
     };
-    // A place away from where it belongs hides what the slope looks like, so it counts twice.
+    // A wrong position hides the slope, so it counts twice.
     const std::array<Step, 5> steps{{{2 * place.x(), BoardHint::Left, BoardHint::Right},
                                      {2 * place.y(), BoardHint::Up, BoardHint::Down},
                                      {2 * size, BoardHint::Farther, BoardHint::Closer},
@@ -305,9 +304,9 @@ namespace {
 
 constexpr double mostObliqueDegrees = 65;
 constexpr double leastSize = 0.1;
-constexpr double leastNews = 0.2; // as ROS's camera_calibration asks of a new picture
+constexpr double leastNews = 0.2; // as ROS's camera_calibration asks of a new image
 constexpr Nanoseconds stillFor = std::chrono::milliseconds(500);
-constexpr double stillPart = 0.004; // of the picture's width
+constexpr double stillPart = 0.004; // of the image's width
 constexpr double sharpOfSpacing = 0.25;
 
 Error refusal(const std::string &source, Message why, Message advice)

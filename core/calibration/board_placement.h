@@ -11,15 +11,15 @@
 
 namespace odo {
 
-/// How a board stands in a picture, in figures that need no lens: from its homography alone.
+/// Position, size and slope of a board in an image, from its homography alone, without intrinsics.
 struct BoardPlacement
 {
     /// The outermost inner corners that were seen, in the board's order (first, along x, opposite, along y).
     /// Luma pixels.
     std::array<Eigen::Vector2d, 4> outline{};
-    /// Of the middle: 0 to 1 between the edges of the picture, as far as a board of this size can go.
+    /// Of the middle: 0 to 1 between the edges of the image, as far as a board of this size can go.
     Eigen::Vector2d place = Eigen::Vector2d::Zero();
-    double size = 0; ///< root of the outline's area over the picture's: 0 to 1
+    double size = 0; ///< root of the outline's area over the image's: 0 to 1
     /// The board's slope: its length is the angle between the board and a frontal one over 45°, from the
     /// foreshortening at its middle (cos of the angle); it points to where the board is farther away, x
     /// right, y down.
@@ -32,28 +32,27 @@ struct BoardPlacement
 /// nullopt where the corners do not lie as on a plane (fewer than four, collinear, folded).
 std::optional<BoardPlacement> placementOf(const BoardView &view, int widthPx, int heightPx);
 
-/// How different two placements are: the sum of the differences of place, size and slope.
+/// How different two placements are: the sum of the differences of position, size and slope.
 double distanceOf(const BoardPlacement &one, const BoardPlacement &other);
 
-/// How much of what a calibration needs its pictures already have.
+/// How much of what a calibration needs the images already cover.
 struct BoardCoverage
 {
-    static constexpr int across = 8, down = 6; ///< fields of the picture
+    static constexpr int across = 8, down = 6; ///< fields of the image
 
-    /// 0 to 1 each: across the picture, down it, near, tilted. Full at 0.7 of the width and height, when the
-    /// board once filled 0.4 of the picture (by its side), and when it was tilted by half of 45° to two sides
+    /// 0 to 1 each: across the image, down it, near, tilted. Full at 0.7 of the width and height, when the
+    /// board once filled 0.4 of the image (by its side), and when it was tilted by half of 45° to two sides
     /// that differ.
     double x = 0, y = 0, size = 0, skew = 0;
     std::array<int, across * down> corners{}; ///< seen in each field, row by row
     int pictures = 0;
 
     double coveredPart() const; ///< of the fields
-    /// All four are full, half of the fields have corners, and there are ten pictures; or there are forty.
+    /// All four are full, half of the fields have corners, and there are ten images; or there are forty.
     bool isEnough() const;
 };
 
-/// The spans that are wanted are those that ROS's camera_calibration found to be enough (its source, 2008 to
-/// 2024).
+/// The required spans are those that ROS's camera_calibration found to be enough (its source, 2008 to 2024).
 BoardCoverage coverageOf(const std::vector<BoardView> &views, const std::vector<BoardPlacement> &placements,
                          int widthPx, int heightPx);
 
@@ -72,30 +71,30 @@ enum class BoardHint {
     HoldStill
 };
 
-/// A pose of the board that would add most to the pictures there are.
+/// The board pose that would add most to the images so far.
 struct WantedPose
 {
     BoardPlacement placement; ///< with the outline to draw
 };
 
-/// Of a fixed set of poses (all over the picture, near and far, tilted to each side) the one that is least
-/// like any taken; among equals the plainest first. columns and rows: of the board's inner corners, for the
-/// shape of the outline.
+/// Of a fixed set of poses (all over the image, near and far, tilted to each side) the one that is least like
+/// any taken; among equals the plainest first. columns and rows: of the board's inner corners, for the shape
+/// of the outline.
 WantedPose wantedPose(const std::vector<BoardPlacement> &taken, int columns, int rows, int widthPx,
                       int heightPx);
 
-/// The largest step from where the board is to where it is wanted. HoldStill: it is there.
-/// TiltLeft: the left side away from the camera; TiltUp: the upper side away from it.
+/// The largest step from the board's pose to the requested one. HoldStill: it is there. TiltLeft: the left
+/// side away from the camera; TiltUp: the upper side away from it.
 BoardHint hintTowards(const WantedPose &wanted, const BoardPlacement &now);
 
-/// A picture of the board that counts.
+/// An accepted image of the board.
 struct CollectedPicture
 {
     BoardView view;
     BoardPlacement placement;
 };
 
-/// What became of a picture.
+/// The outcome for one image.
 struct PictureAnswer
 {
     bool kept = false;
@@ -104,8 +103,8 @@ struct PictureAnswer
     std::optional<CollectedPicture> picture; ///< the board, where it was found, kept or not
 };
 
-/// Gathers pictures of one board until they are enough for a calibration. Refuses, with the reason: no board,
-/// another size, blurred, cut off (findBoard); too oblique, too small, another picture size, the same pose
+/// Gathers images of one board until they are enough for a calibration. Refuses, with the reason: no board,
+/// another size, blurred, cut off (findBoard); too oblique, too small, another image size, the same pose
 /// again. What the first board turned out to be (pattern, size) holds for those after it. One thread at a
 /// time.
 class BoardCollector
@@ -113,10 +112,10 @@ class BoardCollector
 public:
     explicit BoardCollector(BoardSpec spec) : m_spec(std::move(spec)) {}
 
-    /// A picture that a person chose.
+    /// An image chosen by a person.
     PictureAnswer offer(const Frame &frame, const std::string &source);
-    /// A picture of a stream: kept by itself once the board was still for half a second by the frames' own
-    /// time, is sharp, and stands as none before. Frame times must grow.
+    /// An image of a stream: kept by itself once the board was still for half a second by the frames' own
+    /// time, is sharp, and differs in pose from all before. Frame times must grow.
     PictureAnswer watch(const Frame &frame, const std::string &source);
 
     const std::vector<CollectedPicture> &pictures() const { return m_pictures; }

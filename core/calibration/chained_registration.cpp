@@ -24,7 +24,7 @@ using Eigen::Vector3d;
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 
-constexpr double pixelSigma = 0.3;         // of a point picked or found in a picture
+constexpr double pixelSigma = 0.3;         // of a point picked or detected in an image
 constexpr double nearestPointPixels = 1.0; // points closer than that are one and the same
 constexpr double worstPointSigma = 0.05;   // of the points' extent on the floor
 
@@ -97,8 +97,7 @@ Result<void> checkPoints(const FloorView &through, const Message &throughName,
     return {};
 }
 
-/// The points on the floor, as the other camera lays them, and their pixels; with no words where one is not
-/// there.
+/// The points' floor positions by the other camera, and their pixels; nullopt if one has none.
 std::optional<std::vector<PointPair>> laid(const FloorView &through, const std::vector<SharedPoint> &points)
 {
     std::vector<PointPair> pairs;
@@ -159,7 +158,7 @@ Result<void> checkSide(const FloorView &through, const Message &throughName,
     return {};
 }
 
-/// The inverse root of the covariance that each point's distance in the picture has from the noise of both
+/// The inverse root of the covariance that each point's distance in the image has from the noise of both
 /// pixels.
 std::vector<Matrix2d> weightsOf(const FloorView &through, const FloorView &view,
                                 const std::vector<SharedPoint> &points, const std::vector<PointPair> &pairs)
@@ -285,8 +284,8 @@ Message verdictOf(const FloorRegistration &registration, const Message &throughN
     return joined(std::move(sentences), Join::Space);
 }
 
-/// registerFloor's answer about the laid points: all its checks, the focal length where that is free, and
-/// the pose to begin with.
+/// registerFloor's answer for the projected points: all its checks, the focal length if it is free, and the
+/// initial pose.
 Result<FloorRegistration> unweighted(const MarkerLayout &places, const std::vector<MarkerPixel> &pixels,
                                      const CameraModel &camera, bool intrinsicsKnown)
 {

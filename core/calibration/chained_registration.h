@@ -20,22 +20,22 @@ struct SharedPoint
 struct ChainedRegistration
 {
     FloorRegistration registration; ///< its verdict says how much of the error is the other camera's
-    MarkerLayout places;            ///< where the other camera lays the points; the name is left empty
+    MarkerLayout places;            ///< floor positions by the other camera; the name stays empty
     std::vector<MarkerPixel> pixels;
 };
 
-/// Registers a camera to the floor without markers: the points are laid on the floor by a camera that is
-/// registered (itself through another, if need be), and the pose is fitted to where they lie.
+/// Registers a camera to the floor without markers: a registered camera (itself perhaps via another) projects
+/// the points onto the floor, and the pose is fitted to these positions.
 ///
 /// Each point has the covariance of both pixels (0.3 px each, or more where the points fit worse) and counts
 /// by its information. The other camera's pose is common to all points and moves them together: its
 /// covariance goes through the fit (central differences along the columns of its root) into the pose
-/// covariance of this one, so that over a chain of cameras nothing is lost. The lens of the other camera is
-/// taken as exact.
+/// covariance of this one, so that over a chain of cameras nothing is lost. The other camera's intrinsics
+/// count as exact.
 ///
 /// throughName: the other camera for messages, as cameraSubject() has it. Refuses by name what registerFloor
-/// refuses, and pixels outside the picture, points at or beyond the other camera's horizon, and points that
-/// are mirrored between the two pictures.
+/// refuses, and pixels outside the image, points at or beyond the other camera's horizon, and points that are
+/// mirrored between the two images.
 Result<ChainedRegistration> registerThrough(const FloorView &through, const Message &throughName,
                                             const std::vector<SharedPoint> &points, const CameraModel &camera,
                                             bool intrinsicsKnown);

@@ -8,7 +8,7 @@
 
 namespace odo {
 
-/// A marker that was read in a picture: its number and corners, clockwise from its top left.
+/// A marker read in an image: its number and corners, clockwise from its top left.
 struct ReadMarker
 {
     int id = 0;

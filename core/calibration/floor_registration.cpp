@@ -23,12 +23,12 @@ constexpr double tooClose = 0.01;      // of the layout's extent: of four marker
 constexpr double smallHeightM = 0.3, smallExtentM = 0.7; // below both, the numbers may well be centimetres
 constexpr double leastDoubtPx = 1;       // a misfit below it needs no other explanation than noise
 constexpr double carefulPx = 0.4;        // RMS of markers seen to 0.3 px and measured without an error
-constexpr double otherOrderFits = 0.005; // of the markers' extent in the picture
+constexpr double otherOrderFits = 0.005; // of the markers' extent in the image
 constexpr double worstMisfit = 0.01;     // of the same: no plane
 constexpr double worstSigma = 0.02;      // of the layout's extent on the floor
-// Four markers leave two residuals, five leave four: so little that one put quite wrongly may fit a wrong
-// pose to a hundredth of the layout. What tells it then is how careful people are: a pixel, and 2 mm and half
-// a millimetre a metre by a tape. For such errors the sum of the squares of four markers is χ² of two degrees
+// Four markers leave two residuals, five leave four: so little that a badly wrong one may fit a wrong pose to
+// a hundredth of the layout. Then only people's usual care reveals it: a pixel, and 2 mm and half a
+// millimetre a metre by a tape. For such errors the sum of the squares of four markers is χ² of two degrees
 // of freedom: one in fifty lies beyond 8, where the program snaps to the marker hardly any; of five it has
 // four, and nobody careful comes to 40. Of two million drawn layouts with a fault, those that passed all else
 // had 9.5 and more, and 100.
@@ -164,7 +164,7 @@ Message checkLabelsAdvice()
     return ODO_TEXT("calibration.check_labels", "check these labels");
 }
 
-/// The advice after a misfit: what exchange would mend it, where there is one.
+/// The advice after a misfit: the swap of labels that would fix it, if one does.
 Message orderAdvice(const std::vector<PointPair> &pairs, const CameraModel &camera, FocalLength focal,
                     Message otherwise)
 {
@@ -207,8 +207,8 @@ Result<PlanePose> soundPose(const std::vector<PointPair> &pairs, const CameraMod
     return pose;
 }
 
-/// "its numbers look like metres, then it would stand 1.70 m above the floor", of the unit that makes the
-/// camera's height the most ordinary; where none does, the unit that they should have.
+/// "its numbers look like metres, with the camera 1.70 m above the floor", for the unit that makes the
+/// camera's height the most ordinary; if none does, the required unit.
 Message likelyUnit(double heightM)
 {
     struct Unit
@@ -309,8 +309,8 @@ Result<void> measureMarkers(const std::vector<PointPair> &pairs, const FloorView
     return {};
 }
 
-/// The sum of the squares of the markers' errors, each by what a careful person may leave in the picture and
-/// on the floor together: where a marker's error is e in pixels and E in metres, a metre is e / E pixels long
+/// The sum of the squares of the markers' errors, each by what a careful person may leave in the image and on
+/// the floor together: where a marker's error is e in pixels and E in metres, a metre is e / E pixels long
 /// there.
 double carelessness(const std::vector<MarkerError> &markers, double layoutM)
 {

@@ -15,7 +15,7 @@ struct MarkerError
 {
     std::string label;
     double errorM = 0;  ///< on the floor
-    double errorPx = 0; ///< in the picture
+    double errorPx = 0; ///< in the image
 };
 
 /// One camera to the floor.
@@ -28,7 +28,7 @@ struct FloorRegistration
     /// The largest σ of the floor at any marker, from the pose and, where its covariance is known, the lens.
     double floorSigmaM = 0;
     std::vector<MarkerError> markers;
-    Message verdict; ///< sentences; they say when the camera was taken as free of distortion
+    Message verdict; ///< sentences; they say if no distortion was assumed
     /// The lens that worldFromCamera belongs to: the one given, or with the focal length that was estimated.
     Intrinsics intrinsics;
 };
@@ -55,7 +55,7 @@ inline constexpr double usualMarkSigmaPx = 0.3;
 /// variances by what each weighs is the posterior mean of the variance under a scaled inverse χ² prior
 /// (Gelman et al., Bayesian Data Analysis, 2.6) of that mean and six degrees of freedom. Residuals beyond
 /// three times that belief refute it, and speak alone. It holds for tags as well: the program finds them
-/// better, but the layout's places were measured too. Any thread.
+/// better, but the layout was measured too. Any thread.
 double markSigmaPx(double squaresPx2, double freedom);
 
 } // namespace odo

@@ -37,7 +37,7 @@ Message faultOf(const BoardView &view)
     return {};
 }
 
-/// The views that can be used; the others are told with a reason.
+/// The usable views; the others go to `rejected` with a reason.
 std::vector<BoardView> usableViews(const std::vector<BoardView> &views,
                                    std::vector<RejectedPicture> &rejected)
 {
@@ -111,7 +111,7 @@ std::vector<LensStart> startsFor(std::vector<BoardView> &views, int widthPx, int
     return kept;
 }
 
-/// Fills in the residuals of a picture under a lens and a pose, and its RMS over the corners that count.
+/// Fills in the residuals of an image under a lens and a pose, and its RMS over the corners that count.
 void judge(CalibrationPicture &picture, const CameraModel &camera, const RigidTransform &cameraFromBoard)
 {
     picture.residualsPx.clear();
@@ -138,8 +138,8 @@ std::optional<RigidTransform> poseOf(const BoardView &view, const CameraModel &c
     return pose ? std::optional(pose->worldFromCamera.inverse()) : std::nullopt;
 }
 
-/// From a lens fitted to all corners to the outcome: outliers, halves, checks, figures, words. views: those
-/// of the pictures in `calibration` that are used, in their order.
+/// From the fit to all corners to the outcome: outliers, halves, checks, values, words. views: those of the
+/// images in `calibration` that are used, in their order.
 Result<void> finish(IntrinsicCalibration &calibration, const std::vector<BoardView> &views, LensFit fit,
                     const CornerMarks &outliers, const JobControl &control)
 {
@@ -291,8 +291,8 @@ namespace {
 constexpr std::size_t fewViews = 10;
 constexpr double goodM = 0.005, usableM = 0.015; // at worst on the floor, σ
 constexpr double goodFocal = 0.005, usableFocal = 0.015, goodPx = 1, usablePx = 2;
-constexpr double leastCoverage = 0.5; // of the picture
-constexpr double standingOut = 3;     // times the median of the pictures' RMS
+constexpr double leastCoverage = 0.5; // of the image
+constexpr double standingOut = 3;     // times the median of the images' RMS
 
 MessageArgument roundMillimetres(double metres)
 {
@@ -343,7 +343,7 @@ Message floorClause(const IntrinsicCalibration &calibration)
         typicalTestbedWords());
 }
 
-/// How the pictures fit, and how their halves do.
+/// How the images fit, and how their halves do.
 Message fitClauses(const IntrinsicCalibration &calibration, double focalSigma)
 {
     const std::size_t pictures = calibration.picturesUsed();
@@ -369,11 +369,11 @@ Message fitClauses(const IntrinsicCalibration &calibration, double focalSigma)
     return joined({std::move(fit), std::move(halves)}, Join::Semicolon);
 }
 
-/// The pictures that have most of what is counted.
+/// The images with the highest counts.
 struct Where
 {
     MessageArgument pictures; ///< "left02.jpg (6) and left09.jpg (3)", those with most of it first
-    bool isAll;               ///< no other picture has any
+    bool isAll;               ///< no other image has any
 };
 
 Where whereOf(const IntrinsicCalibration &calibration,
@@ -427,7 +427,7 @@ Message leftOutWords(const IntrinsicCalibration &calibration)
     return words(count, where.pictures);
 }
 
-/// About the corners that stand out side by side.
+/// About neighbouring outlier corners.
 Message keptWords(const IntrinsicCalibration &calibration)
 {
     const auto kept = [](const CalibrationPicture &picture) {
@@ -459,7 +459,7 @@ Message outlierWords(const IntrinsicCalibration &calibration)
     return joined({leftOutWords(calibration), keptWords(calibration)}, Join::Space);
 }
 
-/// The picture whose misfit stands out from the others, if one does.
+/// The image whose misfit is an outlier, if there is one.
 Message oddPicture(const IntrinsicCalibration &calibration)
 {
     std::vector<double> rms;

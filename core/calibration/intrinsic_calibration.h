@@ -18,23 +18,23 @@ struct RejectedPicture
     Message reason; ///< a clause
 };
 
-/// A picture of a calibration, with what the lens makes of it.
+/// An image of a calibration, with its residuals.
 struct CalibrationPicture
 {
     BoardView view;   ///< its corners as seen, all of them
-    bool used = true; ///< false: left out; its figures are then foretold by the lens of the others
+    bool used = true; ///< false: left out; its values then come from the intrinsics of the others
     double rmsPx = 0; ///< of its corners that count: sqrt(mean of squared distances)
-    /// One a corner: seen minus foretold, pixels. An arrow from the foretold place to the seen one.
+    /// One a corner: seen minus predicted, pixels. An arrow from the predicted position to the seen one.
     std::vector<Eigen::Vector2d> residualsPx;
-    std::vector<std::size_t> outliers; ///< indices of the corners that stand out, ascending
+    std::vector<std::size_t> outliers; ///< indices of the outlier corners, ascending
     std::vector<std::size_t> leftOut;  ///< those of them that do not count
 };
 
-/// How well a lens model foretells pictures that it was not fitted to.
+/// How well a lens model predicts held-out images.
 struct LensTrial
 {
     LensModel model = LensModel::Standard;
-    /// RMS of each half's corners under the other half's lens; infinite where it cannot foretell all
+    /// RMS of each half's corners under the other half's lens; infinite where it cannot predict all
     double heldOutPx = 0;
 };
 
@@ -53,10 +53,9 @@ struct IntrinsicCalibration
     std::optional<FloorExpectation> onFloor;
     /// How far the lenses of the two halves are apart on that floor; none under 6 views.
     std::optional<FloorExpectation> halvesApart;
-    std::vector<LensTrial> lensTrials; ///< the models that were compared; empty where the model was told
-    Message lensReason;                ///< why this model, a clause: "told"; "no other foretells better"
-    /// Share of the corners of the used pictures whose residual stands out. Beyond mostOutliers they were all
-    /// kept.
+    std::vector<LensTrial> lensTrials; ///< the compared models; empty if the model was given
+    Message lensReason;                ///< why this model, a clause: "as specified"; "no other model fits"
+    /// Share of the outlier corners in the used images. Beyond mostOutliers they were all kept.
     double disagreeingPart = 0;
     Message verdict; ///< the grade, millimetres on the floor, then pixels, then what to do
 
@@ -69,30 +68,30 @@ constexpr double mostOutliers = 0.03;
 
 /// Zhang 2000 with Levenberg–Marquardt refinement (Ceres), all views jointly.
 ///
-/// model: nullopt chooses among Standard, Rational and Fisheye: the simplest whose error on held-out pictures
-/// is within a margin of the best one's (two standard errors of the paired differences of the pictures' RMS,
+/// model: nullopt chooses among Standard, Rational and Fisheye: the simplest whose error on held-out images
+/// is within a margin of the best one's (two standard errors of the paired differences of the images' RMS,
 /// and 1 %; after the one-standard-error rule of Breiman et al. 1984, section 3.4.3). Under six views
 /// Standard.
 ///
 /// Corners whose residual is beyond 5 robust σ (median of the distances) of a fit that heeds them little
 /// (Cauchy's loss) are left out when they are at most mostOutliers of all; more are kept. So are three or
-/// more side by side that are moved the same way, since that says something of the picture or the board. The
+/// more side by side that are moved the same way, since that says something of the image or the board. The
 /// verdict says how many, where, and what was done.
 ///
-/// Refuses, with the reason: fewer than three views, all of one attitude, all frontal, all in one place of
-/// the picture, two focal lengths, halves that contradict each other, and a quarter of the corners or more
-/// that disagree. Any thread; asks control for cancellation in each iteration of each fit.
+/// Refuses, with the reason: fewer than three views, all of one attitude, all frontal, all in one part of the
+/// image, two focal lengths, halves that contradict each other, and a quarter of the corners or more that
+/// disagree. Any thread; asks control for cancellation in each iteration of each fit.
 Result<IntrinsicCalibration> calibrateIntrinsics(const std::vector<BoardView> &views, int widthPx,
                                                  int heightPx, std::optional<LensModel> model,
                                                  const JobControl &control);
 
-/// The calibration again from chosen pictures of it (indices into reference.pictures), with its lens model,
-/// started from its lens, so that it can follow a slider that is dragged. The pictures not chosen stay in the
+/// The calibration again from chosen images of it (indices into reference.pictures), with its lens model,
+/// started from its intrinsics, fast enough to follow a dragged slider. The images not chosen stay in the
 /// answer with used = false. Refuses as calibrateIntrinsics does. Any thread; cancellable.
 Result<IntrinsicCalibration> recalibrate(const IntrinsicCalibration &reference,
                                          const std::vector<std::size_t> &pictures, const JobControl &control);
 
-/// The pictures whose RMS in this calibration is at most so large: for recalibrate, by a threshold.
+/// The images whose RMS in this calibration is at most so large: for recalibrate, by a threshold.
 std::vector<std::size_t> picturesWithin(const IntrinsicCalibration &calibration, double mostRmsPx);
 
 /// The sentences of IntrinsicCalibration::verdict from all else in it. focalSigma: of the focal length over

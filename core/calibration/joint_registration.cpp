@@ -26,7 +26,7 @@ struct JointPoint
 {
     std::string label;
     Eigen::Vector2d place;  ///< measured, or to begin with; metres on the floor
-    bool isMeasured = true; ///< its place has the tape's prior
+    bool isMeasured = true; ///< its position has the tape's prior
 };
 
 struct JointObservation
@@ -35,7 +35,7 @@ struct JointObservation
     Eigen::Vector2d pixel;
 };
 
-/// Cameras over points of the floor, some of known place.
+/// Cameras over floor points, some of known position.
 struct JointProblem
 {
     struct Camera
@@ -56,7 +56,7 @@ struct JointFit
     std::vector<Eigen::Vector2d> places;
     std::vector<Eigen::Matrix2d> placeCovariances;
     double cost = 0;         ///< sum of squares, each over its σ
-    double pixelSquares = 0; ///< sum of squared distances in the pictures
+    double pixelSquares = 0; ///< sum of squared distances in the images
     /// how many of the pixels' coordinates the fit left free (2n − trace of their hat matrix)
     double pixelFreedom = 0;
 };
@@ -140,7 +140,7 @@ LeastSquaresProblem<JointState> problemOf(const JointProblem &problem)
 
 } // namespace
 
-/// Least squares over poses and places (core/geometry/least_squares.h). nullopt where they are not
+/// Least squares over poses and positions (core/geometry/least_squares.h). nullopt where they are not
 /// determined.
 std::optional<JointFit> fitJointly(const JointProblem &problem)
 {
@@ -185,10 +185,10 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double leastFall = 16; // of the sum of squares: χ² of two degrees of freedom, 1 in 3000
-// a wrong place of a marker is cured in part by leaving out one pixel of it
+// leaving out one pixel of a marker cures part of its wrong position
 constexpr double pixelHandicap = 8;
 constexpr std::size_t leastPixels = 3;
-// markers whose measured place counts: they hold the axes and the scale
+// markers whose measured position counts: they hold the axes and the scale
 constexpr std::size_t leastMeasured = 3;
 
 tl::unexpected<Error> refuseJoint(Message why, Message advice, ErrorCode code = ErrorCode::Undetermined)
@@ -273,7 +273,7 @@ private:
                 if (!pointOf.contains(pixel.label)) {
                     const auto place = view.floorFromPixel(pixel.pixel, 0);
                     if (seenBy[pixel.label] < 2 || !place)
-                        continue; // it tells nothing
+                        continue; // it constrains nothing
                     pointOf[pixel.label] = m_problem.points.size();
                     m_problem.points.push_back({pixel.label, *place, false});
                 }
@@ -412,7 +412,7 @@ private:
                     Join::Colon));
             if (at >= m_markers)
                 continue;
-            // Against the measured place: that is what a person can check.
+            // Against the measured position: that is what a person can check.
             const double errorM = (*seen - measuredPlace(pixel.label)).norm();
             registration.markers.push_back({pixel.label, errorM, errorPx});
             if (!isUsed || !point->isMeasured)

@@ -20,7 +20,7 @@ struct JointCamera
     std::vector<MarkerPixel> pixels;
 };
 
-/// A marker's place as all cameras together see it.
+/// A marker's position from all cameras jointly.
 struct JointMarker
 {
     std::string label;
@@ -28,7 +28,7 @@ struct JointMarker
     /// from where it was measured to where the cameras see it
     Eigen::Vector2d offM = Eigen::Vector2d::Zero();
     Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero(); ///< m², of offM
-    bool isSuspicious = false; ///< measured wrongly or moved since: its measured place was left out
+    bool isSuspicious = false; ///< measured wrongly or moved since: its measured position was left out
 };
 
 struct JointRegistration
@@ -36,20 +36,19 @@ struct JointRegistration
     std::vector<FloorRegistration> registrations; ///< in the order of the cameras
     std::vector<JointMarker> markers;             ///< of the layout, those that a camera sees
     MarkerLayout otherPoints;                     ///< where the points lie that were in no layout
-    double rmsPx = 0;                             ///< of all distances in the pictures
-    /// sentences: "U is 23 mm off by all cameras: measure it again", "B sees U ..."
+    double rmsPx = 0;                             ///< of all distances in the images
+    /// sentences: "U is 23 mm off in all cameras: remeasure it.", "B sees U ..."
     std::vector<Message> doubts;
-    Message verdict; ///< the doubts, or that there are none
+    Message verdict; ///< the sentences in `doubts`, or that all agree
 };
 
-/// Fits the poses of all cameras and the places of all markers at once (Levenberg–Marquardt): pixels with the
-/// noise that registerFloor gives a marker (0.3 px, weighed against the residuals), each marker's place with
-/// the σ of the tape measure as a prior (Gaussian, both coordinates alike), other points without one. Lenses
-/// are held. What fits badly is looked for: while leaving out one marker's measured place lowers the sum of
-/// squares by more than 16 (χ² of two degrees of freedom: one in 3000 by chance), or leaving out one camera's
-/// pixel of it by 24, the one that lowers it the most is left out and named. poseCovariance is the marginal
-/// one of each camera; the errors of the cameras are not independent, as the markers' places are common to
-/// them.
+/// Fits the poses of all cameras and the positions of all markers at once (Levenberg–Marquardt): pixels with
+/// the noise that registerFloor gives a marker (0.3 px, weighed against the residuals), each marker's
+/// position with the σ of the tape measure as a prior (Gaussian, both coordinates alike), other points
+/// without one. Intrinsics are held. Bad data are left out: while leaving out one marker's measured position
+/// lowers the sum of squares by more than 16 (χ² of two degrees of freedom: one in 3000 by chance), or
+/// leaving out one camera's pixel of it by 24, the one that lowers it most goes and is named. poseCovariance
+/// is the marginal one of each camera; the cameras' errors are correlated through the common markers.
 ///
 /// Refuses: fewer than two cameras, two of one name, cameras that have no marker or point in common, a camera
 /// with fewer than three pixels that count, and what the fit does not determine. Pure; any thread.

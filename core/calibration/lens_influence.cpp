@@ -95,7 +95,7 @@ using Eigen::Vector2d;
 
 constexpr double heightM = 2, longSideM = 3, shortSideM = 2;
 constexpr double nearestM = 0.3, farthestM = 60, stepFactor = 1.05;
-constexpr double margin = 0.03;      // of the picture's shorter side, free about the floor
+constexpr double margin = 0.03;      // of the image's shorter side, free about the floor
 constexpr int across = 12, deep = 8; // fields of the grid
 
 /// Width and depth of the floor as the camera sees it.
@@ -149,7 +149,7 @@ Message whereOf(int column, int row)
     return *places[third(row, deep)][third(column, across)];
 }
 
-/// errorM: of a place on the floor; nullopt where it has none.
+/// errorM: of a floor position; nullopt where it has none.
 std::optional<FloorExpectation>
 overTheFloor(const Vector2d &extent, const std::function<std::optional<double>(const Vector2d &)> &errorM)
 {

@@ -31,8 +31,8 @@ double largestSigmaM(const FloorPosition &position);
 double floorSigmaM(const FloorRegistration &registration, const CameraModel &camera,
                    const std::vector<MarkerPixel> &pixels);
 
-/// What a lens leaves to be wrong on the floor of a typical testbed. Metres; the figures of expectedOnFloor
-/// are σ along the direction in which a place is known the least.
+/// Floor uncertainty of a typical testbed from the intrinsics alone. Metres; expectedOnFloor gives σ along
+/// the least certain direction.
 struct FloorExpectation
 {
     double middleM = 0; ///< in the middle of the floor
@@ -40,18 +40,18 @@ struct FloorExpectation
     Message worstWhere; ///< "in the far left corner", "at the near edge", as the camera sees it
 };
 
-/// The testbed that lenses are judged by, since a figure in millimetres says more to a person than one in
-/// pixels: a camera 2 m high, looking at a floor of 3 m × 2 m whose longer side lies along the picture's
-/// longer side, from as near as the whole floor is in the picture (0.3 m from the near edge or more), and
-/// registered by four markers at the floor's corners. The markers are taken as exact: what they add is the
-/// registration's part. nullopt where no such place exists (a lens so long that it would stand 60 m away).
+/// The testbed that calibrations are judged by, since millimetres say more to a person than pixels: a camera
+/// 2 m high, looking at a floor of 3 m × 2 m whose longer side lies along the image's longer side, from as
+/// near as the whole floor is in the image (0.3 m from the near edge or more), and registered by four markers
+/// at the floor's corners. The markers count as exact: what they add is the registration's part. nullopt
+/// where no such position exists (a lens so long that the camera would be 60 m away).
 std::optional<FloorView> typicalTestbed(const CameraModel &camera);
 
 /// The testbed in the words of a verdict: "a 3 m × 2 m floor seen from 2 m above".
 Message typicalTestbedWords();
 
-/// The lens's covariance carried to the floor (poseByLens, FloorView), on a grid of 13 × 9 places.
-/// nullopt where the lens has no covariance or no testbed fits it.
+/// The covariance of the intrinsics carried to the floor (poseByLens, FloorView), on a grid of 13 × 9
+/// positions. nullopt where the lens has no covariance or no testbed fits it.
 std::optional<FloorExpectation> expectedOnFloor(const Intrinsics &intrinsics);
 
 /// How far two lenses of one camera put the same pixels apart on that floor, each registered by the same four

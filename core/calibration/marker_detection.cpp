@@ -55,7 +55,7 @@ bool isSeenTwice(const std::vector<SeenTag> &tags)
         tags, [&](const SeenTag &tag) { return std::ranges::count(tags, tag.number, &SeenTag::number) > 1; });
 }
 
-/// Tags of the layout: those read, then smaller ones, then those that the others foretell.
+/// Tags of the layout: those read, then smaller ones, then those that the others predict.
 std::vector<SeenTag> layoutTags(const Frame &frame, const MarkerLayout &layout, const MarkerSearch &search)
 {
     const auto count = static_cast<int>(layout.markers.size());
@@ -135,7 +135,7 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr int largestMarkerPx = 130; // from its middle to its rim
-constexpr int tapeReachPx = 26;      // beyond the reach: how much of the strips is looked at
+constexpr int tapeReachPx = 26;      // beyond the reach: how much of the strips counts
 constexpr double leastTapePx = 3, mostTapePx = 40;
 constexpr double antiparallel = -0.95; // 18°: perspective
 constexpr double armPx = 5;            // of a strip beyond the crossing, to count as one
@@ -224,7 +224,7 @@ std::optional<std::array<Vector2d, 4>> cornersOf(const Strip &one, const Strip &
     return std::array{*a, *b, *c, *d};
 }
 
-/// An edge goes on beyond a place, in the direction away from another place on it.
+/// An edge goes on beyond a point, in the direction away from another point on it.
 bool goesOn(const StraightEdge &edge, const Vector2d &beyond, const Vector2d &from)
 {
     const double at = edge.direction().dot(beyond - edge.middle);
@@ -273,7 +273,7 @@ std::optional<SnappedMarker> nearestCrossing(const std::vector<StraightEdge> &ed
     return best;
 }
 
-/// Points of the edge reach to within a few pixels of a place, and go on from there on one side at least.
+/// Points of the edge reach to within a few pixels of a position, and go on from there on one side at least.
 bool reaches(const StraightEdge &edge, const Vector2d &place)
 {
     const double at = edge.direction().dot(place - edge.middle);
@@ -328,7 +328,7 @@ std::optional<SnappedMarker> nearestSaddle(const cv::Mat &picture, const Vector2
     return SnappedMarker{SnappedMarker::Kind::Saddle, {best[0].x, best[0].y}, saddleSigmaPx};
 }
 
-/// Tape, corners and saddles, in a part of the picture that is cut out.
+/// Tape, corners and saddles, in a part of the image that is cut out.
 std::optional<SnappedMarker> nearestOfEdges(const Frame &frame, const Vector2d &near, double reachPx)
 {
     const PixelRect rect = around(near, reachPx + tapeReachPx).clipped({0, 0, frame.y.width, frame.y.height});

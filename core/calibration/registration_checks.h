@@ -26,8 +26,7 @@ struct MarkerShift
 
 struct MovedCheck
 {
-    /// Three markers that lie still prove that the camera stands where it stood: then those that do not were
-    /// moved.
+    /// Three unmoved markers prove that the camera has not moved: then the others were moved.
     enum class Verdict { Still, CameraMoved, MarkersMoved } verdict = Verdict::Still;
     std::vector<MarkerShift> markers;
     std::vector<std::string> missing; ///< markers of the registration that were not found again
@@ -35,17 +34,17 @@ struct MovedCheck
     Message words;                    ///< one sentence, and what to do
 };
 
-/// Looks for a registration's markers in a newer picture: tags anywhere by their number, everything else by
-/// what snapToMarker() finds within 20 px of where it was; where fewer than two are left so, rings and dots
-/// anywhere, told apart by geometry. camera: of the registration. Those not found are left out. Thread-safe.
+/// Finds a registration's markers in a newer image: tags anywhere by their number, everything else by what
+/// snapToMarker() finds within 20 px of where it was; where fewer than two are left so, rings and dots
+/// anywhere, named by geometry. camera: of the registration. Those not found are left out. Thread-safe.
 std::vector<MarkerPixel> findAgain(const Frame &frame, const MarkerLayout &layout,
                                    const std::vector<MarkerPixel> &stored, const CameraModel &camera);
 
-/// What an error is about where that cannot be told. camera: its name, or a message that names it.
+/// The subject of an error when that cannot be determined. camera: its name, or a message that names it.
 Message whetherMoved(MessageArgument camera);
 
-/// Compares markers of the registration with the same ones found in a newer picture. A shift is one beyond 4
-/// σ of the difference of two pixels, with σ the larger of 0.3 px and what the registration's markers fit to
+/// Compares markers of the registration with the same ones found in a newer image. A shift is one beyond 4 σ
+/// of the difference of two pixels, with σ the larger of 0.3 px and what the registration's markers fit to
 /// (fitPx, its RMS). Undetermined when fewer than two markers were found again. Pure; any thread.
 Result<MovedCheck> checkMoved(const std::string &camera, const FloorView &view,
                               const std::vector<MarkerPixel> &stored, const std::vector<MarkerPixel> &found,
@@ -61,19 +60,19 @@ struct SeenLength
     double fromSigmaPx = 0.5, toSigmaPx = 0.5;
 };
 
-/// A length measured on the floor, against what it was told to be.
+/// A length measured on the floor, against the entered length.
 struct LengthCheck
 {
     double lengthM = 0;
     double sigmaM = 0; ///< from the pixels and the calibration, whose errors both ends have in common
-    std::optional<double> differenceM; ///< measured minus told
-    bool agrees = true; ///< with what was told, within 2.5 σ, and the cameras with one another
+    std::optional<double> differenceM; ///< measured minus entered
+    bool agrees = true; ///< with the entered length, within 2.5 σ, and the cameras with each other
     Message words;      ///< one or two sentences, with what to do where it does not agree
 };
 
 /// Measures the length in each camera and joins the cameras by their information. heightM: of the plane in
-/// which the stick lies. The told length counts as exact. Errors: no camera, an end at or beyond the horizon,
-/// ends on one pixel, a told length that is not positive. Pure; any thread.
+/// which the stick lies. The entered length counts as exact. Errors: no camera, an end at or beyond the
+/// horizon, ends on one pixel, an entered length that is not positive. Pure; any thread.
 Result<LengthCheck> checkLength(std::span<const SeenLength> seen, std::optional<double> toldM,
                                 double heightM = 0);
 

@@ -22,7 +22,7 @@ struct AxesTransform
     Eigen::Vector2d operator*(const Eigen::Vector2d &pointInOldWorld) const;
 };
 
-/// What a person wants of the axes. All places are those of the layout as it is, after lengthFactor.
+/// A change of the axes. All positions are those of the present layout, after lengthFactor.
 struct AxesChange
 {
     /// By what the layout's lengths are multiplied: lengthFactorFrom("inch") where inches were read as mm.
@@ -42,13 +42,13 @@ struct AxesChange
 Result<double> lengthFactorFrom(const std::string &unit);
 
 /// Refuses, each with its sentence: a marker that is not in the layout, two origins, two directions, a pair
-/// at one place, a length factor that is not positive, and the reversal of one axis alone.
+/// at one position, a length factor that is not positive, and the reversal of one axis alone.
 Result<AxesTransform> axesTransformOf(const MarkerLayout &layout, const AxesChange &change);
 
 MarkerLayout transformed(const MarkerLayout &layout, const AxesTransform &newFromOld);
 
-/// The same camera over the same floor in the new axes: pose, covariance, errors on the floor. Pixels, lens
-/// and errors in the picture stay. The verdict says that the axes were changed.
+/// The same camera over the same floor in the new axes: pose, covariance, errors on the floor. Pixels,
+/// intrinsics and errors in the image stay. The verdict says that the axes were changed.
 FloorRegistration transformed(const FloorRegistration &registration, const AxesTransform &newFromOld);
 
 } // namespace odo

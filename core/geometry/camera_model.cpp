@@ -14,8 +14,8 @@
 
 namespace odo {
 
-/// How a lens moves a point along its radius, apart from tangential distortion. Coefficients as CameraModel
-/// keeps them. The argument is the radius in (x/z, y/z), or the angle from the optical axis for a fisheye.
+/// Radial distortion of a point, apart from tangential distortion. Coefficients as CameraModel keeps them.
+/// The argument is the radius in (x/z, y/z), or the angle from the optical axis for a fisheye.
 class LensCurve
 {
 public:
@@ -40,7 +40,7 @@ private:
 
 namespace {
 
-constexpr double farthestRadius = 100; // 89.4° from the axis: no picture through a flat lens model reaches it
+constexpr double farthestRadius = 100; // 89.4° from the axis: beyond any flat lens model
 
 } // namespace
 
@@ -241,7 +241,7 @@ std::optional<Vector2d> CameraModel::project(const Vector3d &pointInCamera,
         return std::nullopt;
     Matrix2d byIdeal;
     const Vector2d distorted = distort(m_coefficients, ideal, byIdeal);
-    if (!(byIdeal.determinant() > 0)) // tangential distortion has turned the picture over
+    if (!(byIdeal.determinant() > 0)) // tangential distortion has turned the image over
         return std::nullopt;
     Eigen::Matrix<double, 2, 3> idealByPoint;
     idealByPoint << 1 / z, 0, -ideal.x() / z, 0, 1 / z, -ideal.y() / z;

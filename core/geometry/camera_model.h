@@ -10,14 +10,14 @@
 
 namespace odo {
 
-/// How a lens bends: the names that ROS and OpenCV use for the same formulas.
+/// Lens models, by the names that ROS and OpenCV use for the same formulas.
 enum class LensModel {
     Standard, ///< k1 k2 p1 p2 [k3]: Brown–Conrady, ROS "plumb_bob"
     Rational, ///< k1 k2 p1 p2 k3 k4 k5 k6: ROS "rational_polynomial"
     Fisheye,  ///< k1 k2 k3 k4: Kannala–Brandt 2006, ROS "equidistant"
 };
 
-/// The intrinsics of one camera at one picture size. Pixels; pixel (0,0) is the centre of the top-left pixel.
+/// The intrinsics of one camera at one image size. Pixels; pixel (0,0) is the centre of the top-left pixel.
 struct Intrinsics
 {
     int widthPx = 0, heightPx = 0;
@@ -45,7 +45,7 @@ public:
     const Intrinsics &intrinsics() const { return m_intrinsics; }
 
     /// Pixel of a point in the camera frame (metres); nullopt behind the camera, or where the distortion
-    /// polynomial has turned back (a point far outside the picture that would fold into it).
+    /// polynomial has turned back (a point far outside the image that would fold into it).
     std::optional<Eigen::Vector2d> project(const Eigen::Vector3d &pointInCamera) const;
 
     /// As project, with the derivative of the pixel by the point (2×3).

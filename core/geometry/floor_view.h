@@ -37,10 +37,10 @@ struct FloorPosition
 /// poseCovariance, a column each of (fx, fy, cx, cy, distortion...).
 using PoseByLens = Eigen::Matrix<double, 6, Eigen::Dynamic>;
 
-/// One camera registered to the floor: its lens, its place, and the covariance of both.
+/// One camera registered to the floor: its intrinsics, its pose, and the covariance of both.
 ///
 /// Whoever fits a pose with a wrong lens gets a wrong pose, and on the floor between the markers the two
-/// errors cancel in part. So the errors of pose p and lens l are taken together, δp = ε + G·δl with ε of
+/// errors cancel in part. So the errors of pose p and lens l are treated jointly, δp = ε + G·δl with ε of
 /// poseCovariance and G = poseByLens: cov(p) = P + GΣGᵀ, cov(p, l) = GΣ, cov(l) = Σ, and a floor point has
 /// P_x + KΣKᵀ with K = (dx/dp)·G + dx/dl (first order; the usual elimination of nuisance parameters).
 ///
@@ -53,7 +53,7 @@ public:
     /// radians, in the world frame; then camera position, in metres, in the world frame); zero where unknown.
     /// It is what the pose would have if the lens were exact. poseByLens (6 × (4 + the number of
     /// coefficients)): how the pose follows the lens. Without it, or without a covariance in the camera's
-    /// intrinsics, the lens is taken as exact.
+    /// intrinsics, they count as exact.
     FloorView(CameraModel camera, RigidTransform worldFromCamera, Eigen::Matrix<double, 6, 6> poseCovariance,
               const PoseByLens &poseByLens = PoseByLens(6, 0));
 
@@ -74,13 +74,13 @@ public:
     std::optional<FloorPosition> locate(const Eigen::Vector2d &pixel, const Eigen::Matrix2d &pixelCovariance,
                                         double heightM) const;
 
-    /// How the calibration's errors at two places of the plane z = heightM hang together: E[δa·δbᵀ], m². For
-    /// a = b it is the calibrationCovariance there. nullopt where a place is not seen.
+    /// Covariance of the calibration errors at two positions of the plane z = heightM: E[δa·δbᵀ], m². For a =
+    /// b it is the calibrationCovariance there. nullopt if one is not visible.
     std::optional<Eigen::Matrix2d> sharedCovariance(const Eigen::Vector2d &a, const Eigen::Vector2d &b,
                                                     double heightM) const;
 
     /// Pixel of a world point; nullopt behind the camera or where the lens model folds. May lie outside the
-    /// picture.
+    /// image.
     std::optional<Eigen::Vector2d> pixelFromWorld(const Eigen::Vector3d &pointInWorld) const;
     /// As before, with the derivative of the pixel by the point.
     std::optional<Eigen::Vector2d> pixelFromWorld(const Eigen::Vector3d &pointInWorld,

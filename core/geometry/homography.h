@@ -22,8 +22,7 @@ struct PointPair
 };
 
 /// A projective map between two planes; 3×3, scaled so that its Frobenius norm is 1 and the points it was
-/// estimated from have a positive third coordinate (so the sign tells on which side of the horizon a point
-/// lies).
+/// estimated from have a positive third coordinate (so its sign gives the side of the horizon).
 class Homography
 {
 public:

@@ -12,7 +12,7 @@ template <class State>
 struct LeastSquaresProblem
 {
     /// Fills the residuals and, unless null, their derivative by a step away from the state. False: the state
-    /// is not allowed (a point behind the camera), and the step that led to it is taken back.
+    /// is not allowed (a point behind the camera), and the step is undone.
     std::function<bool(const State &, Eigen::VectorXd &residuals, Eigen::MatrixXd *byStep)> evaluate;
     /// The state moved by a step; where states are no vectors (rotations) it says what a step means.
     std::function<State(const State &, const Eigen::VectorXd &step)> move;

@@ -99,7 +99,7 @@ std::vector<Vector2d> footprint(const SolidShape &shape, double headingRad)
     return {along + across, along - across, -along - across, -along + across};
 }
 
-/// Corners of a level about the solid's place, along and across its heading.
+/// Corners of a level about the solid's position, along and across its heading.
 void addCorners(const SolidLevel &level, double roundShare, std::vector<Vector2d> &corners)
 {
     constexpr double leastRadiusM = 0.002; // a smaller one is not seen
@@ -132,7 +132,7 @@ bool addPixels(const FloorView &view, const std::vector<Vector2d> &places, doubl
     return true;
 }
 
-/// Corners of the solid in the picture: its outline is their convex hull.
+/// Corners of the solid in the image: its outline is their convex hull.
 std::optional<std::vector<Vector2d>> cornerPixels(const FloorView &view, const SolidShape &shape,
                                                   const Vector2d &positionInWorld, double headingRad)
 {

@@ -20,7 +20,7 @@ void addToChain(std::vector<Eigen::Vector2d> &points, std::size_t first, double 
 /// chain (A. M. Andrew 1979). At least three points that do not lie on one line. Pure.
 std::vector<Eigen::Vector2d> convexHull(std::vector<Eigen::Vector2d> points);
 
-/// Area, centroid and second central moments of a region of the picture. Pixels.
+/// Area, centroid and second central moments of a region of the image. Pixels.
 struct RegionMoments
 {
     double areaPx2 = 0;
@@ -32,8 +32,8 @@ struct RegionMoments
 /// the calculation of arbitrary moments of polygons"). No area for fewer than three corners.
 RegionMoments polygonMoments(const std::vector<Eigen::Vector2d> &corners);
 
-/// A horizontal rectangle of a solid. Its sides lie along and across the heading, so far from the place that
-/// the solid is said to stand at.
+/// A horizontal rectangle of a solid. Its sides lie along and across the heading, so far from the solid's
+/// position.
 struct SolidLevel
 {
     double heightM = 0; ///< above the floor
@@ -49,8 +49,7 @@ struct SolidShape
     /// along and across the heading, of all of it; of a cylinder both are the diameter
     double lengthM = 0, widthM = 0;
     double baseM = 0, topM = 0; ///< above the floor
-    /// of Form::Levels, from below; the middle of what they cover is the place, unless that was moved
-    /// (movedPlace)
+    /// of Form::Levels, from below; the middle of what they cover is the position, unless movedPlace moved it
     std::array<SolidLevel, 3> levels = {};
     /// of Form::Levels: radius of their corners against half of their shorter side, 0 to 1
     double roundShare = 0;
@@ -58,15 +57,14 @@ struct SolidShape
 
 /// The same solid as one of levels.
 SolidShape asLevels(SolidShape shape);
-/// A solid of levels that is said to stand at another place in it: so far forward and left of the one before.
-/// Metres.
+/// A solid of levels with its reference point moved so far forward and left. Metres.
 SolidShape movedPlace(SolidShape levels, const Eigen::Vector2d &shiftM);
 
-/// What a view sees of the solid whose footprint's centre stands at a place of the floor, its length turned
-/// by headingRad from the world's X: the moments of the outline that its projected edges enclose (for a
-/// convex solid the convex hull of its corners; a circle is taken as 24 corners of the same area). Edges
-/// count as straight between corners, and a round corner as three: over the size of a robot a lens bends them
-/// by less than 0.05 px. nullopt: a corner lies behind the camera, or where the lens model folds.
+/// What a view sees of the solid with its footprint's centre at a floor position, its length turned by
+/// headingRad from the world's X: the moments of the outline that its projected edges enclose (for a convex
+/// solid the convex hull of its corners; a circle counts as 24 corners of the same area). Edges count as
+/// straight between corners, and a round corner as three: over the size of a robot distortion bends them by
+/// less than 0.05 px. nullopt: a corner lies behind the camera, or where the lens model folds.
 std::optional<RegionMoments> silhouetteMoments(const FloorView &view, const SolidShape &shape,
                                                const Eigen::Vector2d &positionInWorld, double headingRad);
 /// The support function of what a view sees of it (core/geometry/silhouette.h), about a pixel. nullopt: as
@@ -75,16 +73,16 @@ std::optional<std::vector<float>> silhouetteSupport(const FloorView &view, const
                                                     const Eigen::Vector2d &positionInWorld, double headingRad,
                                                     const Eigen::Vector2d &aboutPx);
 
-/// Directions of the picture in which the extent of a region is measured: direction k stands at 2πk/24 from
-/// the x axis toward y (down).
+/// Directions of the image in which the extent of a region is measured: direction k is at 2πk/24 from the x
+/// axis toward y (down).
 constexpr std::size_t supportDirections = 24;
 Eigen::Vector2d supportDirection(std::size_t k);
 
 /// The support function of a region in each direction: how far it, and with it its convex hull, reaches from
-/// a place, max over the points of n·(point − about). Pixels. points: at least one. Pure.
+/// a point, max over the points of n·(point − about). Pixels. points: at least one. Pure.
 std::vector<float> supportOf(const std::vector<Eigen::Vector2d> &points, const Eigen::Vector2d &about);
 
-/// Whether a place lies within all support lines, or at most so far beyond one. Pure.
+/// Whether a point is within all support lines, or at most so far beyond one. Pure.
 bool isWithinSupport(const std::vector<float> &support, const Eigen::Vector2d &about,
                      const Eigen::Vector2d &place, double beyondPx = 0);
 

@@ -77,7 +77,7 @@ Task stopAndGo()
 
 } // namespace
 
-/// The tasks of the demo's trials (demoTrials, by name), laid where its robots drive: a straight line with
+/// The tasks of the demo's trials (demoTrials, by name), placed where its robots drive: a straight line with
 /// start and finish, laps of a circle, a figure eight, and a square with stops.
 std::vector<TaskRecord> demoTasks()
 {
@@ -327,8 +327,8 @@ Result<void> buildIn(const fs::path &folder, const JobControl &control)
 
 constexpr std::array<const char *, 4> parts = {"demo.media", "calibration", "truth", "demo.odo"};
 
-/// All of it, or nothing. The first is a folder, which takes nobody else's place: of two demos made at once
-/// one fails there.
+/// All of it, or nothing. The first is a folder, created exclusively: of two demos made at once one fails
+/// there.
 std::error_code moveParts(const fs::path &from, const fs::path &to)
 {
     std::error_code problem, ignored;

@@ -37,14 +37,14 @@ Result<void> EmptyBinJob::run(const JobControl &control)
     return {};
 }
 
-/// usedBeside: by other projects, as far as that can be told.
+/// usedBeside: by other projects, as far as known.
 Result<void> EmptyBinJob::remove(Project &project, const TrialName &trial,
                                  const Result<ReferredFiles> &usedBeside)
 {
     const auto known = project.trials().get(trial.id);
     if (!known && known.error().code != ErrorCode::NotFound)
         return tl::unexpected(known.error());
-    if (!known || !known->binned) // another window has removed it, or taken it out of the bin
+    if (!known || !known->binned) // another window has removed it or restored it from the bin
         return {};
     std::vector<std::string> paths;
     auto removed =
@@ -69,7 +69,7 @@ Result<void> EmptyBinJob::remove(Project &project, const TrialName &trial,
         std::error_code problem;
         if (isKnown)
             files::remove(file, problem);
-        if (!isKnown || problem) // what nobody can tell is in use stays, and is told
+        if (!isKnown || problem) // what may be in use stays, and is reported
             m_left.push_back(file.string());
     }
     return {};

@@ -22,9 +22,9 @@ Result<BinContent> binContent(Project &project);
 
 /// Removes trials for good, one after the other: each in a transaction of its own, and then those files of
 /// its recordings that lie in the project's media folder and belong to no other trial, of this project or of
-/// one beside it: files elsewhere are somebody's own. It cannot be undone, and is told in the list of
-/// changes. Works on a connection of its own, so that nobody waits for it. Cancelled, it ends well: what is
-/// removed is gone, the rest stays in the bin. Trials that were taken out of the bin meanwhile stay.
+/// one beside it: files elsewhere are somebody's own. It cannot be undone, and is listed among the changes.
+/// Works on a connection of its own, so that nobody waits for it. Cancelled, it ends well: what is removed is
+/// gone, the rest stays in the bin. Trials restored from the bin meanwhile stay.
 class EmptyBinJob : public Job
 {
 public:

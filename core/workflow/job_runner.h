@@ -53,8 +53,8 @@ private:
 
 namespace odo {
 
-/// A call on its way from one thread to another. Qt's event queue orders what both do with it, by a lock that
-/// ThreadSanitizer cannot see in a library that is not built with it; in its builds that order is told to it
+/// A call queued from one thread to another. Qt's event queue orders what both do with it, by a lock that
+/// ThreadSanitizer cannot see in a library that is not built with it; in its builds we declare that order
 /// here, so that whatever it still reports is ours.
 template <class Call>
 class CallOnItsWay
@@ -95,8 +95,7 @@ private:
 };
 
 /// Calls on the context's thread, in a later turn of its event loop, in the order in which one thread asks;
-/// never after the context is gone. Any thread: this is how threads tell windows and jobs what they have
-/// done.
+/// never after the context is gone. Any thread: this is how threads report to windows and jobs.
 template <class Call>
 void callLater(QObject *context, Call &&call)
 {

@@ -49,7 +49,7 @@ ClaimedFile::Outcome<ClaimedFile> inFolder(const std::filesystem::path &folder, 
     }
 }
 
-/// Copies block by block, hashing on the way, and gives the hash.
+/// Copies block by block, hashing meanwhile, and gives the hash.
 Result<std::string> copyHashed(const std::filesystem::path &source, const ClaimedFile &target,
                                const Message &what, const JobControl &control)
 {

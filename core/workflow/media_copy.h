@@ -18,8 +18,8 @@ struct MediaCopy
     std::int64_t bytes = 0;
 };
 
-/// Copies a file into the media folder (made when missing) under a name of its own, and computes its hash on
-/// the way. It appears under its name only when whole and on the disk. A file that lies in the media folder
+/// Copies a file into the media folder (made when missing) under a name of its own, and computes its hash
+/// meanwhile. It appears under its name only when whole and on the disk. A file that lies in the media folder
 /// already is only hashed. Errors: Io, NotFound, Cancelled, Unavailable (it lies there already, and somebody
 /// writes or removes it).
 Result<MediaCopy> copyIntoMedia(const std::filesystem::path &source, const std::filesystem::path &mediaFolder,

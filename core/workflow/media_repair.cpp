@@ -118,7 +118,7 @@ namespace {
 constexpr const char *cameraOfUnnamed = "A", *inTheMaking = ".part";
 
 /// A stray video by its name, NAME_CAMERA: the camera is the longest of the project's that fits, else what
-/// stands behind the last '_'.
+/// follows the last '_'.
 struct StrayView
 {
     std::string trial, camera;

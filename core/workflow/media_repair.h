@@ -12,9 +12,9 @@
 
 namespace odo {
 
-/// Looks for the lost videos of a project in a folder and all below it, by their content: a file counts when
-/// its size and its SHA-256 are those of the recording, whatever its name is. What is found is linked where
-/// it lies, as one change that can be undone.
+/// Searches a folder and all below it for the lost videos of a project, by their content: a file counts when
+/// its size and its SHA-256 are those of the recording, whatever its name is. A found file is linked where it
+/// is, as one change that can be undone.
 class RelinkJob : public Job
 {
 public:

@@ -184,7 +184,7 @@ Result<void> PackJob::copyProject(const std::filesystem::path &copy, std::vector
 
 Result<void> PackJob::run(const JobControl &control)
 {
-    // Beside the archive: there is room for it, or there is none at all.
+    // Beside the archive: that disk needs the space anyway.
     const auto work = ODO_TRY(TemporaryFolder::make(files::absolute(m_archive.file).parent_path(),
                                                     quotedFileSubject(m_archive.file)));
     const std::filesystem::path copy = work->path() / m_project.filename();
@@ -206,7 +206,7 @@ Result<void> takeAll(const Result<std::vector<Record>> &records, const Take &tak
     return {};
 }
 
-/// Without the pictures that it was calibrated from.
+/// Without the images of its calibration.
 Result<void> takeLens(Project &from, RecordId camera, Project &to, RecordId newCamera)
 {
     auto lens = from.cameras().currentIntrinsics(camera);

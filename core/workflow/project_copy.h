@@ -28,9 +28,9 @@ private:
     std::filesystem::path m_project;
 };
 
-/// Packs a project with everything that belongs to it into one file. Videos that lie elsewhere come into the
-/// packed project's media folder; those that are lost, or are no longer the files that were measured, are
-/// named and left out. The project itself is not changed.
+/// Packs a project with everything that belongs to it into one file. Videos outside it come into the packed
+/// project's media folder; those that are lost, or are no longer the files that were measured, are named and
+/// left out. The project itself is not changed.
 class PackJob : public Job
 {
 public:
@@ -59,11 +59,11 @@ private:
     std::vector<Message> m_warnings;
 };
 
-/// Makes a project with the set-up of another one: cameras with their lens in force, marker layouts, robots,
-/// and the tasks that are in use with how they are scored. Without people and trials; cameras are registered
-/// anew where they stand, and the pictures of their calibration stay with the other project. Gives the file.
-/// Any thread. Errors: those of Project::open and Project::create, and Cancelled; what was begun is removed
-/// then, and a file that was there stays.
+/// Makes a project with the set-up of another one: cameras with their current intrinsics, marker layouts,
+/// robots, and the tasks that are in use with how they are scored. Without people and trials; register the
+/// cameras again at their new positions; the images of their calibration stay with the other project. Gives
+/// the file. Any thread. Errors: those of Project::open and Project::create, and Cancelled; a partial file is
+/// removed then, and a file that was there stays.
 Result<std::filesystem::path> makeProjectLike(const std::filesystem::path &original,
                                               const std::filesystem::path &file, const std::string &title,
                                               const JobControl &control);

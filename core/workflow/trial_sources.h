@@ -19,10 +19,10 @@ struct RegisteredView
     RecordingRecord recording;
     std::filesystem::path file;
     std::optional<RegistrationRecord> registration;
-    std::optional<FloorView> floorView; ///< empty: not registered, or registered at another picture shape
+    std::optional<FloorView> floorView; ///< empty: not registered, or registered at another frame shape
 };
 
-/// How the clock of a trial's recording lies against the first view's.
+/// Clock of a trial's recording against the first view's.
 ViewClock clockOf(const RecordingRecord &recording);
 
 /// The camera registered to the floor, from the stored registration and the intrinsics that it was made with,
@@ -32,8 +32,8 @@ Result<FloorView> floorViewOf(Project &project, const RegistrationRecord &regist
 /// The camera as it is registered now; nullopt where it is not. Project's thread.
 Result<std::optional<FloorView>> floorViewInForce(Project &project, RecordId camera);
 
-/// The views of a trial in their order. A recording of another picture size than its camera was calibrated at
-/// is an Error: the figures would be wrong in silence. Project's thread.
+/// The views of a trial in their order. A recording of another frame size than its camera was calibrated at
+/// is an Error: the results would be silently wrong. Project's thread.
 Result<std::vector<RegisteredView>> registeredViews(Project &project, const TrialRecord &trial);
 
 /// The robots named; or else those of the trial; or else all of the project. NotFound for a name that is not

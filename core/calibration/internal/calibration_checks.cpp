@@ -79,9 +79,9 @@ namespace {
 
 constexpr double leastTurn = 8;             // degrees between the most different poses of the board
 constexpr double doubtfulFocalSigma = 0.03; // of the focal length
-// by how much the focal length is changed to see whether the pictures mind
+// by how much the focal length is changed to see whether the images constrain it
 constexpr double probe = 1.3;
-constexpr double leastBox = 0.15; // of the picture, that the board must have been moved over
+constexpr double leastBox = 0.15; // of the image, that the board must have been moved over
 constexpr std::size_t leastGroup = 3;
 constexpr double suspiciousGain = 1.5, groupGain = 2; // of the sum of squares
 constexpr double leastZoom = 0.02;                    // of the focal length
@@ -92,7 +92,7 @@ Message tiltAdvice()
                     "take images with the board tilted by 30 to 45 degrees, to each side");
 }
 
-/// The largest angle between the board's normals of any two pictures, degrees.
+/// The largest angle between the board's normals of any two images, degrees.
 double largestTurn(const LensFit &fit)
 {
     double least = 1;
@@ -116,7 +116,7 @@ double focalSigma(const std::vector<BoardView> &views, const LensFit &fit, const
         start.intrinsics.fxPx *= factor;
         start.intrinsics.fyPx *= factor;
         for (RigidTransform &pose : start.cameraFromBoard)
-            pose.translation.z() *= factor; // the same size in the picture
+            pose.translation.z() *= factor; // the same size in the image
         const auto other = fitLens(views, start, {true, 0}, control);
         if (!other)
             continue;
@@ -143,8 +143,8 @@ struct OwnFocal
     double focalPx;
 };
 
-/// The focal length that each picture asks for by itself, ascending; pictures that cannot tell are missing.
-/// squares: the misfit that remains when each has its own.
+/// The focal length from each image alone, ascending; images that do not determine it are missing. squares:
+/// the misfit that remains when each has its own.
 std::vector<OwnFocal> ownFocals(const std::vector<BoardView> &views, const LensFit &fit, double &squares)
 {
     std::vector<OwnFocal> focals;

@@ -10,13 +10,13 @@ namespace odo {
 /// Under so many views halves say nothing.
 constexpr std::size_t leastViewsForHalves = 6;
 
-/// Each half of the pictures (every other one) under the lens of the other half; only the poses may adapt.
+/// Each half of the images (every other one) under the intrinsics of the other half; only the poses adapt.
 struct HeldOut
 {
-    double rmsPx = 0;                       ///< over the corners of the pictures that can be foretold
-    std::size_t unforetold = 0;             ///< pictures that the other half's lens finds no pose for
-    std::vector<double> pictureMeanSquares; ///< px², one a picture; infinite where it is not foretold
-    std::array<Intrinsics, 2> lenses;       ///< of the even and of the odd pictures
+    double rmsPx = 0;                       ///< over the corners that can be predicted
+    std::size_t unforetold = 0;             ///< images without a pose under the other half's intrinsics
+    std::vector<double> pictureMeanSquares; ///< px², one an image; infinite where it is not predicted
+    std::array<Intrinsics, 2> lenses;       ///< of the even and of the odd images
     double focalDifference() const;         ///< relative
 };
 
@@ -33,21 +33,21 @@ tl::unexpected<Error> refuseCalibration(Message why, Message advice);
 /// "0.20 %"
 MessageArgument percentOf(double part);
 
-/// The part of the picture that the box about all corners covers.
+/// The part of the image that the box about all corners covers.
 double boxOfCorners(const std::vector<BoardView> &views, int widthPx, int heightPx);
 
-/// Where in the picture the middle of all corners lies: "upper left", "middle".
+/// Where in the image the middle of all corners is: "upper left", "middle".
 Message placeOfCorners(const std::vector<BoardView> &views, int widthPx, int heightPx);
 
-/// Refuses pictures that show the board always in the same part of the picture.
+/// Refuses images that always show the board in the same part.
 Result<void> checkPlaces(const std::vector<BoardView> &views, int widthPx, int heightPx);
 
-/// Refuses pictures that fall into two groups which are fitted far better by a lens each, of different focal
+/// Refuses images that fall into two groups which are fitted far better by a lens each, of different focal
 /// lengths.
 Result<void> checkOneCamera(const std::vector<BoardView> &views, const LensFit &fit,
                             const JobControl &control);
 
-/// Refuses a fit that its pictures do not determine, and gives σ of its focal length over itself otherwise.
+/// Refuses a fit that its images do not determine, and gives σ of its focal length over itself otherwise.
 Result<double> checkDetermined(const std::vector<BoardView> &views, const LensFit &fit,
                                const std::optional<HeldOut> &halves, const JobControl &control);
 

@@ -21,7 +21,7 @@ using Cell = std::array<int, 2>;
 constexpr float nearestNeighbour = 8;   // pixels
 constexpr float coneCosine = 0.94F;     // 20° about an edge
 constexpr float snapping = 0.3F;        // of a step: how far a corner may lie from where it is expected
-constexpr float intoField = 0.3F;       // of a step: where the fields around a corner are looked at
+constexpr float intoField = 0.3F;       // of a step: where the fields around a corner are sampled
 constexpr float leastFieldContrast = 8; // grey levels
 constexpr int mostSeeds = 60;
 constexpr int largestSide = 60;
@@ -295,7 +295,7 @@ namespace {
 constexpr int ringSamples = 32;
 constexpr float ringRadius = 5;
 constexpr float leastSaddleContrast = 12; // grey levels between the fields
-constexpr std::size_t mostPoints = 3000;  // a picture of gravel has no end of them
+constexpr std::size_t mostPoints = 3000;  // an image of gravel is full of them
 constexpr float twoPi = 2 * std::numbers::pi_v<float>;
 
 /// Angles where the ring crosses its middle grey, if there are exactly four that lie opposite one another.
@@ -366,7 +366,7 @@ cv::Mat saddleStrength(const cv::Mat &smoothed)
     return strength;
 }
 
-/// Peaks of the strength in some rows of the picture; `strongest` is raised to the strength there.
+/// Peaks of the strength in some rows of the image; `strongest` is raised to the strength there.
 void addPeaks(const cv::Mat &smoothed, cv::Range rows, std::vector<Peak> &peaks, double &strongest)
 {
     const cv::Range wider(std::max(rows.start - peakReach, 0), std::min(rows.end + peakReach, smoothed.rows));
@@ -404,7 +404,7 @@ float greyAt(const cv::Mat &picture, cv::Point2f position)
 
 std::vector<SaddlePoint> findSaddlePoints(const cv::Mat &smoothed)
 {
-    // rows at a time: their numbers of 32 bits take many times the memory of the picture
+    // rows at a time: their numbers of 32 bits take many times the memory of the image
     constexpr int band = 256;
     double strongest = 0;
     std::vector<Peak> peaks;

@@ -22,20 +22,20 @@ struct CornerGrid
     float spacing() const;
 };
 
-/// The largest checkerboard of an 8-bit picture, whatever its size: from a saddle point and two of its
+/// The largest checkerboard of an 8-bit image, whatever its size: from a saddle point and two of its
 /// neighbours the grid is grown corner by corner, each checked against the four fields around it. The board's
 /// outer squares may be cut off. Corners to about half a pixel. Empty (0×0) when there is none of at least
 /// 3×3 corners with squares of 9 pixels.
 CornerGrid findCornerGrid(const cv::Mat &grey);
 
-/// A place where four fields meet, dark and bright by turns, as at an inner corner of a checkerboard.
+/// A point where four fields meet, dark and bright by turns, as at an inner corner of a checkerboard.
 struct SaddlePoint
 {
     cv::Point2f position;
     std::array<cv::Point2f, 2> edges; ///< unit vectors along the two lines that cross here
 };
 
-/// Saddle points of an 8-bit picture that has been smoothed a little, strongest first (determinant of the
+/// Saddle points of an 8-bit image that has been smoothed a little, strongest first (determinant of the
 /// Hessian, then a ring of five pixels radius that must change four times between dark and bright).
 std::vector<SaddlePoint> findSaddlePoints(const cv::Mat &smoothed);
 

@@ -58,7 +58,7 @@ double spacingM(const BoardView &view)
     return least;
 }
 
-/// Splits marked corners into groups that hang together by steps of two squares at most.
+/// Splits marked corners into groups connected by steps of two squares at most.
 std::vector<std::vector<std::size_t>> groupsOf(const BoardView &view, std::vector<std::size_t> marks)
 {
     const double reachM = 2.1 * spacingM(view);
@@ -175,8 +175,8 @@ CornerMarks common(const std::vector<LensCandidate> &candidates)
     return marks;
 }
 
-/// The simpler model foretells clearly worse: by more than chance among the pictures explains, and by enough
-/// to matter.
+/// The simpler model predicts clearly worse: by more than chance among the images explains, and by enough to
+/// matter.
 bool isClearlyWorse(const LensCandidate &simpler, const LensCandidate &best)
 {
     if (!(simpler.heldOutPx() > (1 + marginPart) * best.heldOutPx()))
@@ -185,7 +185,7 @@ bool isClearlyWorse(const LensCandidate &simpler, const LensCandidate &best)
         return true;
     const auto &worse = simpler.heldOut->pictureMeanSquares, &better = best.heldOut->pictureMeanSquares;
     const auto count = static_cast<double>(worse.size());
-    // Of each picture's RMS, since squares would let one picture drown the others.
+    // Of each image's RMS, since squares would let one image drown the others.
     const auto gain = [&](std::size_t i) { return std::sqrt(worse[i]) - std::sqrt(better[i]); };
     double mean = 0, squares = 0;
     for (std::size_t i = 0; i < worse.size(); ++i)

@@ -9,16 +9,15 @@ namespace odo {
 /// Indices of corners, a list for each view, ascending.
 using CornerMarks = std::vector<std::vector<std::size_t>>;
 
-/// The corners that stand out from a fit of their lens: farther from their place than 5 σ (and 0.1 px), with
-/// σ from the median distance (of normal errors one corner in 270 000 is so far). Where the fit shows any, it
-/// is made again with Cauchy's loss, so that they cannot bend it, and the corners are judged by that. Empty
-/// lists where none stands out.
+/// The outlier corners of a fit: farther from their prediction than 5 σ (and 0.1 px), with σ from the median
+/// distance (of normal errors one corner in 270 000 is so far). If the fit has any, it is repeated with
+/// Cauchy's loss, so they cannot bend it, and the corners are judged by that. Empty lists if there are none.
 CornerMarks outlyingCorners(const std::vector<BoardView> &views, const LensFit &fit,
                             const JobControl &control);
 
-/// Of the marks those that stand alone. Three or more near one another (two squares) that are moved the same
-/// way are no misread corners but say something of the picture or the board (bent, cut, covered), which a
-/// person has to look at. So does a view that would keep fewer than six.
+/// Of the marks the isolated ones. Three or more near one another (two squares) that are moved the same way
+/// are no misread corners but a sign of a bent, cut or covered board, for a person to check. So does a view
+/// that would keep fewer than six.
 CornerMarks singleCorners(const std::vector<BoardView> &views, const LensFit &fit, const CornerMarks &marks);
 
 std::size_t countOf(const CornerMarks &marks);
@@ -30,7 +29,7 @@ std::vector<BoardView> withoutCorners(const std::vector<BoardView> &views, const
 struct LensChoice
 {
     LensFit fit;
-    CornerMarks outliers;          ///< that stand out from that fit
+    CornerMarks outliers;          ///< outliers of that fit
     std::vector<LensTrial> trials; ///< empty where there was one start only
     Message reason;                ///< as IntrinsicCalibration::lensReason
 };
@@ -38,9 +37,9 @@ struct LensChoice
 /// "standard", "rational", "fisheye"
 Message lensModelName(LensModel model);
 
-/// Fits each start's model and takes the first that foretells held-out pictures about as well as the best one
-/// does, as calibrateIntrinsics says. starts: the plainest model first. Corners that stand out from every
-/// model are not asked. nullopt where none fits or it was cancelled.
+/// Fits each start's model and takes the first that predicts held-out images about as well as the best, as
+/// calibrateIntrinsics says. starts: the plainest model first. Outliers of every model do not count. nullopt
+/// where none fits or it was cancelled.
 std::optional<LensChoice> chooseLens(const std::vector<BoardView> &views,
                                      const std::vector<LensStart> &starts, const JobControl &control);
 

@@ -107,7 +107,7 @@ private:
 };
 
 /// All corners of one view of a board against a lens and a pose (rotation vector and translation,
-/// cameraFromBoard): two residuals a corner, foretold minus seen. One block a view, since a block a corner
+/// cameraFromBoard): two residuals a corner, predicted minus seen. One block a view, since a block a corner
 /// costs Ceres more than its contents.
 template <LensModel model>
 class ViewCost : public ceres::CostFunction

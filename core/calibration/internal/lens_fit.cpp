@@ -125,12 +125,12 @@ public:
         options.linear_solver_type = ceres::DENSE_SCHUR;
         options.linear_solver_ordering.reset(ordering);
         options.max_num_iterations = 200;
-        // A probe needs no last digits; a rational lens goes on for ever along what the pictures do not
+        // A probe needs no last digits; a rational lens goes on for ever along what the images do not
         // determine.
         options.function_tolerance = wanted.holdFocal ? 1e-6 : model == LensModel::Rational ? 1e-7 : 1e-12;
         options.parameter_tolerance = 1e-12;
         options.gradient_tolerance = 1e-14;
-        // Coefficients of the rational lens that the pictures do not determine leave a matrix that cannot be
+        // Coefficients of the rational lens that the images do not determine leave a matrix that cannot be
         // factored: some damping stays, and steps that need more of it are no news for the terminal.
         options.max_trust_region_radius = 1e9;
         keepWarningsToItself();
@@ -316,7 +316,7 @@ Trial tried(const std::vector<BoardView> &views, const CameraModel &camera, std:
         trial.start.cameraFromBoard.push_back(pose->worldFromCamera.inverse());
         squares += pose->rmsPx * pose->rmsPx;
     }
-    // Fewer lost pictures first, then the better fit.
+    // Fewer lost images first, then the better fit.
     const double side = std::max(camera.intrinsics().widthPx, camera.intrinsics().heightPx);
     if (!trial.start.cameraFromBoard.empty())
         trial.badness = squares / static_cast<double>(trial.start.cameraFromBoard.size()) +
@@ -342,7 +342,7 @@ std::optional<LensStart> startLens(const std::vector<BoardView> &views, int widt
         }
         return best;
     };
-    // Some of the views tell the focal length; only where others then lack a pose all of them are asked.
+    // Some views suffice for the focal length; use all only if others then lack a pose.
     const std::size_t step = std::max<std::size_t>(1, views.size() / viewsForFocal);
     Trial start = bestOf(step);
     if (step > 1 && std::isfinite(start.badness))

@@ -11,21 +11,21 @@
 
 namespace odo {
 
-/// One lens and a pose for each picture that together explain the corners seen.
+/// One lens and a pose for each image that together explain the corners seen.
 struct LensFit
 {
     Intrinsics intrinsics; ///< with covariance, from the residuals' σ
     std::vector<RigidTransform> cameraFromBoard;
-    /// of each picture, one a corner: seen minus foretold
+    /// of each image, one a corner: seen minus predicted
     std::vector<std::vector<Eigen::Vector2d>> residualsPx;
-    std::vector<double> pictureSquares; ///< sum of squared distances of each picture, px²
+    std::vector<double> pictureSquares; ///< sum of squared distances of each image, px²
     double squares = 0;                 ///< of all
     double sigmaPx = 0;                 ///< of one coordinate, by the degrees of freedom
 
     double rmsPx() const; ///< sqrt(mean of squared distances)
 };
 
-/// How a lens is fitted.
+/// How the intrinsics are fitted.
 struct LensFitOptions
 {
     bool holdFocal = false; ///< both focal lengths stay

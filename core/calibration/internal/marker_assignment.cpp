@@ -24,10 +24,10 @@ namespace odo {
 
 struct PlanePose;
 
-/// The ways to give the shapes of a picture to the labels of a layout that a camera above the floor can have
+/// The ways to give the shapes of an image to the labels of a layout that a camera above the floor can have
 /// seen: each four labels that span much with each four shapes in the right sense of rotation, as a pose; the
 /// other labels are given the shapes that this pose puts near them, and the pose is refined to all. For one
-/// picture, one thread.
+/// image, one thread.
 class AssignmentSearch
 {
 public:
@@ -108,7 +108,7 @@ constexpr std::size_t mostShapes = 20;     // the largest ones; four of 20 in or
 constexpr std::size_t mostQuadruples = 12; // of labels, in case some are hidden
 constexpr std::size_t mostRefined = 1200;
 constexpr double hintReachPx = 20;
-constexpr double leastFitPx = 1.5, worstFit = 0.004; // of the markers' extent in the picture
+constexpr double leastFitPx = 1.5, worstFit = 0.004; // of the markers' extent in the image
 constexpr double roughly = 0.05;                     // of the same: the closed form, before it is refined
 constexpr double mostSizes = 1.35;                   // of the largest marker on the floor, of the smallest
 
@@ -261,7 +261,7 @@ void AssignmentSearch::tryShapes(const Four &labels)
     }
 }
 
-/// Rows of a picture run down: what turns left on the floor turns right in it, whatever the perspective.
+/// Rows of an image run down: what turns left on the floor turns right in it, whatever the perspective.
 bool AssignmentSearch::isSeenFromAbove(const Four &labels, const Four &chosen, std::size_t i, std::size_t j,
                                        std::size_t k) const
 {
@@ -292,7 +292,7 @@ void AssignmentSearch::tryPose(const Four &labels, const Four &chosen)
         m_rough.push_back(assignment);
 }
 
-/// A camera of this lens can have made the map: within what the refinement can mend.
+/// A camera of this lens can have made the map: within what the refinement can correct.
 bool AssignmentSearch::isPoseLike(const Matrix3d &map, const std::array<Vector2d, 4> &from,
                                   const std::array<Vector2d, 4> &to) const
 {
@@ -310,7 +310,7 @@ bool AssignmentSearch::isPoseLike(const Matrix3d &map, const std::array<Vector2d
     return std::sqrt(squares) * m_camera.intrinsics().fxPx < std::max(4.0, roughly * m_extentPx);
 }
 
-/// The other labels' candidates, where the map lays them.
+/// The other labels' candidates, near their projected positions.
 AssignmentSearch::Assignment AssignmentSearch::completed(const Matrix3d &map, const Four &labels,
                                                          const Four &chosen) const
 {
@@ -425,7 +425,7 @@ std::vector<Solution> rivals(const std::vector<Solution> &solutions)
 
 tl::unexpected<Error> askForOne(const MarkerLayout &layout, const std::vector<Solution> &equal)
 {
-    // The label whose shape differs the most often tells the most.
+    // The label whose shape differs most often says the most.
     std::string best;
     std::size_t most = 0;
     for (std::size_t label = 0; label < layout.markers.size(); ++label) {

@@ -206,7 +206,7 @@ std::optional<EllipseEdge> fitEdge(const cv::Mat &luma, const EllipseOutline &st
     }
     const double rms = rmsFrom(outline, points);
     const double count = static_cast<double>(points.size());
-    // A point tells of the middle across the edge only, half of it for each coordinate; five values are
+    // A point constrains the middle across the edge only, half of it for each coordinate; five values are
     // fitted.
     return EllipseEdge{outline, rms * std::sqrt(2.0 / std::max(1.0, count - 5)), rms};
 }

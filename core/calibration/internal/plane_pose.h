@@ -11,7 +11,7 @@
 
 namespace odo {
 
-/// A camera's place against a plane z = 0 whose points it sees.
+/// A camera's pose against a plane z = 0 whose points it sees.
 struct PlanePose
 {
     CameraModel camera; ///< as given, or with the focal length that was estimated
@@ -33,12 +33,12 @@ RigidTransform poseFromHomography(const Homography &raysFromPlane);
 enum class FocalLength { Known, Free };
 
 /// Fits the pose to plane points (source, metres) and their pixels (target): homography of the undistorted
-/// pixels, its decomposition, then Levenberg–Marquardt on the distance in the picture. With FocalLength::Free
-/// the focal length is estimated too (Zhang 2000, equations 3 and 4), where it can be had to 10 %; elsewhere
-/// the one given stays. Errors as Homography::estimate, and for pixels that the lens model cannot have made.
-/// weights: a matrix for each pair by which its distance in the picture is multiplied before it is squared
-/// (the inverse root of its covariance); sigmaPx and inverseNormal are then of the weighted distances. Empty:
-/// all count alike.
+/// pixels, its decomposition, then Levenberg–Marquardt on the distance in the image. With FocalLength::Free
+/// the focal length is estimated too (Zhang 2000, equations 3 and 4), if it is determined to 10 %; otherwise
+/// the given one stays. Errors as Homography::estimate, and for pixels that the lens model cannot have made.
+/// weights: a matrix for each pair by which its distance in the image is multiplied before it is squared (the
+/// inverse root of its covariance); sigmaPx and inverseNormal are then of the weighted distances. Empty: all
+/// count alike.
 Result<PlanePose> fitPlanePose(std::span<const PointPair> pairs, const CameraModel &camera, FocalLength focal,
                                std::span<const Eigen::Matrix2d> weights = {});
 
@@ -47,10 +47,10 @@ Result<PlanePose> fitPlanePose(std::span<const PointPair> pairs, const CameraMod
 std::optional<PlanePose> refinePlanePose(std::span<const PointPair> pairs, const CameraModel &camera,
                                          FocalLength focal, const RigidTransform &worldFromCamera);
 
-/// Looks for the mistake in labels that do not fit: each exchange of two labels, and for four markers each
-/// order, is fitted. Returns clauses such as "with U and V exchanged they fit to 0.3 px", for every exchange
-/// that fits to within fitPx, with semicolons between them; empty where nothing helps. The camera is taken to
-/// be above the floor.
+/// Finds the mistake in labels that do not fit: each exchange of two labels, and for four markers each order,
+/// is fitted. Returns clauses such as "with U and V swapped they fit to 0.3 px", for every swap that fits to
+/// within fitPx, with semicolons between them; empty where nothing helps. The camera is assumed to be above
+/// the floor.
 Message betterOrder(std::span<const PointPair> pairs, const CameraModel &camera, FocalLength focal,
                     double fitPx);
 

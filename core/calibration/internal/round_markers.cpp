@@ -98,7 +98,7 @@ EllipseOutline unscaled(EllipseOutline outline, double scale)
     return outline;
 }
 
-/// dark: of the picture at a scale.
+/// dark: of the image at a scale.
 void findIn(const cv::Mat &luma, const cv::Mat &dark, double scale, std::vector<RoundMarker> &found)
 {
     std::vector<Contour> contours;

@@ -10,7 +10,7 @@
 
 namespace odo {
 
-/// An ellipse in the picture, luma pixels.
+/// An ellipse in the image, luma pixels.
 struct EllipseOutline
 {
     Eigen::Vector2d centre = Eigen::Vector2d::Zero();
@@ -25,23 +25,23 @@ struct EllipseOutline
 struct RoundMarker
 {
     enum class Kind { Ring, Dot } kind = Kind::Ring;
-    /// The picture of the circle's middle, for a ring: the middles of the ellipses of its two circles lie
-    /// apart by the perspective, in proportion to their areas, and going on to area zero gives it. Of a dot
-    /// the middle of its ellipse, which perspective moves by up to some 0.5 px: dotCentre() in dot_centre.h
+    /// The image of the circle's middle, for a ring: the middles of the ellipses of its two circles lie apart
+    /// by the perspective, in proportion to their areas, and going on to area zero gives it. Of a dot the
+    /// middle of its ellipse, which perspective moves by up to some 0.5 px: dotCentre() in dot_centre.h
     /// corrects it by a pose.
     Eigen::Vector2d centrePx = Eigen::Vector2d::Zero();
     double sigmaPx = 0;     ///< of one coordinate of centrePx, from how well the edge points fit
     EllipseOutline outline; ///< the outer edge
 };
 
-/// Finds rings and dots in the whole picture, or in a part of it: dark shapes of two adaptive thresholds,
-/// then an ellipse through edges at the steepest place of the brightness across them, refitted three times.
+/// Finds rings and dots in the whole image, or in a part of it: dark shapes of two adaptive thresholds, then
+/// an ellipse through edges at the steepest position of the brightness across them, refitted three times.
 /// Shapes smaller than 5 px across are left out, as are those flatter than 1 : 8 and those that are no
-/// ellipse; a ring whose hole is too small to be measured is taken for a dot. Largest first. Thread-safe.
+/// ellipse; a ring whose hole is too small to measure counts as a dot. Largest first. Thread-safe.
 std::vector<RoundMarker> findRoundMarkers(const Frame &frame, std::optional<PixelRect> part = {});
 
-/// The picture of a dot's middle: its outline laid on the floor is a circle again, whose middle is seen where
-/// it is. outline: of the dot in the picture of view. nullopt where the outline reaches beyond the horizon.
+/// The image of a dot's middle: its outline projected onto the floor is a circle again, whose middle is where
+/// it is. outline: of the dot in the image of view. nullopt where the outline reaches beyond the horizon.
 /// Thread-safe.
 std::optional<Eigen::Vector2d> dotCentre(const EllipseOutline &outline, const FloorView &view);
 

@@ -18,16 +18,16 @@ using Eigen::Matrix3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double rimCells = 0.6;   // of the white rim that is looked at: beyond it the paper may end
+constexpr double rimCells = 0.6;   // of the white rim that counts: beyond it the paper may end
 constexpr int borderPx = 4;        // about that, for the blur
 constexpr double smallSidePx = 60; // up to it a pixel is cut into 5 × 5 parts, above into 3 × 3
 constexpr double leastTagSidePx = 5, mostPicturePx = 30000;
-constexpr int mostSidePx = 400;   // above it a tag is laid over the picture at half its size
+constexpr int mostSidePx = 400;   // above it a tag is aligned in the image at half its size
 constexpr int coarseSidePx = 120; // above it that is done first, and refined
-constexpr double startVariance = 0.25, mostVariance = 6; // of the picture's own blur, px²
+constexpr double startVariance = 0.25, mostVariance = 6; // of the image's own blur, px²
 constexpr double coarseOfCell = 0.3,
-                 leastCoarsePx = 0.9; // blur of the picture to catch a start that is far off
-constexpr double leastSeen = 0.7;     // of it, in the picture
+                 leastCoarsePx = 0.9; // blur of the image to catch a start that is far off
+constexpr double leastSeen = 0.7;     // of it, in the image
 constexpr int mostIterations = 25;
 constexpr double stillPx = 0.002;
 constexpr double mostMovedCells = 1.5;
@@ -48,7 +48,7 @@ public:
     {
     }
 
-    /// 0 black, 1 white, in m_fine's grid: each value the mean over a pixel about its place.
+    /// 0 black, 1 white, in m_fine's grid: each value the mean over a pixel about it.
     void draw(const Matrix3d &tagFromPixel, double variance)
     {
         const double step = 1.0 / m_parts;
@@ -115,7 +115,7 @@ struct TagState
 
 struct Sample
 {
-    double error = 0; ///< seen less foretold
+    double error = 0; ///< seen minus predicted
     Row by;
     double foretold = 0, seen = 0;
 };
@@ -123,7 +123,7 @@ struct Sample
 class Alignment
 {
 public:
-    /// part: the picture in rect, blurred beforehand by addedPx.
+    /// part: the image in rect, blurred beforehand by addedPx.
     Alignment(const cv::Mat &part, const TagCells &cells, const Matrix3d &start, const cv::Rect &rect,
               int parts, double addedPx)
         : m_part(part), m_rect(rect), m_added(addedPx * addedPx), m_side(1 + 2 * rimCells / cells.side),
@@ -204,7 +204,7 @@ private:
         }
     }
 
-    /// Black and white from the start's picture alone.
+    /// Black and white from the start's image alone.
     bool startLight()
     {
         sample();
@@ -268,7 +268,7 @@ private:
     const cv::Mat &m_part;
     cv::Rect m_rect;
     double m_added; ///< variance
-    double m_side;  ///< of what is looked at, from the middle
+    double m_side;  ///< of the compared area, from the middle
     Matrix3d m_fromOrigin = Matrix3d::Identity();
     TagPicture m_picture;
     TagState m_state;
@@ -276,8 +276,8 @@ private:
     double m_sigmaPx = 0;
 };
 
-/// Pixels that a square about the tag's middle covers; nullopt where most of it lies beyond the picture or
-/// the map is none.
+/// Pixels that a square about the tag's middle covers; nullopt where most of it lies beyond the image or the
+/// map is none.
 std::optional<cv::Rect> rectOf(const Matrix3d &map, double side, const cv::Size &size)
 {
     Eigen::AlignedBox2d box;
@@ -300,7 +300,7 @@ std::optional<cv::Rect> rectOf(const Matrix3d &map, double side, const cv::Size 
     return seen.area() >= leastSeen * whole.area() ? std::optional(seen) : std::nullopt;
 }
 
-/// In the picture at half its size: a tag that large is exact enough there, at a quarter of the cost.
+/// In the image at half its size: a tag that large is exact enough there, at a quarter of the cost.
 std::optional<TagAlignment> alignTagAtHalfSize(const cv::Mat &luma, const TagCells &cells,
                                                const Matrix3d &start)
 {

@@ -15,29 +15,29 @@ struct TagCells
     std::vector<bool> white;
 };
 
-/// A tag laid over a picture.
+/// A tag aligned with an image.
 struct TagAlignment
 {
     /// Pixel from the tag's plane: its black square goes from (-1, -1) at the top left of its print to (1,
     /// 1).
     Eigen::Matrix3d pixelFromTag;
-    double likeness = 0; ///< correlation of the picture with the tag as it would be seen, at most 1
-    double sigmaPx = 0;  ///< of one coordinate of the tag's middle, from what is left of the picture
+    double likeness = 0; ///< correlation of the image with the tag as it would be seen, at most 1
+    double sigmaPx = 0;  ///< of one coordinate of the tag's middle, from what is left of the image
 
-    /// The picture of the tag's middle.
+    /// The image of the tag's middle.
     Eigen::Vector2d middle() const { return pixelFromTag.col(2).hnormalized(); }
 };
 
-/// The likeness from which a tag is one: of one read out of noise, or laid where there is none, it is less
-/// than 0.5.
+/// The likeness from which a tag is one: of one read out of noise, or aligned with nothing, it is less than
+/// 0.5.
 inline constexpr double leastTagLikeness = 0.7;
 
-/// Lays a tag whose cells are known over the picture so that what it would look like is nearest to what is
-/// seen: eight values of the map, the blur, black, white and a gradient of the light, by Gauss–Newton on the
-/// grey values (Lucas and Kanade 1981, forwards), pixels that do not agree counting less (Huber). All edges
-/// of the tag count, not only its outline, so that it holds for tags of a pixel a cell. start: within about a
-/// cell of it. luma: 8 bit, read only; pixel (0,0) is the centre of the first. nullopt where a third of it
-/// lies beyond the picture, and where it leaves the start or leads nowhere. Any thread.
+/// Aligns a tag of known cells with the image for the smallest difference in grey values: eight values of the
+/// map, the blur, black, white and a gradient of the light, by Gauss–Newton on the grey values (Lucas and
+/// Kanade 1981, forwards), pixels that do not agree counting less (Huber). All edges of the tag count, not
+/// only its outline, so that it holds for tags of a pixel a cell. start: within about a cell of it. luma: 8
+/// bit, read only; pixel (0,0) is the centre of the first. nullopt where a third of it lies beyond the image,
+/// and where it leaves the start or leads nowhere. Any thread.
 std::optional<TagAlignment> alignTag(const cv::Mat &luma, const TagCells &cells,
                                      const Eigen::Matrix3d &start);
 

@@ -29,7 +29,7 @@ constexpr int mostMendedBits = 1;
 constexpr int leastSidePx = 32;
 constexpr int longestSidePx = 32767; // that libapriltag counts; it ends the program at more
 constexpr double largestEnlargement = 2, mostEnlargedPixels = 2 * mostSearchedPixels; // for small tags
-constexpr double leastTagSigmaPx = 0.02; // what the lens bends within a tag and the fit's grid leave
+constexpr double leastTagSigmaPx = 0.02; // what distortion within a tag and the fit's grid leave
 
 using Family = std::unique_ptr<apriltag_family_t, void (*)(apriltag_family_t *)>;
 
@@ -56,7 +56,7 @@ Matrix3d mapOf(const apriltag_detection_t &tag, double scale)
     return toPixels * map;
 }
 
-/// The tags of a picture that is `scale` times as large as `luma`.
+/// The tags of an image that is `scale` times as large as `luma`.
 std::vector<SeenTag> read(const cv::Mat &luma, image_u8_t picture, double scale)
 {
     const Family family(tag36h11_create(), tag36h11_destroy);
@@ -134,7 +134,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double nearOfHalfSide = 0.15; // of what is foretold: 0.6 cells
+constexpr double nearOfHalfSide = 0.15; // of the prediction: 0.6 cells
 constexpr double worstFitPx = 1;        // RMS of the read tags' corners
 
 const std::array<Vector2d, 4> corners{Vector2d(-1, -1), Vector2d(1, -1), Vector2d(1, 1), Vector2d(-1, 1)};
@@ -190,7 +190,7 @@ std::optional<Homography> raysFromTag(const SeenTag &tag, const CameraModel &cam
     return map ? std::optional(*map) : std::nullopt;
 }
 
-/// From the largest tag's own plane, laid on the floor so that the others' middles come where they are.
+/// From the largest tag's own plane, mapped to the floor so that the others' middles fit.
 std::optional<Tags> roughTags(const MarkerLayout &layout, const std::vector<SeenTag> &read,
                               const CameraModel &camera)
 {
@@ -300,7 +300,7 @@ std::optional<Tags> fitted(const MarkerLayout &layout, const std::vector<SeenTag
     return tags;
 }
 
-/// The map of a tag at a place of the floor.
+/// The map of a tag at a floor position.
 std::optional<Matrix3d> mapAt(const Vector2d &place, double turnRad, const Tags &tags,
                               const CameraModel &camera)
 {
@@ -317,7 +317,7 @@ std::optional<Matrix3d> mapAt(const Vector2d &place, double turnRad, const Tags 
     return map ? std::optional(map->matrix()) : std::nullopt;
 }
 
-/// The turn of the nearest read tag and its quarter turns: tags are laid like their neighbours.
+/// The turn of the nearest read tag and its quarter turns: tags are turned like their neighbours.
 double turnNear(const Vector2d &place, const MarkerLayout &layout, const std::vector<SeenTag> &read,
                 const Tags &tags)
 {
@@ -365,7 +365,7 @@ std::vector<SeenTag> foretoldTags(const Frame &frame, const MarkerLayout &layout
             const double turn = turnNear(place, layout, read, *tags) + 0.5 * EIGEN_PI * quarter;
             const auto map = mapAt(place, turn, *tags, *lens);
             const auto aligned = map ? alignTag(lumaMatrix(frame), tagCells(number), *map) : std::nullopt;
-            // A cell beside its place a tag that is cut off may look like itself, but it cannot lie there.
+            // A cut-off tag may look like itself a cell beside its position, but it cannot be there.
             if (aligned && aligned->likeness >= leastTagLikeness && isNear(*map, aligned->middle()) &&
                 (!best || aligned->likeness > best->likeness))
                 best = aligned;

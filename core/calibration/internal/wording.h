@@ -20,9 +20,9 @@ Message registrationVerdict(double worseM, double extentM, Message clauses);
 
 // What several checks say.
 Message edgesAreWide(double widthPx); ///< of a board that is not sharp
-Message pointsUndetermined();         ///< they do not tell where the camera stands
+Message pointsUndetermined();         ///< they do not determine the camera position
 Message hardlyChecked(Message four);  ///< a sentence of the clause that four check one another little
-Message calibrateToRely();            ///< a sentence, where no lens is known
+Message calibrateToRely();            ///< a sentence, without a lens calibration
 
 // What several of them advise.
 Message useCameraPicture();

@@ -45,7 +45,7 @@ Result<void> CalibrationStorage::writePictures(const std::vector<BoardPicture> &
         control.report(double(i) / double(used.size()),
                        ODO_TEXT("workflow.keeping_pictures", "saving the images"));
         const auto picture = std::ranges::find(pictures, used[i].view.source, &BoardPicture::source);
-        m_record.files.emplace_back(); // those without a picture have none
+        m_record.files.emplace_back(); // those without an image have none
         if (picture == pictures.end())
             continue;
         const std::string name = m_camera + "_" + std::filesystem::path(used[i].view.source).stem().string();
@@ -138,7 +138,7 @@ Result<void> CalibrateJob::searchFile(const std::filesystem::path &file, const J
         control.cancel);
     if (control.isCancelled())
         return cancelled(calibrationOf(m_settings.camera));
-    // One unreadable picture among many is refused like one without a board; it must not cost the others.
+    // One unreadable image among many is refused like one without a board; it must not cost the others.
     if (!visited)
         m_rejected.push_back({file.filename().string(), visited.error().why});
     return {};
@@ -172,7 +172,7 @@ void CalibrateJob::searchPicture(const Frame &frame, const std::string &name)
 Result<void> CalibrateJob::commit(Project &project)
 {
     const auto stored = m_storage->commit(project);
-    m_storage.reset(); // where it was not stored, its pictures go
+    m_storage.reset(); // if it was not stored, its images go
     if (!stored)
         return tl::unexpected(stored.error());
     return {};

@@ -17,8 +17,8 @@ namespace odo {
 
 class Project;
 
-/// A lens that was measured from a board, on its way to be its camera's newest intrinsics: first its
-/// pictures, which takes long, then its rows. Unless it is committed, its destructor leaves nothing behind.
+/// Intrinsics from a board that become their camera's newest: first the images, a long step, then the rows.
+/// Unless it is committed, its destructor leaves nothing behind.
 class CalibrationStorage
 {
 public:
@@ -26,7 +26,7 @@ public:
     CalibrationStorage(const std::filesystem::path &mediaFolder, std::string camera,
                        IntrinsicCalibration calibration, const BoardSpec &board);
 
-    /// Writes each picture beside the project that has the source of one of the calibration's. Any thread;
+    /// Writes each image beside the project that has the source of one of the calibration's. Any thread;
     /// long. Errors: Io, Cancelled.
     Result<void> writePictures(const std::vector<BoardPicture> &pictures, const JobControl &control);
     /// The rows, in one transaction; the camera is made when there is none of that name. The project's
@@ -42,12 +42,12 @@ private:
 struct CalibrateSettings
 {
     std::string camera;                       ///< made when the project has none of that name
-    std::vector<std::filesystem::path> files; ///< pictures and videos of the board
+    std::vector<std::filesystem::path> files; ///< images and videos of the board
     BoardSpec board;
-    std::optional<LensModel> model; ///< nullopt: the one that foretells best
+    std::optional<LensModel> model; ///< nullopt: the one that predicts best
 };
 
-/// Finds the board in pictures, computes a camera's intrinsics and stores them as its newest ones.
+/// Finds the board in images, computes a camera's intrinsics and stores them as its newest ones.
 class CalibrateJob : public Job
 {
 public:

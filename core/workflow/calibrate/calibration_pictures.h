@@ -13,16 +13,16 @@
 
 namespace odo {
 
-/// A picture of a board on its way into the project.
+/// An image of a board to be stored in the project.
 struct BoardPicture
 {
     std::string source;             ///< as BoardView::source
     std::vector<unsigned char> png; ///< grey
 };
 
-/// Writes pictures into "<name>.media/calibration". What was written is removed again by the destructor
-/// unless it is kept, so that a calibration or registration that cannot be stored leaves nothing. At most 200
-/// MB a calibration: what is beyond is not kept, its corners are.
+/// Writes images into "<name>.media/calibration". What was written is removed again by the destructor unless
+/// it is kept, so that a calibration or registration that cannot be stored leaves nothing. At most 200 MB a
+/// calibration: what is beyond is not kept, its corners are.
 class CalibrationMedia
 {
 public:
@@ -33,7 +33,7 @@ public:
 
     /// Whole and on the disk when it returns. An empty path where the limit is reached. Error Io.
     Result<StoredPicture> write(const std::string &name, const std::vector<unsigned char> &png);
-    /// A camera's picture of the floor, in colour. Long. Error Io.
+    /// A camera's image of the floor, in colour. Long. Error Io.
     Result<StoredPicture> writeFloor(const std::string &camera, const Frame &frame);
     void keep();
 
@@ -46,18 +46,17 @@ private:
 /// By the ending of its name.
 bool isStillPicture(const std::filesystem::path &file);
 
-/// One picture of a file, whole: of a video the frame of this index, of a still the only one there is.
-/// Errors: neither a picture nor a video; NotFound for a frame that it does not have.
+/// One image of a file, whole: of a video the frame of this index, of a still its only one. Errors: neither
+/// an image nor a video; NotFound for a frame that it does not have.
 Result<Frame> pictureOf(const std::filesystem::path &file, std::int64_t frame);
 
-/// Gives the pictures of a file one after another, named "file" or "file@frame": one for a still, every
-/// step-th for a video. Stops early when visit returns false. Errors: neither a picture nor a video;
-/// Cancelled.
+/// Gives the images of a file one after another, named "file" or "file@frame": one for a still, every step-th
+/// for a video. Stops early when visit returns false. Errors: neither an image nor a video; Cancelled.
 Result<void> visitPictures(const std::filesystem::path &file, int videoStep,
                            const std::function<bool(const Frame &, const std::string &)> &visit,
                            const CancelToken &cancel);
 
-/// What a job that looks for markers in such a picture reports.
+/// The progress message of a job that detects markers in such an image.
 Message lookingForMarkersIn(const std::string &name);
 
 } // namespace odo

@@ -295,7 +295,7 @@ Result<std::vector<Message>> calibrationWarnings(Project &project, const CameraR
 
 namespace {
 
-/// The layout, and those that lie in its axes since a camera was registered through one that stands on it.
+/// The layout, and those in its axes because a camera was registered via one of its cameras.
 Result<std::vector<LayoutRecord>> layoutsOfWorld(Project &project, const LayoutRecord &first)
 {
     const auto all = ODO_TRY(project.layouts().all());

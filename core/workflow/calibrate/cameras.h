@@ -15,8 +15,8 @@ namespace odo {
 
 class Project;
 
-/// The camera of this name, made when the project has none of that name: whoever brings its pictures,
-/// intrinsics or videos need not announce it first.
+/// The camera of this name, made when the project has none of that name: whoever adds its images, intrinsics
+/// or videos need not announce it first.
 Result<CameraRecord> findOrAddCamera(Project &project, const std::string &name);
 
 /// Reads a ROS camera_info or OpenCV YAML file and stores it as the camera's newest intrinsics.
@@ -32,8 +32,8 @@ Result<void> exportIntrinsics(Project &project, const std::string &camera, const
 Result<RegistrationRecord> storeRegistration(Project &project, const std::string &camera,
                                              RegistrationRecord record);
 
-/// As storeRegistration, for one that was computed anew from older markers, which say nothing of where the
-/// camera stands now: what the last check of the one before found still holds.
+/// As storeRegistration, for one recomputed from older markers, which say nothing of the camera's present
+/// position: the last check of the one before still holds.
 Result<RegistrationRecord> storeFromOldMarkers(Project &project, const std::string &camera,
                                                RegistrationRecord record,
                                                const std::optional<RegistrationCheck> &lastCheck);
@@ -58,8 +58,8 @@ struct Revision
     RecordId id = 0;
     Instant made;
     std::string softwareVersion; ///< empty: not known
-    Message origin;              ///< "calibrated from 20 pictures", "layout 'Gym', lens of calibration 3"
-    int evidence = 0;            ///< pictures of a calibration, markers of a registration
+    Message origin;              ///< "calibrated from 20 images", "layout 'Gym', lens calibration 3"
+    int evidence = 0;            ///< images of a calibration, markers of a registration
     double rmsPx = 0;            ///< 0: not known
     Message verdict;
     bool isCurrent = false; ///< in force
@@ -83,7 +83,7 @@ Result<std::vector<std::string>> outdatedTrials(Project &project);
 
 /// Whole sentences on what may be wrong with a camera's calibration in force, each with what to do; empty:
 /// nothing. Old: intrinsics or registration made longer than oldAfter before now. Overtaken: registered with
-/// older intrinsics than the newest. Another size: the newest recording is of other pictures than the
+/// older intrinsics than the newest. Another size: the newest recording has another frame size than the
 /// intrinsics. Never calibrated. A camera that is not registered has no warning of a registration. Project's
 /// thread.
 Result<std::vector<Message>> calibrationWarnings(Project &project, const CameraRecord &camera, Instant now,
@@ -98,10 +98,10 @@ struct LayoutAxesOutcome
     std::vector<std::string> tasks;
 };
 
-/// Changes the world axes of a layout in one transaction: the layout's places, and a new revision of the
-/// registration of each camera that stands on it, also of those registered through such a camera ("C through
-/// B") with their own layouts. Older revisions, and the analyses made with them, stay in the old axes.
-/// Project's thread; quick.
+/// Changes the world axes of a layout in one transaction: the layout's positions, and a new revision of the
+/// registration of each of its cameras, also of those registered via such a camera ("C through B") with their
+/// own layouts. Older revisions, and the analyses made with them, stay in the old axes. Project's thread;
+/// quick.
 Result<LayoutAxesOutcome> changeLayoutAxes(Project &project, const std::string &layout,
                                            const AxesChange &change);
 

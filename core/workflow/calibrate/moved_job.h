@@ -14,13 +14,13 @@ namespace odo {
 struct MovedSettings
 {
     std::string camera;
-    std::filesystem::path pictureFile; ///< a picture or video of the camera as it stands now; or empty:
+    std::filesystem::path pictureFile; ///< a current image or video from the camera; or empty:
     std::string liveUri;               ///< address of the camera that takes it now
 };
 
-/// Looks whether a camera still stands where it was registered, by its markers in a newer picture, and keeps
-/// the outcome with the registration. NotFound where the camera is not registered, Undetermined where fewer
-/// than two markers are found again (see keepNotTold).
+/// Checks whether a camera has moved since its registration, by its markers in a newer image, and keeps the
+/// outcome with the registration. NotFound where the camera is not registered, Undetermined where fewer than
+/// two markers are found again (see keepNotTold).
 class MovedJob : public Job
 {
 public:
@@ -43,8 +43,8 @@ private:
     MovedCheck m_check;
 };
 
-/// Keeps with the registration in force of a camera that it could not be told whether it has moved: what
-/// MovedJob failed with.
+/// Keeps with a camera's current registration that its movement could not be determined: the failure of
+/// MovedJob.
 Result<void> keepNotTold(Project &project, const std::string &camera, const Error &error);
 
 } // namespace odo

@@ -17,7 +17,7 @@ namespace odo {
 
 namespace {
 
-// Markers do not move; a few pictures are looked at in case somebody stands before one in the first.
+// Markers do not move; a few frames are searched in case somebody stands before one in the first.
 constexpr int markerVideoStep = 10;
 constexpr int mostPictures = 12;
 
@@ -214,7 +214,7 @@ Result<void> RegisterJob::commit(Project &project)
     });
     if (committed && m_media)
         m_media->keep();
-    m_media.reset(); // where it was not stored, its picture goes
+    m_media.reset(); // where it was not stored, its image goes
     return committed;
 }
 

@@ -20,18 +20,18 @@ struct RegisterSettings
     std::string camera;
     std::string layout;
     std::filesystem::path pixelsFile; ///< label,u,v; or empty
-    /// a picture or video in which the markers are looked for, or (with pixelsFile)
+    /// an image or video in which to detect the markers, or (with pixelsFile)
     std::filesystem::path pictureFile;
-    ///< which tells the picture's size to a camera without intrinsics; or empty
+    ///< that gives the image size of a camera without intrinsics; or empty
     std::vector<MarkerPixel> pixels; ///< picked in a window; instead of pixelsFile
-    StoredPicture picture = {};      ///< in which the pixels were picked, where the project has it already
-    /// markers told by hand, to find the others in the picture (MarkerSearch)
+    StoredPicture picture = {};      ///< in which the pixels were picked, if the project has it already
+    /// markers marked by hand, to find the others in the image (MarkerSearch)
     std::vector<MarkerPixel> hints = {};
 };
 
 /// Registers one camera to the floor by the markers of a layout and stores the registration as its newest
-/// one, with the picture in which the markers were seen. Without a picture to look in, the markers are looked
-/// for in the camera's newest recording.
+/// one, with the image in which the markers were seen. Without an image, it detects the markers in the
+/// camera's newest recording.
 class RegisterJob : public Job
 {
 public:
@@ -51,8 +51,8 @@ private:
     RegisterSettings m_settings;
     MarkerLayout m_layout;
     bool m_intrinsicsKnown = false;
-    Intrinsics m_intrinsics;       ///< stored ones, or only the picture's size
-    std::optional<Frame> m_seenIn; ///< the picture that the markers were found in
+    Intrinsics m_intrinsics;       ///< stored ones, or only the image's size
+    std::optional<Frame> m_seenIn; ///< the image that the markers were found in
     std::filesystem::path m_mediaFolder;
     std::unique_ptr<CalibrationMedia> m_media;
     RegistrationRecord m_record;
@@ -61,10 +61,10 @@ private:
 /// Words of the change that stores a camera's registration.
 Message registerChange(const std::string &camera);
 
-/// Registers a camera anew by the pixels and the layout of its registration in force, with the intrinsics in
-/// force: what a newer calibration of the lens makes of the same markers, also of a camera that is long gone.
-/// NotFound where it is not registered; InvalidInput where the registration was made with those intrinsics,
-/// or through another camera. What the last check found stays. Quick.
+/// Registers a camera again from the pixels and the layout of its current registration, with the current
+/// intrinsics: applies a newer calibration to the same markers, also for a camera that is long gone. NotFound
+/// where it is not registered; InvalidInput where the registration was made with those intrinsics, or through
+/// another camera. What the last check found stays. Quick.
 Result<RegistrationRecord> registerWithLensInForce(Project &project, const std::string &camera);
 
 struct RegisterThroughSettings
@@ -76,9 +76,9 @@ struct RegisterThroughSettings
 };
 
 /// Registers a camera by points of the floor that a registered camera sees as well. Stores it as the camera's
-/// newest registration, with the places that were found as a layout of its own ("C through B", numbered where
-/// that name is taken); the verdict names the registration it was made through. The camera needs intrinsics
-/// or a recording, which tells the size of its pictures.
+/// newest registration, with the positions found as a layout of its own ("C through B", numbered where that
+/// name is taken); the verdict names the registration it was made through. The camera needs intrinsics or a
+/// recording, for its image size.
 class RegisterThroughJob : public Job
 {
 public:
@@ -108,12 +108,12 @@ bool isLayoutThrough(const std::string &layoutName, const std::string &through);
 struct RegisterJointSettings
 {
     std::string layout;
-    double tapeSigmaM = 0.002; ///< of the places of the layout's markers
+    double tapeSigmaM = 0.002; ///< of the positions of the layout's markers
 };
 
-/// Registers all cameras that stand on a layout together, from the pixels of their registrations in force,
-/// and stores new revisions of all of them in one transaction. The layout stays as it was measured; the
-/// verdicts name the markers that are to be measured again. Errors as registerJointly.
+/// Registers all cameras of a layout jointly, from the pixels of their current registrations, and stores new
+/// revisions of all of them in one transaction. The layout stays as it was measured; the verdicts name the
+/// markers to remeasure. Errors as registerJointly.
 class RegisterJointJob : public Job
 {
 public:

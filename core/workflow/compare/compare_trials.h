@@ -55,7 +55,7 @@ struct TrialComparison
 std::string runName(const ComparedTrial &run);
 
 /// Reads the runs' newest analyses, on the project's thread. Calibration is shared by runs of one robot whose
-/// views' registrations were the same and whose height was told: with another robot or a height of its own
+/// views' registrations were the same and whose height was given: with another robot or a height of its own
 /// each has its own error. Errors: NotFound for a trial, a robot or an analysis that is not there;
 /// Undetermined where a robot must be chosen; InvalidInput for fewer than two runs or one with itself.
 Result<ComparedTrials> readComparedTrials(Project &project, const CompareSettings &settings);

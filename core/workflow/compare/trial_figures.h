@@ -34,17 +34,17 @@ struct TrialScore
 /// thread.
 Result<std::vector<TrialScore>> trialScores(Project &project, Instant from, Instant to);
 
-/// The same as figures with the name scoreMetric; runs without a score are left out.
+/// The same as metric values named scoreMetric; runs without a score are left out.
 Result<std::vector<TrialFigure>> scoreFigures(Project &project, Instant from, Instant to);
 
-/// A figure of the newest analysis of each robot, of all trials: a metric by its name, or the score by
+/// A metric value of the newest analysis of each robot, of all trials: a metric by its name, or the score by
 /// scoreMetric.
 Result<std::vector<TrialFigure>> figuresOf(Project &project, const std::string &metric);
 
 /// Whether a trial belongs to a class and to a task (empty: to any) and is not in the bin. Pure.
 bool countsIn(const TrialRecord &trial, const std::string &className, const std::string &task);
 
-/// Trials whose figures can be compared, in their order; they must outlive it.
+/// Trials whose metrics can be compared, in their order; they must outlive it.
 struct CountedTrials
 {
     std::vector<const TrialRecord *> trials;
@@ -57,7 +57,7 @@ CountedTrials countedTrials(std::span<const TrialRecord *const> trials, const st
 CountedTrials countedTrials(const std::vector<TrialRecord> &trials, const std::string &className,
                             const std::string &task, const std::vector<OtherwiseMeasured> &otherwise);
 
-/// A figure in the middle of a class.
+/// The median of a metric in a class.
 struct ClassFigure
 {
     double median = 0;
@@ -80,7 +80,7 @@ struct StandingsChoice
     std::string metric;
 };
 
-/// A team's figure in one trial; of several robots the best one's.
+/// A team's metric value in one trial; of several robots the best one's.
 struct TeamRun
 {
     std::string trial;

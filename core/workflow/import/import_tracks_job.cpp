@@ -27,7 +27,7 @@ namespace odo {
 namespace {
 
 constexpr auto mostBlankAtStart = std::chrono::hours(1);
-/// Okabe and Ito 2008: for robots that nobody has told a colour of.
+/// Okabe and Ito 2008: for robots without a given colour.
 constexpr std::array<RgbColour, 6> freshColours{{{0x00, 0x72, 0xB2},
                                                  {0xD5, 0x5E, 0x00},
                                                  {0x00, 0x9E, 0x73},

@@ -42,8 +42,7 @@ std::vector<std::vector<MotionTrack>> tracksOf(const std::vector<RegisteredView>
     }
     std::vector<NamedView> seen;
     for (std::size_t v = 0; v < views.size(); ++v) {
-        // how the views' clocks lie is not known yet: each decides by itself which of what moves the robots
-        // are
+        // the views' time offsets are not known yet: each decides alone which moving things are the robots
         std::vector<NamedView> alone(1);
         alone.front().floorView = views[v].floorView;
         for (const ObservationSeries &series : tracked[v].series)
@@ -67,9 +66,9 @@ Message whyNoTracks(const RegisteredView &view, const std::vector<RobotRecord> &
 } // namespace
 
 /// Reads all views once, tracks the robots where two views or more are registered and measures the light, and
-/// finds for each view but the first how its clock lies against the first view's (findClipOffset):
-/// Undetermined, with the reason, where neither the motion nor a flash tells. Touches no project. Errors: a
-/// video that cannot be read; cancelled.
+/// finds for each view but the first its time offset to the first (findClipOffset): Undetermined, with the
+/// reason, if neither motion nor a flash gives it. Touches no project. Errors: a video that cannot be read;
+/// cancelled.
 Result<std::vector<Result<FoundOffset>>> findClipOffsets(const std::vector<RegisteredView> &views,
                                                          const std::vector<RobotRecord> &robots,
                                                          const JobControl &control)
@@ -198,7 +197,7 @@ Result<void> ImportTrialJob::readVideo(std::size_t view, const CancelToken &canc
     recording.framesPerSecond = info.framesPerSecond;
     recording.frameTimes = info.frameTimes;
     if (m_settings.rate && info.framesPerSecond > 0) {
-        // The file plays at another rate than the camera took the pictures at (slow motion).
+        // The file plays at another rate than the camera took the frames at (slow motion).
         const double scale = info.framesPerSecond / *m_settings.rate;
         for (Nanoseconds &time : recording.frameTimes)
             time = fromSeconds(toSeconds(time) * scale);

@@ -17,17 +17,17 @@ namespace odo {
 struct ImportSettings
 {
     enum class Sync { Automatic, None, Told };
-    /// How a view gets in step with the first one.
+    /// How a view is synchronised with the first.
     struct ViewStep
     {
         Sync how = Sync::Automatic;
-        double offsetS = 0; ///< when told: how much later its first frame was taken
+        double offsetS = 0; ///< if given: how much later its first frame was taken
     };
 
     std::string trial;
     /// camera's name and file, first view first
     std::vector<std::pair<std::string, std::filesystem::path>> videos;
-    /// for each view but the first; one that is not told goes for all, none is automatic
+    /// for each view but the first; a single one without an offset holds for all, none is automatic
     std::vector<ViewStep> steps;
     std::string team; ///< made when new; empty: none
     std::string task;

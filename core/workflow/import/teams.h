@@ -20,7 +20,7 @@ struct RosterOutcome
 };
 
 /// Takes the teams of a roster (readRosterCsv) over: new ones are added, those of the same name get the
-/// roster's class, and its pseudonym and members where it tells them. One change, which can be undone.
+/// roster's class, and its pseudonym and members if it has them. One change, which can be undone.
 /// InvalidInput, and nothing imported, with every bad line in one sentence with its number. On the project's
 /// thread; rosters are short.
 Result<RosterOutcome> importRoster(Project &project, const std::filesystem::path &file);

@@ -22,7 +22,7 @@ namespace odo {
 
 namespace {
 
-/// The raw times of the pictures that are in the file: no more of them, and no fewer.
+/// The raw times of the frames in the file: no more of them, and no fewer.
 void fit(std::vector<RawTime> &pictures, const std::vector<Nanoseconds> &fileTimes)
 {
     if (fileTimes.empty())
@@ -38,8 +38,8 @@ void fit(std::vector<RawTime> &pictures, const std::vector<Nanoseconds> &fileTim
     }
 }
 
-/// Of a file that cannot be played: whether it holds nothing but the beginning of one. Not told by its name
-/// alone, so that nothing is ever thrown away that somebody might still get a picture out of.
+/// Of a file that cannot be played: whether it holds nothing but the beginning of one. Its name is not
+/// enough: never delete what somebody might still recover a frame from.
 bool hasNoPicture(const std::filesystem::path &file)
 {
     constexpr std::uintmax_t mostWithout = 65536;
@@ -48,7 +48,7 @@ bool hasNoPicture(const std::filesystem::path &file)
         return false;
     std::ifstream stream(file, std::ios::binary);
     const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-    return !stream.bad() && bytes.find("\xff\xd8\xff") == std::string::npos; // how a JPEG picture begins
+    return !stream.bad() && bytes.find("\xff\xd8\xff") == std::string::npos; // how a JPEG image begins
 }
 
 } // namespace
@@ -104,7 +104,7 @@ Result<void> RecoverJob::recover(Unfinished &unfinished, const CancelToken &canc
         const auto reader = VideoReader::open(view.file, cancel);
         if (!reader && reader.error().code == ErrorCode::Cancelled)
             return tl::unexpected(reader.error());
-        if (!reader) { // it was cut off before a picture was on the disk
+        if (!reader) { // it was cut off before a frame was on the disk
             if (view.times.pictures.empty() && isOwnMedia(view.file, m_mediaFolder) &&
                 hasNoPicture(view.file))
                 unfinished.empty.push_back(view.file);

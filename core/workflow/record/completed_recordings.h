@@ -14,11 +14,11 @@
 
 namespace odo {
 
-/// Completes the trials whose recording was cut off, by a kill or a power cut: from the pictures that are in
-/// their files and from the raw times in the project. The last pictures, whose times had not been stored yet,
+/// Completes the trials whose recording was cut off, by a kill or a power cut: from the frames that are in
+/// their files and from the raw times in the project. The last frames, whose times had not been stored yet,
 /// get them from the file's own time stamps, which are whole milliseconds. Leaves alone what somebody is
-/// recording just now, and a trial whose file is missing. A file without any picture is removed. The hashes
-/// are left to HashJob.
+/// recording just now, and a trial whose file is missing. A file without any frame is removed. The hashes are
+/// left to HashJob.
 class RecoverJob : public Job
 {
 public:
@@ -44,7 +44,7 @@ private:
         std::vector<View> views;
         std::vector<RecordingRecord> recordings;  ///< after run
         std::filesystem::path missing;            ///< a file that is not there; then the trial stays as it is
-        std::vector<std::filesystem::path> empty; ///< files that no picture has come into
+        std::vector<std::filesystem::path> empty; ///< files without a frame
     };
     Result<void> recover(Unfinished &unfinished, const CancelToken &cancel) const;
     static void removeEmpty(const Unfinished &unfinished);
@@ -62,7 +62,7 @@ Result<std::vector<Message>> recoverTrials(Project &project, const JobControl &c
 
 /// Makes the hashes of recordings that have none yet: a recording ends without them, because reading
 /// gigabytes again would hold up its result, and whoever closes the window. What is cancelled is made the
-/// next time. A file that is not there, or not as it was, is left alone: a check of the project tells of it.
+/// next time. A file that is not there, or not as it was, is left alone: a check of the project reports it.
 class HashJob : public Job
 {
 public:
@@ -89,13 +89,13 @@ struct EndedView
 {
     RecordingRecord record; ///< id and camera; the rest is filled in
     std::filesystem::path file;
-    std::vector<Nanoseconds> taken; ///< of each picture, by one clock for all views
+    std::vector<Nanoseconds> taken; ///< of each frame, by one clock for all views
     double clockSigmaS = 0;
     bool clockKnown = true; ///< false: taken is right against itself alone
 };
 
-/// Frame times, rate, sync and size of the views that have pictures, the first of which is the first view.
-/// The hash is left to HashJob. Errors: Io.
+/// Frame times, rate, sync and size of the views that have frames, the first of which is the first view. The
+/// hash is left to HashJob. Errors: Io.
 Result<std::vector<RecordingRecord>> describeRecordings(const std::vector<EndedView> &views);
 
 /// Duration and sync of a trial with these recordings, one at least.

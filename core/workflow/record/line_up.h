@@ -50,7 +50,7 @@ public:
     NextRun run(const std::string &className, const std::string &team) const;
     /// The run of who comes after the team in its class, from the first again after the last; the task stays.
     NextRun next(const NextRun &before) const;
-    /// Who is up when the sitting begins: after the team of the newest trial; with no team at all a run
+    /// Who is up when the session begins: after the team of the newest trial; with no team at all a run
     /// without one.
     NextRun first() const;
     /// "Falcon 3", or "Trial 3" without a team.

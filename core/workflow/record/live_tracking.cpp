@@ -25,7 +25,7 @@ using namespace std::chrono_literals;
 
 constexpr Nanoseconds keptBeforeARun = 10s, latencyWindow = 10s;
 
-/// Registered at another picture size, it would be placed wrongly in silence.
+/// Registered at another frame size, its positions would be silently wrong.
 bool fits(const LiveView &view, const FrameFormat &format)
 {
     const Intrinsics &lens = view.floorView->camera().intrinsics();
@@ -109,7 +109,7 @@ void LiveTracker::follow(std::size_t view)
     while (auto picture = own.feed->pop()) {
         LiveSight sight{view, std::move(*picture), {}};
         Frame &frame = sight.picture.captured.frame;
-        frame.time = sight.picture.taken; // all views are told by one clock
+        frame.time = sight.picture.taken; // all views use one clock
         if (own.background) {
             if (auto newer = own.background->add(frame))
                 own.tracker->setBackground(std::move(*newer));

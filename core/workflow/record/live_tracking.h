@@ -21,8 +21,8 @@
 
 namespace odo {
 
-/// A view's picture with what the tracker saw in it: an observation a robot, stamped with when the picture
-/// was taken by this machine's steady clock.
+/// A view's frame with what the tracker saw in it: an observation a robot, stamped with when the frame was
+/// taken by this machine's steady clock.
 struct LiveSight
 {
     std::size_t view = 0;
@@ -30,7 +30,7 @@ struct LiveSight
     std::vector<Observation> observations;
 };
 
-/// A robot's place, and how long after the pictures that show it were taken it was known.
+/// A robot's position, and how long after its frames were taken it was known.
 struct LiveMoment
 {
     std::size_t robot = 0;
@@ -42,7 +42,7 @@ struct LiveMoment
 struct LiveFigures
 {
     std::uint64_t tracked = 0,
-                  dropped = 0; ///< pictures of all views; dropped: tracking was too slow for them
+                  dropped = 0; ///< frames of all views; dropped: tracking was too slow for them
     double latencyMedianS = 0,
            latencyP99S = 0; ///< of the last ten seconds' positions, from exposure; 0 of none
 };
@@ -55,12 +55,12 @@ struct LiveRun
     RobotRecord robot;
     std::vector<ViewTrack> views; ///< registered ones; times since the run's beginning
 };
-/// The run's figures by the ordinary analysis, from what was seen live: they stand until the recording itself
-/// has been tracked, which misses no picture. Errors: those of analyse(). Any thread.
+/// The run's metrics by the ordinary analysis, from the live tracks: valid until the recording itself has
+/// been tracked, without lost frames. Errors: those of analyse(). Any thread.
 Result<TaskAnalysis> analyseRun(const LiveRun &run, const AnalysisOptions &options,
                                 const std::optional<TaskRecord> &task);
 
-/// Tracks robots in live views while they drive: a thread a view, which takes its pictures from a queue that
+/// Tracks robots in live views while they drive: a thread a view, which takes its frames from a queue that
 /// drops the oldest one where tracking is too slow. A recording does not come this way, so that it loses
 /// nothing.
 class LiveTracker
@@ -74,8 +74,7 @@ public:
         std::function<void(const LiveMoment &)> moment;
     };
 
-    /// One feed a view. Without robots the pictures are only passed on. Errors: those of
-    /// ColourTracker::create.
+    /// One feed a view. Without robots the frames are only passed on. Errors: those of ColourTracker::create.
     static Result<std::unique_ptr<LiveTracker>> create(const std::vector<LiveView> &views,
                                                        const std::vector<RobotRecord> &robots,
                                                        std::vector<Feed> feeds, Listener listener);
@@ -85,7 +84,7 @@ public:
     LiveTracker &operator=(const LiveTracker &) = delete;
 
     LiveFigures figures() const;
-    /// A run has begun at this time of the steady clock, up to ten seconds ago: what is seen from then on is
+    /// A run started at this time of the steady clock, up to ten seconds ago: what is seen from then on is
     /// kept.
     void beginRun(Nanoseconds from);
     /// What was seen since then, a run for each robot. Nothing is kept any more.
@@ -118,7 +117,7 @@ private:
     std::deque<std::pair<Nanoseconds, double>> m_latencies; ///< when, and how long in seconds
 };
 
-/// Where live positions are sent to. As it stands here they do not leave this machine.
+/// Where live positions are sent to. By default they do not leave this computer.
 struct BroadcastTarget
 {
     std::string address = "224.5.23.2"; ///< IPv4, a multicast group or one machine
@@ -148,7 +147,7 @@ std::vector<SslNumber> sslNumbers(const std::vector<RobotRecord> &robots);
 class LiveBroadcast
 {
 public:
-    /// InvalidInput for an address, port or interface that there is not; Io where no socket is to be had.
+    /// InvalidInput for an invalid address, port or interface; Io if no socket can be opened.
     static Result<std::unique_ptr<LiveBroadcast>> create(const BroadcastTarget &target,
                                                          const std::vector<RobotRecord> &robots);
     /// Sends what waits, and ends.

@@ -31,8 +31,7 @@ Result<std::shared_ptr<LiveTrial>> LiveTrial::begin(Project &project, TrialRecor
                                                     const std::vector<std::string> &cameras,
                                                     CaptureSession &session, Nanoseconds preRoll)
 {
-    // Its disk may have been taken out of the file system: then the media folder would be made on another
-    // one.
+    // Its disk may be unmounted: then the media folder would be made on another one.
     if (!files::exists(project.file()))
         return fail(ErrorCode::NotFound, recordingSubject(trial.name),
                     ODO_TEXT("workflow.project_file_gone", "the project file no longer exists"),

@@ -13,9 +13,9 @@
 
 namespace odo {
 
-/// A trial that is being recorded. It stands in the project from its beginning, and once a second the times
-/// of what has reached the disk are added, so that whatever happens to the program RecoverJob finds it whole
-/// but for the last second.
+/// A trial that is being recorded. It is in the project from its start, and once a second the times of what
+/// has reached the disk are added, so that whatever happens to the program RecoverJob finds it whole but for
+/// the last second.
 ///
 /// Ending it is this job: run stops the recording, which takes as long as the disk does, and commit completes
 /// the trial, but for the hashes of its files, which HashJob makes. One that is cancelled, or fails, is
@@ -47,7 +47,7 @@ public:
     const std::vector<RecordingRecord> &recordings() const
     {
         return m_recordings;
-    }                                                             ///< after run: of views with pictures
+    }                                                             ///< after run: of views with frames
     const RecordingOutcome &outcome() const { return m_outcome; } ///< after run: of all views of the session
     const std::vector<Message> &warnings() const { return m_warnings; } ///< after run
     void addWarning(Message warning) { m_warnings.push_back(std::move(warning)); }

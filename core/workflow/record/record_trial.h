@@ -27,11 +27,11 @@ struct RecordSettings
     std::vector<std::string> robots;
     /// of what should be known while it still records; on the calling thread
     std::function<void(const Message &)> warn = {};
-    /// to where the robots' live positions are sent; empty: they are not looked for
+    /// to where the robots' live positions are sent; empty: none are computed
     std::optional<BroadcastTarget> broadcast = {};
 };
 
-/// Records a trial from cameras: every picture of every view to the disk, the views put in step by the
+/// Records a trial from cameras: every frame of every view to the disk, the views synchronised by the
 /// cameras' clocks. Long, on the project's thread. One that is cancelled before it began leaves nothing
 /// behind (Cancelled); one that is cancelled later, or ends early because a file has ended or the disk fails,
 /// keeps what there is, and its warnings say so. Where the project's file was taken away meanwhile, a warning

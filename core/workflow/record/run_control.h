@@ -10,7 +10,7 @@
 
 namespace odo {
 
-/// How a run is begun and ended.
+/// How a run starts and ends.
 struct RunSettings
 {
     Nanoseconds countdown{0}; ///< from the press to the beginning; 0: at once
@@ -38,7 +38,7 @@ struct RunOrder
 class RunControl
 {
 public:
-    /// The steady clock that live positions are told by; tests bring their own.
+    /// The steady clock of live positions; tests bring their own.
     using Clock = std::function<Nanoseconds()>;
     explicit RunControl(Clock clock);
 

@@ -14,13 +14,13 @@ namespace odo {
 
 class TrackJob;
 
-/// A person's word on one sample of a trial.
+/// A manual override of one sample of a trial.
 struct OverruleRequest
 {
     enum class Word {
         Spike, ///< it is not to be used
         Valid, ///< it is to be used, whatever speaks against it
-        Clear, ///< what was said by hand is taken back
+        Clear, ///< removes the manual override
     };
     std::string trial;
     std::string robot;                 ///< empty: the only one that was tracked in the trial
@@ -38,9 +38,9 @@ struct OverruleOutcome
     AnalysisRecord analysis;
 };
 
-/// Stores a person's word on a sample and makes a new analysis with it, out of the stored observations; older
-/// analyses stay. Errors: the robot was not tracked, no frame at that time, nothing measured there, nothing
-/// to take back, another sample was judged between prepare and commit.
+/// Stores a manual override of a sample and reanalyses the stored observations with it; older analyses stay.
+/// Errors: the robot was not tracked, no frame at that time, nothing measured there, nothing to remove,
+/// another sample was overridden between prepare and commit.
 class OverruleJob : public Job
 {
 public:
@@ -60,7 +60,7 @@ private:
     OverruleOutcome m_outcome;
 };
 
-/// A figure before and after; nullopt where one of the two analyses has none.
+/// A metric before and after; nullopt where one of the two analyses has none.
 struct MetricChange
 {
     std::string name, unit;
@@ -72,7 +72,7 @@ struct MetricChange
 struct ProfileChange
 {
     std::vector<MetricChange> metrics; ///< in the order of the earlier, then those that are new
-    std::size_t compared = 0;          ///< places that both have
+    std::size_t compared = 0;          ///< positions that both have
     double largestShiftM = 0, rmsShiftM = 0;
     Nanoseconds largestAt{0};
     std::size_t spikesBefore = 0, spikesAfter = 0;
@@ -89,8 +89,8 @@ struct ReprocessedRobot
     ProfileChange change;
 };
 
-/// Analyses the stored observations of a trial again with the registrations in force, and tells what that
-/// changes. Stores nothing until keep() is called: a person looks first. NotFound where the trial was never
+/// Analyses the stored observations of a trial again with the registrations in force, and shows what that
+/// changes. Stores nothing until keep() is called: a person checks first. NotFound where the trial was never
 /// tracked.
 class ReprocessJob : public Job
 {

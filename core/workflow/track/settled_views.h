@@ -9,13 +9,13 @@
 
 namespace odo {
 
-/// A robot as far as it helps to tell who is who: by a colour only where one with chroma was told.
+/// What helps to identify a robot: a colour only if one with chroma was given.
 NamedRobot namedRobot(const RobotRecord &robot);
 
 /// Settles, over all views of a trial, which of the tracked series is which robot (assignNames), before
-/// anything is analysed or stored, and which of what was followed a robot of any look is. The views' offsets
-/// must be known. Gives when it could not be told who is who, by the robots' numbers. pointedOut: of the
-/// trial. InvalidInput: nothing was followed where a robot was pointed out.
+/// anything is analysed or stored, and which tracked object is a robot of any look. The views' offsets must
+/// be known. Gives when the identity was ambiguous, by the robots' numbers. pointedOut: of the trial.
+/// InvalidInput: nothing was tracked where a robot was pointed out.
 Result<std::vector<NameDoubt>> settleNames(const std::vector<RegisteredView> &views,
                                            const std::vector<RobotRecord> &robots,
                                            std::vector<TrackedView> &tracked,
@@ -25,7 +25,7 @@ Result<std::vector<NameDoubt>> settleNames(const std::vector<RegisteredView> &vi
 std::vector<std::vector<DoubtfulName>> doubtfulNamesOf(const std::vector<NameDoubt> &doubts,
                                                        const std::vector<RobotRecord> &robots);
 
-/// For how long all together. They do not overlap.
+/// Their total duration. They do not overlap.
 double doubtfulSeconds(const std::vector<DoubtfulName> &doubts);
 
 /// All views of a trial, tracked, with their robots' names settled.

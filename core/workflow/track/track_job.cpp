@@ -22,7 +22,7 @@ class Project;
 
 namespace {
 
-constexpr double longestAsideS = 0.1; // between the time told and the picture meant
+constexpr double longestAsideS = 0.1; // between the given time and the frame meant
 
 /// The recording's frame that is nearest to a time of the trial.
 std::optional<std::int64_t> frameAt(const RecordingRecord &recording, double timeS)
@@ -68,10 +68,9 @@ Result<PointedOutRobot> resolved(const RobotPointer &pointer, const RobotRecord 
 
 } // namespace
 
-/// What is pointed out in a trial, with what a person says now in place of what was said of the same robot
-/// and view before; nothing else is changed. robots: those tracked. Errors: a robot or view that the trial
-/// has not, a robot that is found by its colour, a time without a picture, a place outside the picture.
-/// Project's thread.
+/// What is pointed out in a trial, with the new marks replacing those of the same robot and view; nothing
+/// else is changed. robots: those tracked. Errors: a robot or view that the trial has not, a robot detected
+/// by its colour, a time without a frame, a position outside the frame. Project's thread.
 Result<std::vector<PointedOutRobot>> pointedOutRobots(Project &project, const TrialRecord &trial,
                                                       const std::vector<RegisteredView> &views,
                                                       const std::vector<RobotRecord> &robots,

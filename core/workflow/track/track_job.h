@@ -14,13 +14,13 @@
 
 namespace odo {
 
-/// Where a person says that a robot of any look is in a picture of the trial.
+/// Where a person has marked a robot of any look in a frame of the trial.
 struct RobotPointer
 {
     std::string robot;
-    /// its camera; empty: what was said of the robot before is taken back
+    /// its camera; empty: removes the earlier marks of the robot
     std::string view;
-    double timeS = 0;                                ///< of the trial; the nearest picture is meant
+    double timeS = 0;                                ///< of the trial; the nearest frame is meant
     Eigen::Vector2d pixel = Eigen::Vector2d::Zero(); ///< luma pixels
 };
 
@@ -28,11 +28,11 @@ struct TrackSettings
 {
     std::vector<std::string> robots;  ///< names; empty: those of the trial, or else all of the project
     std::optional<Smoother> smoother; ///< empty: Rts, or with `again` that of the robot's newest analysis
-    /// Nothing is decoded: the newest stored observations are analysed anew, with what is in force now
-    /// (registrations, the robot's size, overrules).
+    /// Nothing is decoded: the newest stored observations are reanalysed with the current registrations,
+    /// robot size and overrides.
     bool again = false;
-    std::map<std::string, std::vector<Overrule>> overrules; ///< by robot, in place of the stored ones
-    /// kept with the trial, in place of what was said of the same robot and view
+    std::map<std::string, std::vector<Overrule>> overrules; ///< by robot, instead of the stored ones
+    /// kept with the trial, replacing those of the same robot and view
     std::vector<RobotPointer> pointers;
 };
 
@@ -43,8 +43,7 @@ struct TrackedRobot
     std::int64_t frames = 0;  ///< of the first view
     std::int64_t tracked = 0; ///< of them, with a position
     bool isFoundByColour = false;
-    /// for how long it could not be told from others of its look; empty with `again` where no such time is
-    /// stored
+    /// for how long it was ambiguous among similar robots; empty with `again` where no such time is stored
     std::optional<double> doubtfulS;
     std::vector<Occlusion> occlusions; ///< when which view did not measure the whole of it
     AnalysisRecord analysis;
@@ -56,14 +55,14 @@ struct TrackOutcome
     std::vector<TrackedRobot> robots;
     double wallS = 0;
     double decodeS = 0;            ///< CPU time of the decoding threads
-    double framesPerSecond = 0;    ///< of pictures of all views
-    std::vector<Message> warnings; ///< whole sentences: what makes the figures doubtful, and what to do
+    double framesPerSecond = 0;    ///< of frames of all views
+    std::vector<Message> warnings; ///< whole sentences: what makes the metrics uncertain, and what to do
 };
 
 /// Tracks the robots of a trial in all its views and analyses them by its task: observations and a new
-/// analysis each are stored. What a person has overruled or pointed out stays in force. Of a trial whose
-/// tracks were imported there is nothing to track: it can only be analysed `again`, from the imported
-/// positions; InvalidInput otherwise.
+/// analysis each are stored. Manual overrides and marks stay in force. Of a trial whose tracks were imported
+/// there is nothing to track: it can only be analysed `again`, from the imported positions; InvalidInput
+/// otherwise.
 class TrackJob : public Job
 {
 public:

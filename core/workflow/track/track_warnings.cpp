@@ -15,7 +15,7 @@ namespace odo {
 
 namespace {
 
-constexpr double mostOfPicture = 0.10; ///< larger no robot is in a picture that shows its task
+constexpr double mostOfPicture = 0.10; ///< no robot is larger in a frame that shows its task
 constexpr double hardlyEver = 0.05;    ///< of the frames
 constexpr double doubtfulStepS = 0.005;
 

@@ -12,31 +12,31 @@
 namespace odo {
 
 /// Whole sentences on an analysis whose results were changed since, that gave some, but not of all of the
-/// task (never of an imported track), whose views see different things, or whose robot may have been taken
-/// for another one of its look. From what is stored, so that they can be told at any time.
+/// task (never of an imported track), whose views see different things, or whose robot may be confused with
+/// another of its look. From stored data, available at any time.
 std::vector<Message> analysisWarnings(const AnalysisRecord &analysis, const std::string &trialName);
 
-/// "in 40 of 200 pictures the views contradict one another: …", or have it far apart, with what to do. Empty
+/// "in 40 of 200 frames the views contradict each other: …", or show it far apart, with what to do. Empty
 /// where they agree, but for some moments.
 Message viewsApartSentence(const Profile &profile);
 
-/// "from 3.20 s to 3.90 s it is doubtful whether this is Blue 1 or Blue 2": a robot and those that it may be
-/// as well. Of several stretches the first one, how many there are, and all those robots. Empty for none.
+/// "from 3.20 s to 3.90 s this may be Blue 1 or Blue 2": a robot and those that it may be as well. Of several
+/// stretches the first one, how many there are, and all those robots. Empty for none.
 Message doubtfulNamesSentence(std::span<const DoubtfulName> doubts, const std::string &robotName);
 
-/// Whole sentences on views that are joined although how they lie against one another in time is not known,
-/// or too little: not synchronised, or with a σ of more than 5 ms, which is 5 mm at 1 m/s. `used`: the views
-/// that are measured with (a camera that is not registered is none of them), in their order; for fewer than
-/// two there is nothing to say. From what is stored, so that they can be told at any time.
+/// Whole sentences on views that are fused although their time offset is unknown or uncertain: not
+/// synchronised, or with a σ of more than 5 ms, which is 5 mm at 1 m/s. `used`: the views that are measured
+/// with (a camera that is not registered is none of them), in their order; for fewer than two there is
+/// nothing to say. From stored data, available at any time.
 std::vector<Message> stepWarnings(const std::string &trialName,
                                   const std::vector<const RecordingRecord *> &used);
 
 /// The same for a trial as it would be tracked now. Project's thread.
 std::vector<Message> stepWarnings(const std::string &trialName, const std::vector<RegisteredView> &views);
 
-/// The told colour of one robot is also the floor's: so much of a view's picture has it as no robot covers.
-/// An error to fail with where the robot was hardly ever found, and else to warn of. nullopt: it is not, or
-/// the views are stored ones, of which the pictures are not known.
+/// The given colour of one robot is also the floor's: it covers more of a frame than a robot can. An error to
+/// fail with if the robot was hardly ever found, else a warning. nullopt: it is not, or the views are stored
+/// ones, whose frames are not known.
 struct FloorColour
 {
     Error error;

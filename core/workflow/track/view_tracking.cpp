@@ -27,7 +27,7 @@ namespace odo {
 
 namespace {
 
-constexpr double wantedPerSecond = 10; // frames that are looked at
+constexpr double wantedPerSecond = 10; // frames that are searched
 constexpr std::size_t learnedAhead = 4;
 
 } // namespace
@@ -60,11 +60,11 @@ constexpr const char *colourVersion = "colour-ellipse 1", *silhouetteVersion = "
 constexpr std::size_t framesAhead = 8;
 constexpr std::size_t othersFollowed = 5; // that may be robots of any look
 
-/// Counts the pictures of all views and reports now and then; any thread.
+/// Counts the frames of all views and reports now and then; any thread.
 class SharedProgress
 {
 public:
-    /// from, to: the part of the job that its pictures are.
+    /// from, to: the part of the job that its frames are.
     SharedProgress(const JobControl &control, std::int64_t total, double from, double to)
         : m_control(control), m_total(std::max<std::int64_t>(total, 1)), m_from(from), m_to(to)
     {
@@ -238,7 +238,7 @@ Result<std::vector<TrackedView>> trackViews(const std::vector<RegisteredView> &v
         if (!isFoundByColour(targets[r]) || robots[r].heightMode == RobotRecord::Height::Free ||
             !isEverSeen(views, *tracked, r))
             continue;
-        if (floorColourOf(robots[r], {}, views, *tracked, r)) // which does not tell it from anything
+        if (floorColourOf(robots[r], {}, views, *tracked, r)) // so it distinguishes nothing
             continue;
         const double share = explainedShareOf(views, *tracked, robots[r], r);
         if (share >= mostlyExplained)

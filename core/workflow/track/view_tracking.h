@@ -22,8 +22,7 @@ struct TrackedView
     std::int64_t frames = 0;
     std::int64_t damagedFrames = 0;
     Nanoseconds decodeCpuTime{0};
-    /// Of each robot: the part of the first picture that has its told colour. Empty where nothing was
-    /// decoded.
+    /// Of each robot: the part of the first frame with its given colour. Empty where nothing was decoded.
     std::vector<double> sharesAlike;
     std::vector<LightLevel> light;        ///< of every frame, where it was asked for
     std::optional<Background> background; ///< by which robots were found, where one was needed
@@ -32,11 +31,11 @@ struct TrackedView
 enum class WithLight { Ignored, Measured };
 
 /// Decodes and tracks all views at once, a thread to track and a thread to decode for each; MJPEG is decoded
-/// by the thread that tracks, which alone knows what part of the next picture it needs. Without a robot only
+/// by the thread that tracks, which alone knows what part of the next frame it needs. Without a robot only
 /// the light is measured. A robot whose coloured outlines no box, cylinder or plate explains (it has wheels,
-/// parts of other colours, openings) is tracked once more by its whole silhouette, told from others by its
-/// colour, and so measured where that explains more. Touches no project. Errors: a recording that is missing
-/// or is no video; cancelled.
+/// parts of other colours, openings) is tracked once more by its whole silhouette, identified by its colour,
+/// and measured that way if it explains more. Touches no project. Errors: a recording that is missing or is
+/// no video; cancelled.
 Result<std::vector<TrackedView>> trackViews(const std::vector<RegisteredView> &views,
                                             const std::vector<RobotRecord> &robots, const JobControl &control,
                                             WithLight light = WithLight::Ignored);
