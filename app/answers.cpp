@@ -331,8 +331,8 @@ QString taskRemark(const Profile &profile)
     static constexpr std::array<std::pair<std::string_view, const char *>, 4> told{
         {{"gate_time", "gate time"},
          {"best_lap", "best lap"},
-         {"cross_track_rms", "off the path (RMS)"},
-         {"zone_time", "in breach of zones"}}};
+         {"cross_track_rms", "distance from the path (RMS)"},
+         {"zone_time", "time in breach of zones"}}};
     QString remark;
     for (const Metric &metric : profile.metrics) {
         for (const auto &[name, words] : told) {
@@ -358,17 +358,17 @@ QString milliseconds(double seconds)
 
 QString begunText(double offsetS)
 {
-    return offsetS < 0 ? QStringLiteral("begun %1 earlier").arg(milliseconds(-offsetS))
-                       : QStringLiteral("begun %1 later").arg(milliseconds(offsetS));
+    return offsetS < 0 ? QStringLiteral("started %1 earlier").arg(milliseconds(-offsetS))
+                       : QStringLiteral("started %1 later").arg(milliseconds(offsetS));
 }
 
 QString stepText(const RecordingRecord &view)
 {
     if (view.syncMethod == "told")
-        return QStringLiteral("%1, as told").arg(begunText(view.startOffsetS));
+        return QStringLiteral("%1, as entered").arg(begunText(view.startOffsetS));
     if (!isStepMeasured(view))
-        return QStringLiteral("not synchronised, taken as begun together");
-    QString text = QStringLiteral("in step to %1, found from %2; %3")
+        return QStringLiteral("not synchronised; assumed to have started at the same time");
+    QString text = QStringLiteral("synchronised to ±%1 by %2; %3")
                        .arg(milliseconds(view.startOffsetSigmaS),
                             view.syncMethod == "clock"   ? QStringLiteral("the cameras' time stamps")
                             : view.syncMethod == "flash" ? QStringLiteral("a flash of light")

@@ -76,7 +76,7 @@ Result<bool> CommandCall::parse(const QStringList &arguments)
                 m_inputs.add(file);
     const auto count = m_parser.positionalArguments().size();
     if (count < m_syntax.fewest)
-        return wrongCall(ODO_TEXT("app.something_missing", "something is missing"));
+        return wrongCall(ODO_TEXT("app.something_missing", "an argument is missing"));
     if (m_syntax.most >= 0 && count > m_syntax.most)
         return wrongCall(
             ODO_TEXT("app.argument_too_many", "'%1' is one argument too many")(text(m_syntax.most)));
@@ -96,9 +96,8 @@ Result<double> CommandCall::lengthM(const QString &option) const
     auto length = parseLengthM(value(option));
     constexpr double longestM = 1000;
     if (!length || *length <= 0 || *length > longestM)
-        return wrongCall(
-            ODO_TEXT("app.not_a_length", "--%1 '%2' is not a length above zero, of 1 km at most")(
-                option.toStdString(), value(option)));
+        return wrongCall(ODO_TEXT("app.not_a_length", "--%1 '%2' is not a length above zero and up to 1 km")(
+            option.toStdString(), value(option)));
     return length;
 }
 
@@ -135,9 +134,9 @@ Result<std::pair<double, double>> CommandCall::sizePair(const QString &option) c
         if (first && second && *first > 0 && *second > 0 && std::max(*first, *second) <= largestSide)
             return std::pair(*first, *second);
     }
-    return wrongCall(ODO_TEXT("app.not_a_size",
-                              "--%1 '%2' is not of the form AxB, with numbers above zero, of 1,000,000 at "
-                              "most")(option.toStdString(), text));
+    return wrongCall(ODO_TEXT(
+        "app.not_a_size", "--%1 '%2' is not of the form AxB, with numbers above zero and up to 1,000,000")(
+        option.toStdString(), text));
 }
 
 tl::unexpected<Error> CommandCall::wrongCall(Message why) const
@@ -161,8 +160,8 @@ tl::unexpected<Error> CommandCall::lacks(const QString &option, const QString &n
 
 tl::unexpected<Error> CommandCall::exclude(const QString &option, const QString &other) const
 {
-    return wrongCall(ODO_TEXT("app.options_exclude",
-                              "--%1 and --%2 exclude each other")(option.toStdString(), other.toStdString()));
+    return wrongCall(ODO_TEXT("app.options_exclude", "--%1 and --%2 cannot be used together")(
+        option.toStdString(), other.toStdString()));
 }
 
 tl::unexpected<Error> CommandCall::verbNotKnown() const
@@ -235,7 +234,7 @@ Result<void> protectRecordings(Project &project, InputFiles &files)
 
 QCommandLineOption forceOption()
 {
-    return {option::force, QStringLiteral("Replace a file of another kind, too.")};
+    return {option::force, QStringLiteral("Replace a file of another kind as well.")};
 }
 
 QList<QCommandLineOption> outputOptions(const QString &description)
@@ -268,7 +267,7 @@ QStringList codes()
 QCommandLineOption languageOption()
 {
     return {option::language,
-            QStringLiteral("Of the words and numbers: %1.").arg(codes().join(QStringLiteral(", "))),
+            QStringLiteral("Language of the texts and numbers: %1.").arg(codes().join(QStringLiteral(", "))),
             QStringLiteral("CODE"), QStringLiteral("en")};
 }
 
@@ -284,14 +283,15 @@ Result<void> applyLanguage(const CommandCall &call)
 
 QList<QCommandLineOption> reportOptionSyntax()
 {
-    return {{option::paper, QStringLiteral("a4 or letter."), QStringLiteral("PAPER"), QStringLiteral("a4")},
-            {option::school, QStringLiteral("The name at the head of each page."), QStringLiteral("TEXT")},
-            {option::logo, QStringLiteral("A picture at the head of each page (PNG, JPEG, SVG)."),
+    return {{option::paper, QStringLiteral("Paper size: a4 or letter."), QStringLiteral("PAPER"),
+             QStringLiteral("a4")},
+            {option::school, QStringLiteral("School name at the top of each page."), QStringLiteral("TEXT")},
+            {option::logo, QStringLiteral("Image at the top of each page (PNG, JPEG, SVG)."),
              QStringLiteral("FILE")},
-            {option::remark, QStringLiteral("A line at the foot of each page."), QStringLiteral("TEXT")},
+            {option::remark, QStringLiteral("A line at the bottom of each page."), QStringLiteral("TEXT")},
             {option::method,
              QStringLiteral(
-                 "A second page for each trial: how its figures were computed, and what was measured.")},
+                 "Adds a second page for each trial: how its metrics were computed, and what was measured.")},
             languageOption()};
 }
 

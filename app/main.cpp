@@ -37,31 +37,32 @@ struct NamedCommand
 };
 
 constexpr NamedCommand commands[] = {
-    {"new", "make an empty project", runNew, false},
-    {"demo", "make a project with a simulated class and its videos", runDemo, false},
+    {"new", "create an empty project", runNew, false},
+    {"demo", "create a project with a simulated class and its videos", runDemo, false},
     {"robot", "add a robot to a project", runRobot, false},
     {"camera", "add a camera to a project", runCamera, false},
     {"cameras", "list the cameras that can be opened now", runCameras, false},
-    {"calibrate", "compute a camera's intrinsics from pictures of a board", runCalibrate, false},
+    {"calibrate", "compute a camera's intrinsics from images of a board", runCalibrate, false},
     {"intrinsics", "import or export a camera's intrinsics", runIntrinsics, false},
-    {"layout", "add, show, move, export layouts of floor markers", runLayout, false},
+    {"layout", "add, show, transform and export layouts of floor markers", runLayout, false},
     {"register", "register a camera to the floor", runRegister, false},
-    {"moved", "tell whether a camera or a marker has moved since the registration", runMoved, false},
-    {"revisions", "list the calibrations and registrations of a camera, put one in force", runRevisions,
+    {"moved", "check whether a camera or a marker has moved since the registration", runMoved, false},
+    {"revisions", "list the calibrations and registrations of a camera, choose one to use", runRevisions,
      false},
-    {"task", "add a task with gates, path and limits, list them, give one to a trial", runTask, false},
-    {"import", "bring in the videos of a trial", runImport, false},
+    {"task", "add a task with gates, path and limits; list tasks; set a trial's task", runTask, false},
+    {"import", "import the videos of a trial", runImport, false},
     {"record", "record a trial from cameras", runRecord, false},
     {"track", "track the robots of a trial and analyse them", runTrack, false},
-    {"reprocess", "tell what measuring a trial with the registrations in force changes", runReprocess, false},
-    {"flag", "call a sample a spike or valid by hand, and analyse anew", runFlag, false},
+    {"reprocess", "show what reanalysing a trial with the current registrations changes", runReprocess,
+     false},
+    {"flag", "mark a sample as a spike or as valid, and reanalyse", runFlag, false},
     {"list", "list the trials", runList, false},
-    {"show", "show a trial's figures, spikes and provenance", runShow, false},
-    {"compare", "compare two runs: time difference, sectors, figures", runCompare, true},
+    {"show", "show a trial's metrics, spikes and provenance", runShow, false},
+    {"compare", "compare two runs: time difference, sectors, metrics", runCompare, true},
     {"report", "write a printable report of trials or of a class", runReport, true},
     {"export", "write a trial's samples to a file, or its annotated video", runExport, false},
-    {"snapshot", "paint the window into a picture file", runSnapshot, true},
-    {"target", "write a board or floor markers to print", runTarget, true},
+    {"snapshot", "save an image of the window", runSnapshot, true},
+    {"target", "write a board or floor markers for printing", runTarget, true},
     {"check", "check a project and its recordings", runCheck, false},
 };
 
@@ -72,10 +73,9 @@ constexpr int exitDone = 0, exitFailed = 1, exitWrongCall = 2;
 
 void printHelp()
 {
-    std::puts(
-        "odograph [PROJECT.odo]           open the workbench\n"
-        "odograph --window [PROJECT.odo]  the same, and tell in the window what is wrong with the project\n"
-        "odograph COMMAND ...             run without a window; odograph COMMAND --help tells how\n");
+    std::puts("odograph [PROJECT.odo]           open the workbench\n"
+              "odograph --window [PROJECT.odo]  the same, but show problems with the project in the window\n"
+              "odograph COMMAND ...             run without a window; odograph COMMAND --help shows how\n");
     for (const NamedCommand &command : commands)
         std::printf("  %-11s %s\n", command.name, command.summary);
 }
@@ -139,8 +139,8 @@ Result<void> printed()
     const Message why = errno != 0 ? ODO_TEXT("app.answer_not_written_as", "it could not be written (%1)")(
                                          foreignWords(std::strerror(errno)))
                                    : ODO_TEXT("app.answer_not_written", "it could not be written");
-    return fail(ErrorCode::Io, ODO_TEXT("app.answer", "the answer"), why,
-                ODO_TEXT("app.ask_again", "what was to be done is done, make room and ask again"));
+    return fail(ErrorCode::Io, ODO_TEXT("app.answer", "the output"), why,
+                ODO_TEXT("app.ask_again", "the command succeeded; free some disk space and repeat it"));
 }
 
 /// Where a command was stopped, what it was doing just then is of no interest, and would be taken for what
@@ -218,7 +218,7 @@ int run(int argc, char **argv)
         // Qt would make another name of it.
         if (!QUtf8StringView(argv[i]).isValidUtf8())
             return report(fail(ErrorCode::WrongCall, quotedName(std::string(argv[i])),
-                               ODO_TEXT("app.not_utf8", "it is not valid UTF-8, so it cannot be used"),
+                               ODO_TEXT("app.not_utf8", "it is not valid UTF-8"),
                                ODO_TEXT("app.rename_file", "rename the file or folder")));
     }
     const std::string_view first = argc > 1 ? argv[1] : "";

@@ -40,12 +40,12 @@ Result<void> paintWorkbench(const std::filesystem::path &project, const std::str
                             QSize size, const OutputTarget &picture, const CancelToken &cancel)
 {
     applyAppearance(*qApp);
-    const Message what = ODO_TEXT("app.picture", "picture '%1'")(Named::file(picture.file));
+    const Message what = ODO_TEXT("app.picture", "image '%1'")(Named::file(picture.file));
     const QByteArray format =
         QFileInfo(QString::fromStdString(picture.file.string())).suffix().toLatin1().toLower();
     if (!QImageWriter::supportedImageFormats().contains(format))
         return fail(ErrorCode::WrongCall, what,
-                    ODO_TEXT("app.picture_format_unknown", "its format is not known"),
+                    ODO_TEXT("app.picture_format_unknown", "its format is not supported"),
                     ODO_TEXT("app.end_in_png_or_jpg", "give it a name that ends in .png or .jpg"));
     MainWindow window;
     ODO_TRY(window.openProject(project));

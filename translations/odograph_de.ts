@@ -2256,14 +2256,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>analysis.choose_common_place</name>
     <message>
-        <source>choose a place that both runs pass</source>
+        <source>choose a position that both runs pass</source>
         <translation>wählen Sie einen Ort, an dem beide Fahrten vorbeikommen</translation>
     </message>
 </context>
 <context>
     <name>analysis.choose_figure</name>
     <message>
-        <source>choose what is scored</source>
+        <source>choose a metric to score</source>
         <translation>wählen Sie, was gewertet wird</translation>
     </message>
 </context>
@@ -2312,21 +2312,21 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>analysis.corners_in_order</name>
     <message>
-        <source>give the corners in order, all the way round</source>
+        <source>enter the corners in order, all the way round</source>
         <translation>geben Sie die Ecken der Reihe nach ringsherum an</translation>
     </message>
 </context>
 <context>
     <name>analysis.corners_off_floor</name>
     <message>
-        <source>its corners are not on a floor of 1 km</source>
+        <source>its corners are not all on a floor of 1 km</source>
         <translation>ihre Ecken liegen nicht auf einem Boden von 1 km</translation>
     </message>
 </context>
 <context>
     <name>analysis.corners_once</name>
     <message>
-        <source>give each corner once</source>
+        <source>enter each corner once</source>
         <translation>geben Sie jede Ecke einmal an</translation>
     </message>
 </context>
@@ -2340,14 +2340,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>analysis.draw_coarsely</name>
     <message>
-        <source>draw it more coarsely</source>
+        <source>draw it with fewer corners</source>
         <translation>zeichnen Sie sie gröber</translation>
     </message>
 </context>
 <context>
     <name>analysis.ends_off_floor</name>
     <message>
-        <source>its ends are not on a floor of 1 km</source>
+        <source>its ends are not both on a floor of 1 km</source>
         <translation>die Enden liegen nicht auf einem Boden von 1 km</translation>
     </message>
 </context>
@@ -2361,7 +2361,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>analysis.few_corners</name>
     <message>
-        <source>it has less than three corners</source>
+        <source>it has fewer than three corners</source>
         <translation>sie hat weniger als drei Ecken</translation>
     </message>
 </context>
@@ -2375,7 +2375,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>analysis.finish_is_there</name>
     <message>
-        <source>gate &apos;%1&apos; is the finish already</source>
+        <source>gate &apos;%1&apos; is already the finish</source>
         <translation>Tor &apos;%1&apos; ist schon das Ziel</translation>
     </message>
 </context>
@@ -2396,77 +2396,77 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>analysis.give_another_number</name>
     <message>
-        <source>give another number</source>
+        <source>choose another number</source>
         <translation>geben Sie eine andere Zahl an</translation>
     </message>
 </context>
 <context>
     <name>analysis.give_corners</name>
     <message>
-        <source>give the corners of its outline, all the way round</source>
+        <source>enter the corners of its outline, all the way round</source>
         <translation>geben Sie die Ecken ihres Umrisses an, ringsherum</translation>
     </message>
 </context>
 <context>
     <name>analysis.give_ends</name>
     <message>
-        <source>give the two ends of the line that is to be passed</source>
+        <source>enter the two ends of the line that the robot passes</source>
         <translation>geben Sie die beiden Enden der Linie an, die zu überfahren ist</translation>
     </message>
 </context>
 <context>
     <name>analysis.give_limits</name>
     <message>
-        <source>give the largest speed and acceleration that a robot can have in the task</source>
+        <source>enter the largest speed and acceleration that a robot can reach in the task</source>
         <translation>geben Sie die größte Geschwindigkeit und Beschleunigung an, die ein Roboter in der Aufgabe haben kann</translation>
     </message>
 </context>
 <context>
     <name>analysis.give_place</name>
     <message>
-        <source>give where it lies in millimetres</source>
+        <source>enter its position in millimetres</source>
         <translation>geben Sie an, wo es liegt, in Millimetern</translation>
     </message>
 </context>
 <context>
     <name>analysis.give_points</name>
     <message>
-        <source>give points from 1 to 1000, below zero for a penalty</source>
+        <source>enter points from 1 to 1000; use a negative number for a penalty</source>
         <translation>geben Sie Punkte von 1 bis 1000 an, für eine Strafe unter null</translation>
     </message>
 </context>
 <context>
     <name>analysis.give_sizes</name>
     <message>
-        <source>give the sizes in millimetres</source>
+        <source>enter the sizes in millimetres</source>
         <translation>geben Sie die Größen in Millimetern an</translation>
     </message>
 </context>
 <context>
     <name>analysis.give_three_numbers</name>
     <message>
-        <source>give three numbers</source>
+        <source>enter three numbers</source>
         <translation>geben Sie drei Zahlen an</translation>
     </message>
 </context>
 <context>
     <name>analysis.give_two_points</name>
     <message>
-        <source>give two points or more, three where the path is closed</source>
+        <source>enter at least two points, or three for a closed path</source>
         <translation>geben Sie zwei Punkte oder mehr an, drei bei geschlossener Bahn</translation>
     </message>
 </context>
 <context>
     <name>analysis.give_two_values</name>
     <message>
-        <source>give two values, between which the points rise</source>
+        <source>enter two different values; the points rise between them</source>
         <translation>geben Sie zwei Werte an, zwischen denen die Punkte steigen</translation>
     </message>
 </context>
 <context>
     <name>analysis.join_zones</name>
     <message>
-        <source>join zones that lie beside one another</source>
+        <source>merge neighbouring zones</source>
         <translation>verbinden Sie nebeneinander liegende Zonen</translation>
     </message>
 </context>
@@ -2480,7 +2480,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>analysis.limit_not_positive</name>
     <message>
-        <source>a limit is not above zero</source>
+        <source>a limit is zero or negative</source>
         <translation>ein Grenzwert ist nicht größer als null</translation>
     </message>
 </context>
@@ -2529,21 +2529,21 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>analysis.many_zones</name>
     <message>
-        <source>the task has %1 zones already</source>
+        <source>the task already has %1 zones</source>
         <translation>die Aufgabe hat schon %1 Zonen</translation>
     </message>
 </context>
 <context>
     <name>analysis.moment_outside</name>
     <message>
-        <source>the moment told for %1 lies outside of it</source>
+        <source>the moment entered for %1 is outside that run</source>
         <translation>der für %1 genannte Zeitpunkt liegt außerhalb</translation>
     </message>
 </context>
 <context>
     <name>analysis.moments_missing</name>
     <message>
-        <source>a moment of each run is needed to align them by hand</source>
+        <source>aligning runs by hand needs a moment in each run</source>
         <translation>zum Ausrichten von Hand wird von jeder Fahrt ein Zeitpunkt gebraucht</translation>
     </message>
 </context>
@@ -2564,14 +2564,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>analysis.name_twice</name>
     <message>
-        <source>the name is there twice</source>
+        <source>the name is used twice</source>
         <translation>den Namen gibt es zweimal</translation>
     </message>
 </context>
 <context>
     <name>analysis.no_figure</name>
     <message>
-        <source>it names no figure</source>
+        <source>it names no metric</source>
         <translation>sie nennt keinen Kennwert</translation>
     </message>
 </context>
@@ -2585,7 +2585,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>analysis.no_onset</name>
     <message>
-        <source>the robot of %1 drives already when it is first seen</source>
+        <source>the robot of %1 is already moving when it is first seen</source>
         <translation>der Roboter von %1 fährt schon, wenn er zum ersten Mal zu sehen ist</translation>
     </message>
 </context>
@@ -2599,49 +2599,49 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>analysis.no_such_role</name>
     <message>
-        <source>there is no such role</source>
+        <source>gates have no such role</source>
         <translation>diese Rolle gibt es nicht</translation>
     </message>
 </context>
 <context>
     <name>analysis.no_such_rule</name>
     <message>
-        <source>there is no such rule of a zone</source>
+        <source>zones have no such rule</source>
         <translation>diese Regel einer Zone gibt es nicht</translation>
     </message>
 </context>
 <context>
     <name>analysis.no_such_template</name>
     <message>
-        <source>there is no such template</source>
+        <source>no template has this name</source>
         <translation>dieses Muster gibt es nicht</translation>
     </message>
 </context>
 <context>
     <name>analysis.not_on_tasks_path</name>
     <message>
-        <source>%1 has no stretch of the way in common with the task&apos;s path</source>
+        <source>%1 shares no part of its path with the task&apos;s path</source>
         <translation>%1 hat kein Stück Weg mit der Sollbahn gemeinsam</translation>
     </message>
 </context>
 <context>
     <name>analysis.not_seen_there</name>
     <message>
-        <source>%1 was not seen at the place to align by</source>
+        <source>%1 was not seen at the position used for alignment</source>
         <translation>%1 war am Ort der Ausrichtung nicht zu sehen</translation>
     </message>
 </context>
 <context>
     <name>analysis.nothing_in_common</name>
     <message>
-        <source>%1 has no stretch of the way in common with %2</source>
+        <source>%1 shares no part of its path with %2</source>
         <translation>%1 hat kein Stück Weg mit %2 gemeinsam</translation>
     </message>
 </context>
 <context>
     <name>analysis.number_is_none</name>
     <message>
-        <source>a number in it is none</source>
+        <source>one of its values is not a number</source>
         <translation>eine Zahl darin ist keine</translation>
     </message>
 </context>
@@ -2662,7 +2662,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>analysis.other_direction</name>
     <message>
-        <source>%1 drives the way in the other direction than %2</source>
+        <source>%1 runs in the opposite direction to %2</source>
         <translation>%1 fährt den Weg in anderer Richtung als %2</translation>
     </message>
 </context>
@@ -2683,21 +2683,21 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>analysis.place_no_number</name>
     <message>
-        <source>its place is not a number</source>
+        <source>its position is not a number</source>
         <translation>der Ort ist keine Zahl</translation>
     </message>
 </context>
 <context>
     <name>analysis.points_off_floor</name>
     <message>
-        <source>its points are not on a floor of 1 km</source>
+        <source>its points are not all on a floor of 1 km</source>
         <translation>die Punkte liegen nicht auf einem Boden von 1 km</translation>
     </message>
 </context>
 <context>
     <name>analysis.points_out_of_range</name>
     <message>
-        <source>its points are 0, or beyond 1000</source>
+        <source>its points are 0 or beyond ±1000</source>
         <translation>ihre Punkte sind 0 oder jenseits von 1000</translation>
     </message>
 </context>
@@ -2732,14 +2732,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>analysis.same_values</name>
     <message>
-        <source>all points and no points are at the same value</source>
+        <source>full points and no points have the same value</source>
         <translation>alle Punkte und keine Punkte liegen beim selben Wert</translation>
     </message>
 </context>
 <context>
     <name>analysis.sample_coarsely</name>
     <message>
-        <source>sample it more coarsely</source>
+        <source>sample it with fewer points</source>
         <translation>tasten Sie sie gröber ab</translation>
     </message>
 </context>
@@ -2760,28 +2760,28 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>analysis.start_is_there</name>
     <message>
-        <source>gate &apos;%1&apos; is the start already</source>
+        <source>gate &apos;%1&apos; is already the start</source>
         <translation>Tor &apos;%1&apos; ist schon der Start</translation>
     </message>
 </context>
 <context>
     <name>analysis.takes_two_runs</name>
     <message>
-        <source>it takes two runs</source>
+        <source>it needs two runs</source>
         <translation>es braucht zwei Fahrten</translation>
     </message>
 </context>
 <context>
     <name>analysis.tell_moment_inside</name>
     <message>
-        <source>tell one between its first and last frame</source>
+        <source>enter one between its first and last frame</source>
         <translation>nennen Sie einen zwischen dem ersten und dem letzten Bild</translation>
     </message>
 </context>
 <context>
     <name>analysis.tell_moments</name>
     <message>
-        <source>tell one for each</source>
+        <source>enter one for each run</source>
         <translation>nennen Sie für jede einen</translation>
     </message>
 </context>
@@ -16691,14 +16691,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>synchronisation.every_offset_fits</name>
     <message>
-        <source>the robot stood still or ran straight at constant speed, so every offset fits</source>
+        <source>the robot stood still or ran straight at constant speed, so every time offset fits</source>
         <translation>der Roboter stand oder fuhr gleichmäßig geradeaus, darum passt jeder Versatz</translation>
     </message>
 </context>
 <context>
     <name>synchronisation.flash_disagrees</name>
     <message>
-        <source>the motion tells an offset of %1, which was taken, and the flash of light %2</source>
+        <source>the motion gives a time offset of %1, the flash of light gives %2; the motion was used</source>
         <translation>die Bewegung ergibt einen Versatz von %1, der genommen wurde, und der Lichtblitz %2</translation>
     </message>
 </context>
@@ -16712,14 +16712,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>synchronisation.flashes_fit_alike</name>
     <message>
-        <source>the flashes of light fit alike at offsets of %1 and %2</source>
+        <source>the flashes of light fit equally well at time offsets of %1 and %2</source>
         <translation>die Lichtblitze passen bei einem Versatz von %1 und von %2 gleich gut</translation>
     </message>
 </context>
 <context>
     <name>synchronisation.from_flash</name>
     <message>
-        <source>from a flash of light, to %1 only, for %2</source>
+        <source>measured by a flash of light to only ±%1, because %2</source>
         <translation>aus einem Lichtblitz, nur auf %1, denn %2</translation>
     </message>
 </context>
@@ -16754,7 +16754,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>synchronisation.no_offset_fits</name>
     <message>
-        <source>the views&apos; tracks do not coincide at any offset looked at</source>
+        <source>the views&apos; tracks do not match at any time offset tried</source>
         <translation>die Spuren der Sichten decken sich bei keinem untersuchten Versatz</translation>
     </message>
 </context>
@@ -16775,7 +16775,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>synchronisation.offsets_fit_alike</name>
     <message>
-        <source>offsets of %1 and %2 fit alike</source>
+        <source>time offsets of %1 and %2 fit equally well</source>
         <translation>ein Versatz von %1 und von %2 passt gleich gut</translation>
     </message>
 </context>
@@ -16789,28 +16789,28 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>synchronisation.other_flashes</name>
     <message>
-        <source>the flashes of light in the views do not belong together</source>
+        <source>the flashes of light in the views do not match</source>
         <translation>die Lichtblitze der Sichten gehören nicht zusammen</translation>
     </message>
 </context>
 <context>
     <name>synchronisation.robots_disagree</name>
     <message>
-        <source>robot %1 tells an offset of %2, robot %3 %4, which was taken</source>
+        <source>robot %1 gives a time offset of %2, robot %3 gives %4; the second was used</source>
         <translation>Roboter %1 ergibt einen Versatz von %2, Roboter %3 %4, der genommen wurde</translation>
     </message>
 </context>
 <context>
     <name>synchronisation.seldom_seen</name>
     <message>
-        <source>one view saw the robot in fewer than %1 pictures</source>
+        <source>one view saw the robot in fewer than %1 frames</source>
         <translation>eine Sicht sah den Roboter in weniger als %1 Bildern</translation>
     </message>
 </context>
 <context>
     <name>synchronisation.seldom_together</name>
     <message>
-        <source>the views hardly ever saw the robot at the same time</source>
+        <source>the views rarely saw the robot at the same time</source>
         <translation>die Sichten sahen den Roboter fast nie zugleich</translation>
     </message>
 </context>
@@ -16831,35 +16831,35 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>tracking.add_without_colour</name>
     <message>
-        <source>add the robot without a colour, so that it is found by how it differs from the floor</source>
+        <source>add the robot without a colour; background subtraction then finds it</source>
         <translation>fügen Sie den Roboter ohne Farbe hinzu, dann wird er daran erkannt, worin er sich vom Boden unterscheidet</translation>
     </message>
 </context>
 <context>
     <name>tracking.box_is_grey</name>
     <message>
-        <source>what differs from the floor around it is grey, black or white</source>
+        <source>the robot in it is grey, black or white</source>
         <translation>was sich vom Boden unterscheidet, ist grau, schwarz oder weiß</translation>
     </message>
 </context>
 <context>
     <name>tracking.box_leaves_nothing</name>
     <message>
-        <source>the box leaves nothing of the floor to compare with</source>
+        <source>the box leaves no floor around it to compare with</source>
         <translation>der Rahmen lässt nichts vom Boden zum Vergleichen übrig</translation>
     </message>
 </context>
 <context>
     <name>tracking.box_too_small</name>
     <message>
-        <source>the box is too small, or outside the picture</source>
+        <source>the box is too small or outside the image</source>
         <translation>der Rahmen ist zu klein oder außerhalb des Bildes</translation>
     </message>
 </context>
 <context>
     <name>tracking.box_without_colour</name>
     <message>
-        <source>it holds no colour that differs from the floor around it</source>
+        <source>it contains no colour that differs from the floor around it</source>
         <translation>er enthält keine Farbe, die sich vom Boden ringsum unterscheidet</translation>
     </message>
 </context>
@@ -16887,7 +16887,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>tracking.colour_is_grey</name>
     <message>
-        <source>its colour %1 is grey, and only hue tells a robot from the floor</source>
+        <source>its colour %1 is grey, and tracking by colour needs a hue that differs from the floor</source>
         <translation>seine Farbe %1 ist grau, und nur der Farbton unterscheidet einen Roboter vom Boden</translation>
     </message>
 </context>
@@ -16922,14 +16922,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>tracking.tell_no_colour</name>
     <message>
-        <source>tell no colour, so that it is found by how it differs from the floor</source>
+        <source>set no colour; background subtraction then finds it</source>
         <translation>geben Sie keine Farbe an, dann wird er daran erkannt, worin er sich vom Boden unterscheidet</translation>
     </message>
 </context>
 <context>
     <name>trajectory.add_view</name>
     <message>
-        <source>add a second view, or give the robot one height</source>
+        <source>add a second view, or set one height for the robot</source>
         <translation>fügen Sie eine zweite Sicht hinzu, oder geben Sie dem Roboter eine Höhe</translation>
     </message>
 </context>
@@ -16957,14 +16957,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>trajectory.centre_reference</name>
     <message>
-        <source>give it the reference point 0,0 and track again</source>
+        <source>set its reference point to 0,0 and track again</source>
         <translation>geben Sie ihm den Bezugspunkt 0,0 und verfolgen Sie ihn erneut</translation>
     </message>
 </context>
 <context>
     <name>trajectory.check_robot_and_light</name>
     <message>
-        <source>check that the robot moves in the pictures, that a colour that was told is the one it has there, and that the light is sufficient</source>
+        <source>check that the robot moves in the video, that its colour, if set, matches the video, and that the light is sufficient</source>
         <translation>prüfen Sie, ob sich der Roboter in den Bildern bewegt, ob eine angegebene Farbe die dort sichtbare ist und ob das Licht ausreicht</translation>
     </message>
 </context>
@@ -16985,7 +16985,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>trajectory.cut_by_edge</name>
     <message>
-        <source>cut by the picture&apos;s edge</source>
+        <source>cut by the frame&apos;s edge</source>
         <translation>vom Bildrand abgeschnitten</translation>
     </message>
 </context>
@@ -16999,35 +16999,35 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>trajectory.faster_than_limit</name>
     <message>
-        <source>faster than the limit</source>
+        <source>speed above the limit</source>
         <translation>schneller als der Grenzwert</translation>
     </message>
 </context>
 <context>
     <name>trajectory.figures_of_seen</name>
     <message>
-        <source>the figures are of the part that was seen</source>
+        <source>the metrics cover only the part that was seen</source>
         <translation>die Kennwerte gelten für den Teil, der zu sehen war</translation>
     </message>
 </context>
 <context>
     <name>trajectory.frames_that_tell</name>
     <message>
-        <source>of %1 frames %2 give a position that can be used</source>
+        <source>only %2 of %1 frames give a usable position</source>
         <translation>von %1 Bildern ergeben %2 einen brauchbaren Ort</translation>
     </message>
 </context>
 <context>
     <name>trajectory.harder_than_limit</name>
     <message>
-        <source>harder than the limit of acceleration</source>
+        <source>acceleration above the limit</source>
         <translation>stärker beschleunigt als der Grenzwert</translation>
     </message>
 </context>
 <context>
     <name>trajectory.heading_unknown</name>
     <message>
-        <source>its reference point lies beside its centre, but its outlines do not tell its heading</source>
+        <source>its reference point is not the centre of its footprint, but its outlines do not show its heading</source>
         <translation>sein Bezugspunkt liegt neben seiner Mitte, aber seine Umrisse verraten seine Ausrichtung nicht</translation>
     </message>
 </context>
@@ -17062,21 +17062,21 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>trajectory.look_and_register</name>
     <message>
-        <source>look at the outlines, and register the cameras again</source>
+        <source>check the outlines, and register the cameras again</source>
         <translation>sehen Sie sich die Umrisse an und messen Sie die Kameras neu ein</translation>
     </message>
 </context>
 <context>
     <name>trajectory.move_camera</name>
     <message>
-        <source>move or add a camera so that the whole task is seen</source>
+        <source>move or add a camera to cover the whole task</source>
         <translation>versetzen oder ergänzen Sie eine Kamera, so dass die ganze Aufgabe zu sehen ist</translation>
     </message>
 </context>
 <context>
     <name>trajectory.no_such_smoother</name>
     <message>
-        <source>there is none of that name</source>
+        <source>no smoother has this name</source>
         <translation>so heißt keine</translation>
     </message>
 </context>
@@ -17118,7 +17118,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>trajectory.one_outline</name>
     <message>
-        <source>one outline with %1 in view %2</source>
+        <source>outline merged with %1 in view %2</source>
         <translation>ein Umriss mit %1 in Sicht %2</translation>
     </message>
 </context>
@@ -17174,14 +17174,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>trajectory.robot_not_found</name>
     <message>
-        <source>the robot was not found in any picture of %1</source>
+        <source>the robot was not found in any frame of %1</source>
         <translation>der Roboter wurde in keinem Bild von %1 gefunden</translation>
     </message>
 </context>
 <context>
     <name>trajectory.seldom_together</name>
     <message>
-        <source>its height is to be triangulated, but two registered views hardly ever saw it together</source>
+        <source>its height is set to be triangulated, but two registered views rarely saw it at the same time</source>
         <translation>seine Höhe soll trianguliert werden, aber zwei eingemessene Sichten sahen ihn fast nie zugleich</translation>
     </message>
 </context>
@@ -17195,28 +17195,28 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>trajectory.spike_by_hand</name>
     <message>
-        <source>called a spike by hand</source>
+        <source>marked as a spike by hand</source>
         <translation>von Hand als Ausreißer markiert</translation>
     </message>
 </context>
 <context>
     <name>trajectory.stands_out_in_both</name>
     <message>
-        <source>stands out in position and speed</source>
+        <source>spike in position and speed</source>
         <translation>fällt in Ort und Geschwindigkeit heraus</translation>
     </message>
 </context>
 <context>
     <name>trajectory.stands_out_in_position</name>
     <message>
-        <source>stands out in position</source>
+        <source>spike in position</source>
         <translation>fällt im Ort heraus</translation>
     </message>
 </context>
 <context>
     <name>trajectory.stands_out_in_speed</name>
     <message>
-        <source>stands out in speed</source>
+        <source>spike in speed</source>
         <translation>fällt in der Geschwindigkeit heraus</translation>
     </message>
 </context>
@@ -17272,7 +17272,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>trajectory.views_apart</name>
     <message>
-        <source>the views put it %1 apart</source>
+        <source>the views&apos; floor positions differ by %1</source>
         <translation>die Sichten setzen ihn %1 auseinander</translation>
     </message>
 </context>
@@ -17286,7 +17286,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>trajectory.why_views_apart</name>
     <message>
-        <source>a camera was moved after it was registered, the videos belong to other cameras, or one view follows something else</source>
+        <source>a camera has moved since it was registered, the videos belong to other cameras, or one view follows something else</source>
         <translation>eine Kamera wurde nach dem Einmessen bewegt, die Videos gehören zu anderen Kameras, oder eine Sicht folgt etwas anderem</translation>
     </message>
 </context>

@@ -2250,14 +2250,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>analysis.choose_common_place</name>
     <message>
-        <source>choose a place that both runs pass</source>
+        <source>choose a position that both runs pass</source>
         <translation>두 주행이 모두 지나는 곳을 고르십시오</translation>
     </message>
 </context>
 <context>
     <name>analysis.choose_figure</name>
     <message>
-        <source>choose what is scored</source>
+        <source>choose a metric to score</source>
         <translation>무엇을 채점할지 고르십시오</translation>
     </message>
 </context>
@@ -2306,21 +2306,21 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>analysis.corners_in_order</name>
     <message>
-        <source>give the corners in order, all the way round</source>
+        <source>enter the corners in order, all the way round</source>
         <translation>꼭짓점을 한 바퀴 차례대로 주십시오</translation>
     </message>
 </context>
 <context>
     <name>analysis.corners_off_floor</name>
     <message>
-        <source>its corners are not on a floor of 1 km</source>
+        <source>its corners are not all on a floor of 1 km</source>
         <translation>꼭짓점이 1 km 바닥 안에 있지 않습니다</translation>
     </message>
 </context>
 <context>
     <name>analysis.corners_once</name>
     <message>
-        <source>give each corner once</source>
+        <source>enter each corner once</source>
         <translation>각 꼭짓점을 한 번씩만 주십시오</translation>
     </message>
 </context>
@@ -2334,14 +2334,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>analysis.draw_coarsely</name>
     <message>
-        <source>draw it more coarsely</source>
+        <source>draw it with fewer corners</source>
         <translation>더 성기게 그리십시오</translation>
     </message>
 </context>
 <context>
     <name>analysis.ends_off_floor</name>
     <message>
-        <source>its ends are not on a floor of 1 km</source>
+        <source>its ends are not both on a floor of 1 km</source>
         <translation>두 끝이 1 km 바닥 안에 있지 않습니다</translation>
     </message>
 </context>
@@ -2355,7 +2355,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>analysis.few_corners</name>
     <message>
-        <source>it has less than three corners</source>
+        <source>it has fewer than three corners</source>
         <translation>꼭짓점이 세 개보다 적습니다</translation>
     </message>
 </context>
@@ -2369,7 +2369,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>analysis.finish_is_there</name>
     <message>
-        <source>gate &apos;%1&apos; is the finish already</source>
+        <source>gate &apos;%1&apos; is already the finish</source>
         <translation>게이트 &apos;%1&apos;이(가) 이미 도착입니다</translation>
     </message>
 </context>
@@ -2390,77 +2390,77 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>analysis.give_another_number</name>
     <message>
-        <source>give another number</source>
+        <source>choose another number</source>
         <translation>다른 숫자를 주십시오</translation>
     </message>
 </context>
 <context>
     <name>analysis.give_corners</name>
     <message>
-        <source>give the corners of its outline, all the way round</source>
+        <source>enter the corners of its outline, all the way round</source>
         <translation>윤곽의 꼭짓점을 한 바퀴 빠짐없이 주십시오</translation>
     </message>
 </context>
 <context>
     <name>analysis.give_ends</name>
     <message>
-        <source>give the two ends of the line that is to be passed</source>
+        <source>enter the two ends of the line that the robot passes</source>
         <translation>지나야 할 선의 두 끝을 주십시오</translation>
     </message>
 </context>
 <context>
     <name>analysis.give_limits</name>
     <message>
-        <source>give the largest speed and acceleration that a robot can have in the task</source>
+        <source>enter the largest speed and acceleration that a robot can reach in the task</source>
         <translation>과제에서 로봇이 낼 수 있는 최대 속력과 가속도를 주십시오</translation>
     </message>
 </context>
 <context>
     <name>analysis.give_place</name>
     <message>
-        <source>give where it lies in millimetres</source>
+        <source>enter its position in millimetres</source>
         <translation>위치를 밀리미터로 주십시오</translation>
     </message>
 </context>
 <context>
     <name>analysis.give_points</name>
     <message>
-        <source>give points from 1 to 1000, below zero for a penalty</source>
+        <source>enter points from 1 to 1000; use a negative number for a penalty</source>
         <translation>1에서 1000까지, 벌점은 음수로 주십시오</translation>
     </message>
 </context>
 <context>
     <name>analysis.give_sizes</name>
     <message>
-        <source>give the sizes in millimetres</source>
+        <source>enter the sizes in millimetres</source>
         <translation>크기를 밀리미터로 주십시오</translation>
     </message>
 </context>
 <context>
     <name>analysis.give_three_numbers</name>
     <message>
-        <source>give three numbers</source>
+        <source>enter three numbers</source>
         <translation>숫자 세 개를 주십시오</translation>
     </message>
 </context>
 <context>
     <name>analysis.give_two_points</name>
     <message>
-        <source>give two points or more, three where the path is closed</source>
+        <source>enter at least two points, or three for a closed path</source>
         <translation>점을 두 개 이상, 닫힌 경로면 세 개 이상 주십시오</translation>
     </message>
 </context>
 <context>
     <name>analysis.give_two_values</name>
     <message>
-        <source>give two values, between which the points rise</source>
+        <source>enter two different values; the points rise between them</source>
         <translation>점수가 그 사이에서 오르는 두 값을 주십시오</translation>
     </message>
 </context>
 <context>
     <name>analysis.join_zones</name>
     <message>
-        <source>join zones that lie beside one another</source>
+        <source>merge neighbouring zones</source>
         <translation>나란한 구역을 합치십시오</translation>
     </message>
 </context>
@@ -2474,7 +2474,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>analysis.limit_not_positive</name>
     <message>
-        <source>a limit is not above zero</source>
+        <source>a limit is zero or negative</source>
         <translation>한계가 0보다 크지 않습니다</translation>
     </message>
 </context>
@@ -2523,21 +2523,21 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>analysis.many_zones</name>
     <message>
-        <source>the task has %1 zones already</source>
+        <source>the task already has %1 zones</source>
         <translation>과제에 구역이 이미 %1개 있습니다</translation>
     </message>
 </context>
 <context>
     <name>analysis.moment_outside</name>
     <message>
-        <source>the moment told for %1 lies outside of it</source>
+        <source>the moment entered for %1 is outside that run</source>
         <translation>%1에 지정한 시점이 그 주행 밖에 있습니다</translation>
     </message>
 </context>
 <context>
     <name>analysis.moments_missing</name>
     <message>
-        <source>a moment of each run is needed to align them by hand</source>
+        <source>aligning runs by hand needs a moment in each run</source>
         <translation>직접 정렬하려면 각 주행의 시점이 필요합니다</translation>
     </message>
 </context>
@@ -2558,14 +2558,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>analysis.name_twice</name>
     <message>
-        <source>the name is there twice</source>
+        <source>the name is used twice</source>
         <translation>이름이 두 번 있습니다</translation>
     </message>
 </context>
 <context>
     <name>analysis.no_figure</name>
     <message>
-        <source>it names no figure</source>
+        <source>it names no metric</source>
         <translation>지표가 지정되지 않았습니다</translation>
     </message>
 </context>
@@ -2579,7 +2579,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>analysis.no_onset</name>
     <message>
-        <source>the robot of %1 drives already when it is first seen</source>
+        <source>the robot of %1 is already moving when it is first seen</source>
         <translation>%1의 로봇이 처음 보일 때 이미 달리고 있습니다</translation>
     </message>
 </context>
@@ -2593,49 +2593,49 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>analysis.no_such_role</name>
     <message>
-        <source>there is no such role</source>
+        <source>gates have no such role</source>
         <translation>그런 역할이 없습니다</translation>
     </message>
 </context>
 <context>
     <name>analysis.no_such_rule</name>
     <message>
-        <source>there is no such rule of a zone</source>
+        <source>zones have no such rule</source>
         <translation>그런 구역 규칙이 없습니다</translation>
     </message>
 </context>
 <context>
     <name>analysis.no_such_template</name>
     <message>
-        <source>there is no such template</source>
+        <source>no template has this name</source>
         <translation>그런 템플릿이 없습니다</translation>
     </message>
 </context>
 <context>
     <name>analysis.not_on_tasks_path</name>
     <message>
-        <source>%1 has no stretch of the way in common with the task&apos;s path</source>
+        <source>%1 shares no part of its path with the task&apos;s path</source>
         <translation>%1은(는) 과제의 경로와 겹치는 구간이 없습니다</translation>
     </message>
 </context>
 <context>
     <name>analysis.not_seen_there</name>
     <message>
-        <source>%1 was not seen at the place to align by</source>
+        <source>%1 was not seen at the position used for alignment</source>
         <translation>정렬할 곳에서 %1이(가) 보이지 않았습니다</translation>
     </message>
 </context>
 <context>
     <name>analysis.nothing_in_common</name>
     <message>
-        <source>%1 has no stretch of the way in common with %2</source>
+        <source>%1 shares no part of its path with %2</source>
         <translation>%1은(는) %2과(와) 겹치는 구간이 없습니다</translation>
     </message>
 </context>
 <context>
     <name>analysis.number_is_none</name>
     <message>
-        <source>a number in it is none</source>
+        <source>one of its values is not a number</source>
         <translation>그 안의 숫자가 올바르지 않습니다</translation>
     </message>
 </context>
@@ -2656,7 +2656,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>analysis.other_direction</name>
     <message>
-        <source>%1 drives the way in the other direction than %2</source>
+        <source>%1 runs in the opposite direction to %2</source>
         <translation>%1은(는) %2과(와) 반대 방향으로 달립니다</translation>
     </message>
 </context>
@@ -2677,21 +2677,21 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>analysis.place_no_number</name>
     <message>
-        <source>its place is not a number</source>
+        <source>its position is not a number</source>
         <translation>위치가 숫자가 아닙니다</translation>
     </message>
 </context>
 <context>
     <name>analysis.points_off_floor</name>
     <message>
-        <source>its points are not on a floor of 1 km</source>
+        <source>its points are not all on a floor of 1 km</source>
         <translation>점들이 1 km 바닥 안에 있지 않습니다</translation>
     </message>
 </context>
 <context>
     <name>analysis.points_out_of_range</name>
     <message>
-        <source>its points are 0, or beyond 1000</source>
+        <source>its points are 0 or beyond ±1000</source>
         <translation>점수가 0이거나 1000을 넘습니다</translation>
     </message>
 </context>
@@ -2726,14 +2726,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>analysis.same_values</name>
     <message>
-        <source>all points and no points are at the same value</source>
+        <source>full points and no points have the same value</source>
         <translation>만점과 0점의 값이 같습니다</translation>
     </message>
 </context>
 <context>
     <name>analysis.sample_coarsely</name>
     <message>
-        <source>sample it more coarsely</source>
+        <source>sample it with fewer points</source>
         <translation>더 성기게 찍으십시오</translation>
     </message>
 </context>
@@ -2754,28 +2754,28 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>analysis.start_is_there</name>
     <message>
-        <source>gate &apos;%1&apos; is the start already</source>
+        <source>gate &apos;%1&apos; is already the start</source>
         <translation>게이트 &apos;%1&apos;이(가) 이미 출발입니다</translation>
     </message>
 </context>
 <context>
     <name>analysis.takes_two_runs</name>
     <message>
-        <source>it takes two runs</source>
+        <source>it needs two runs</source>
         <translation>주행 두 개가 필요합니다</translation>
     </message>
 </context>
 <context>
     <name>analysis.tell_moment_inside</name>
     <message>
-        <source>tell one between its first and last frame</source>
+        <source>enter one between its first and last frame</source>
         <translation>첫 프레임과 마지막 프레임 사이로 지정하십시오</translation>
     </message>
 </context>
 <context>
     <name>analysis.tell_moments</name>
     <message>
-        <source>tell one for each</source>
+        <source>enter one for each run</source>
         <translation>각각 하나씩 지정하십시오</translation>
     </message>
 </context>
@@ -16658,14 +16658,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>synchronisation.every_offset_fits</name>
     <message>
-        <source>the robot stood still or ran straight at constant speed, so every offset fits</source>
+        <source>the robot stood still or ran straight at constant speed, so every time offset fits</source>
         <translation>로봇이 서 있었거나 일정한 속력으로 곧게 달려 어떤 오프셋도 맞습니다</translation>
     </message>
 </context>
 <context>
     <name>synchronisation.flash_disagrees</name>
     <message>
-        <source>the motion tells an offset of %1, which was taken, and the flash of light %2</source>
+        <source>the motion gives a time offset of %1, the flash of light gives %2; the motion was used</source>
         <translation>움직임의 오프셋 %1을(를) 택했고, 빛의 번쩍임은 %2입니다</translation>
     </message>
 </context>
@@ -16679,14 +16679,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>synchronisation.flashes_fit_alike</name>
     <message>
-        <source>the flashes of light fit alike at offsets of %1 and %2</source>
+        <source>the flashes of light fit equally well at time offsets of %1 and %2</source>
         <translation>빛의 깜박임이 오프셋 %1와 %2에서 똑같이 맞습니다</translation>
     </message>
 </context>
 <context>
     <name>synchronisation.from_flash</name>
     <message>
-        <source>from a flash of light, to %1 only, for %2</source>
+        <source>measured by a flash of light to only ±%1, because %2</source>
         <translation>빛의 깜박임에서 구해 %1까지만 맞습니다. 이유는 %2</translation>
     </message>
 </context>
@@ -16721,7 +16721,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>synchronisation.no_offset_fits</name>
     <message>
-        <source>the views&apos; tracks do not coincide at any offset looked at</source>
+        <source>the views&apos; tracks do not match at any time offset tried</source>
         <translation>살펴본 어떤 오프셋에서도 뷰들의 궤적이 일치하지 않습니다</translation>
     </message>
 </context>
@@ -16742,7 +16742,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>synchronisation.offsets_fit_alike</name>
     <message>
-        <source>offsets of %1 and %2 fit alike</source>
+        <source>time offsets of %1 and %2 fit equally well</source>
         <translation>오프셋 %1와 %2가 똑같이 맞습니다</translation>
     </message>
 </context>
@@ -16756,28 +16756,28 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>synchronisation.other_flashes</name>
     <message>
-        <source>the flashes of light in the views do not belong together</source>
+        <source>the flashes of light in the views do not match</source>
         <translation>뷰들의 빛 깜박임이 서로 맞지 않습니다</translation>
     </message>
 </context>
 <context>
     <name>synchronisation.robots_disagree</name>
     <message>
-        <source>robot %1 tells an offset of %2, robot %3 %4, which was taken</source>
+        <source>robot %1 gives a time offset of %2, robot %3 gives %4; the second was used</source>
         <translation>로봇 %1의 오프셋은 %2, 로봇 %3은(는) %4이며 후자를 택했습니다</translation>
     </message>
 </context>
 <context>
     <name>synchronisation.seldom_seen</name>
     <message>
-        <source>one view saw the robot in fewer than %1 pictures</source>
+        <source>one view saw the robot in fewer than %1 frames</source>
         <translation>한 뷰에서 로봇이 보인 영상이 %1장보다 적습니다</translation>
     </message>
 </context>
 <context>
     <name>synchronisation.seldom_together</name>
     <message>
-        <source>the views hardly ever saw the robot at the same time</source>
+        <source>the views rarely saw the robot at the same time</source>
         <translation>뷰들이 동시에 로봇을 본 적이 거의 없습니다</translation>
     </message>
 </context>
@@ -16798,35 +16798,35 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>tracking.add_without_colour</name>
     <message>
-        <source>add the robot without a colour, so that it is found by how it differs from the floor</source>
+        <source>add the robot without a colour; background subtraction then finds it</source>
         <translation>색 없이 로봇을 추가하십시오. 그러면 바닥과 다른 점으로 찾습니다</translation>
     </message>
 </context>
 <context>
     <name>tracking.box_is_grey</name>
     <message>
-        <source>what differs from the floor around it is grey, black or white</source>
+        <source>the robot in it is grey, black or white</source>
         <translation>주변 바닥과 다른 부분이 회색, 검정 또는 흰색입니다</translation>
     </message>
 </context>
 <context>
     <name>tracking.box_leaves_nothing</name>
     <message>
-        <source>the box leaves nothing of the floor to compare with</source>
+        <source>the box leaves no floor around it to compare with</source>
         <translation>비교할 바닥이 상자 밖에 남지 않습니다</translation>
     </message>
 </context>
 <context>
     <name>tracking.box_too_small</name>
     <message>
-        <source>the box is too small, or outside the picture</source>
+        <source>the box is too small or outside the image</source>
         <translation>상자가 너무 작거나 영상 밖에 있습니다</translation>
     </message>
 </context>
 <context>
     <name>tracking.box_without_colour</name>
     <message>
-        <source>it holds no colour that differs from the floor around it</source>
+        <source>it contains no colour that differs from the floor around it</source>
         <translation>주변 바닥과 다른 색이 없습니다</translation>
     </message>
 </context>
@@ -16854,7 +16854,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>tracking.colour_is_grey</name>
     <message>
-        <source>its colour %1 is grey, and only hue tells a robot from the floor</source>
+        <source>its colour %1 is grey, and tracking by colour needs a hue that differs from the floor</source>
         <translation>색 %1이(가) 회색인데, 로봇은 색상으로만 바닥과 구별됩니다</translation>
     </message>
 </context>
@@ -16889,14 +16889,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>tracking.tell_no_colour</name>
     <message>
-        <source>tell no colour, so that it is found by how it differs from the floor</source>
+        <source>set no colour; background subtraction then finds it</source>
         <translation>색을 지정하지 마십시오. 그러면 바닥과 다른 점으로 찾습니다</translation>
     </message>
 </context>
 <context>
     <name>trajectory.add_view</name>
     <message>
-        <source>add a second view, or give the robot one height</source>
+        <source>add a second view, or set one height for the robot</source>
         <translation>두 번째 뷰를 추가하거나 로봇의 높이를 지정하십시오</translation>
     </message>
 </context>
@@ -16924,14 +16924,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>trajectory.centre_reference</name>
     <message>
-        <source>give it the reference point 0,0 and track again</source>
+        <source>set its reference point to 0,0 and track again</source>
         <translation>기준점을 0,0으로 하고 다시 추적하십시오</translation>
     </message>
 </context>
 <context>
     <name>trajectory.check_robot_and_light</name>
     <message>
-        <source>check that the robot moves in the pictures, that a colour that was told is the one it has there, and that the light is sufficient</source>
+        <source>check that the robot moves in the video, that its colour, if set, matches the video, and that the light is sufficient</source>
         <translation>로봇이 영상에서 움직이는지, 지정한 색이 영상에서의 색과 같은지, 조명이 충분한지 확인하십시오</translation>
     </message>
 </context>
@@ -16952,7 +16952,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>trajectory.cut_by_edge</name>
     <message>
-        <source>cut by the picture&apos;s edge</source>
+        <source>cut by the frame&apos;s edge</source>
         <translation>영상 가장자리에서 잘림</translation>
     </message>
 </context>
@@ -16966,35 +16966,35 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>trajectory.faster_than_limit</name>
     <message>
-        <source>faster than the limit</source>
+        <source>speed above the limit</source>
         <translation>한계보다 빠름</translation>
     </message>
 </context>
 <context>
     <name>trajectory.figures_of_seen</name>
     <message>
-        <source>the figures are of the part that was seen</source>
+        <source>the metrics cover only the part that was seen</source>
         <translation>지표는 보인 부분에 대한 것입니다</translation>
     </message>
 </context>
 <context>
     <name>trajectory.frames_that_tell</name>
     <message>
-        <source>of %1 frames %2 give a position that can be used</source>
+        <source>only %2 of %1 frames give a usable position</source>
         <translation>프레임 %1개 중 %2개만 쓸 수 있는 위치를 줍니다</translation>
     </message>
 </context>
 <context>
     <name>trajectory.harder_than_limit</name>
     <message>
-        <source>harder than the limit of acceleration</source>
+        <source>acceleration above the limit</source>
         <translation>가속도 한계 초과</translation>
     </message>
 </context>
 <context>
     <name>trajectory.heading_unknown</name>
     <message>
-        <source>its reference point lies beside its centre, but its outlines do not tell its heading</source>
+        <source>its reference point is not the centre of its footprint, but its outlines do not show its heading</source>
         <translation>기준점이 중심을 벗어나 있지만 윤곽으로는 방향을 알 수 없습니다</translation>
     </message>
 </context>
@@ -17029,21 +17029,21 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>trajectory.look_and_register</name>
     <message>
-        <source>look at the outlines, and register the cameras again</source>
+        <source>check the outlines, and register the cameras again</source>
         <translation>윤곽선을 확인하고 카메라를 다시 정합하십시오</translation>
     </message>
 </context>
 <context>
     <name>trajectory.move_camera</name>
     <message>
-        <source>move or add a camera so that the whole task is seen</source>
+        <source>move or add a camera to cover the whole task</source>
         <translation>과제 전체가 보이도록 카메라를 옮기거나 추가하십시오</translation>
     </message>
 </context>
 <context>
     <name>trajectory.no_such_smoother</name>
     <message>
-        <source>there is none of that name</source>
+        <source>no smoother has this name</source>
         <translation>그런 이름이 없습니다</translation>
     </message>
 </context>
@@ -17085,7 +17085,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>trajectory.one_outline</name>
     <message>
-        <source>one outline with %1 in view %2</source>
+        <source>outline merged with %1 in view %2</source>
         <translation>뷰 %2에서 %1과(와) 윤곽이 하나로 합쳐짐</translation>
     </message>
 </context>
@@ -17141,14 +17141,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>trajectory.robot_not_found</name>
     <message>
-        <source>the robot was not found in any picture of %1</source>
+        <source>the robot was not found in any frame of %1</source>
         <translation>%1의 어느 영상에서도 로봇을 찾지 못했습니다</translation>
     </message>
 </context>
 <context>
     <name>trajectory.seldom_together</name>
     <message>
-        <source>its height is to be triangulated, but two registered views hardly ever saw it together</source>
+        <source>its height is set to be triangulated, but two registered views rarely saw it at the same time</source>
         <translation>높이를 삼각 측량해야 하는데 정합된 두 뷰가 함께 본 적이 거의 없습니다</translation>
     </message>
 </context>
@@ -17162,28 +17162,28 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>trajectory.spike_by_hand</name>
     <message>
-        <source>called a spike by hand</source>
+        <source>marked as a spike by hand</source>
         <translation>수동으로 이상점 지정됨</translation>
     </message>
 </context>
 <context>
     <name>trajectory.stands_out_in_both</name>
     <message>
-        <source>stands out in position and speed</source>
+        <source>spike in position and speed</source>
         <translation>위치와 속력이 튐</translation>
     </message>
 </context>
 <context>
     <name>trajectory.stands_out_in_position</name>
     <message>
-        <source>stands out in position</source>
+        <source>spike in position</source>
         <translation>위치가 튐</translation>
     </message>
 </context>
 <context>
     <name>trajectory.stands_out_in_speed</name>
     <message>
-        <source>stands out in speed</source>
+        <source>spike in speed</source>
         <translation>속력이 튐</translation>
     </message>
 </context>
@@ -17239,7 +17239,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>trajectory.views_apart</name>
     <message>
-        <source>the views put it %1 apart</source>
+        <source>the views&apos; floor positions differ by %1</source>
         <translation>뷰들이 주는 위치가 %1 차이 납니다</translation>
     </message>
 </context>
@@ -17253,7 +17253,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>trajectory.why_views_apart</name>
     <message>
-        <source>a camera was moved after it was registered, the videos belong to other cameras, or one view follows something else</source>
+        <source>a camera has moved since it was registered, the videos belong to other cameras, or one view follows something else</source>
         <translation>정합 후 카메라가 움직였거나, 동영상이 다른 카메라의 것이거나, 한 뷰가 다른 것을 따라갑니다</translation>
     </message>
 </context>

@@ -2250,14 +2250,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>analysis.choose_common_place</name>
     <message>
-        <source>choose a place that both runs pass</source>
+        <source>choose a position that both runs pass</source>
         <translation>请选择两次运行都经过的位置</translation>
     </message>
 </context>
 <context>
     <name>analysis.choose_figure</name>
     <message>
-        <source>choose what is scored</source>
+        <source>choose a metric to score</source>
         <translation>请选择评分对象</translation>
     </message>
 </context>
@@ -2306,21 +2306,21 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>analysis.corners_in_order</name>
     <message>
-        <source>give the corners in order, all the way round</source>
+        <source>enter the corners in order, all the way round</source>
         <translation>请按顺序绕一圈给出顶点</translation>
     </message>
 </context>
 <context>
     <name>analysis.corners_off_floor</name>
     <message>
-        <source>its corners are not on a floor of 1 km</source>
+        <source>its corners are not all on a floor of 1 km</source>
         <translation>其顶点不在 1 km 的地面内</translation>
     </message>
 </context>
 <context>
     <name>analysis.corners_once</name>
     <message>
-        <source>give each corner once</source>
+        <source>enter each corner once</source>
         <translation>每个顶点只给一次</translation>
     </message>
 </context>
@@ -2334,14 +2334,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>analysis.draw_coarsely</name>
     <message>
-        <source>draw it more coarsely</source>
+        <source>draw it with fewer corners</source>
         <translation>请画得粗略些</translation>
     </message>
 </context>
 <context>
     <name>analysis.ends_off_floor</name>
     <message>
-        <source>its ends are not on a floor of 1 km</source>
+        <source>its ends are not both on a floor of 1 km</source>
         <translation>其端点不在 1 km 的地面内</translation>
     </message>
 </context>
@@ -2355,7 +2355,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>analysis.few_corners</name>
     <message>
-        <source>it has less than three corners</source>
+        <source>it has fewer than three corners</source>
         <translation>顶点少于三个</translation>
     </message>
 </context>
@@ -2369,7 +2369,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>analysis.finish_is_there</name>
     <message>
-        <source>gate &apos;%1&apos; is the finish already</source>
+        <source>gate &apos;%1&apos; is already the finish</source>
         <translation>门“%1”已是终点</translation>
     </message>
 </context>
@@ -2390,77 +2390,77 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>analysis.give_another_number</name>
     <message>
-        <source>give another number</source>
+        <source>choose another number</source>
         <translation>请给出另一个数字</translation>
     </message>
 </context>
 <context>
     <name>analysis.give_corners</name>
     <message>
-        <source>give the corners of its outline, all the way round</source>
+        <source>enter the corners of its outline, all the way round</source>
         <translation>请绕一圈给出其轮廓的顶点</translation>
     </message>
 </context>
 <context>
     <name>analysis.give_ends</name>
     <message>
-        <source>give the two ends of the line that is to be passed</source>
+        <source>enter the two ends of the line that the robot passes</source>
         <translation>请给出需通过的线的两个端点</translation>
     </message>
 </context>
 <context>
     <name>analysis.give_limits</name>
     <message>
-        <source>give the largest speed and acceleration that a robot can have in the task</source>
+        <source>enter the largest speed and acceleration that a robot can reach in the task</source>
         <translation>请给出任务中机器人可能的最大速度和加速度</translation>
     </message>
 </context>
 <context>
     <name>analysis.give_place</name>
     <message>
-        <source>give where it lies in millimetres</source>
+        <source>enter its position in millimetres</source>
         <translation>请以毫米给出其位置</translation>
     </message>
 </context>
 <context>
     <name>analysis.give_points</name>
     <message>
-        <source>give points from 1 to 1000, below zero for a penalty</source>
+        <source>enter points from 1 to 1000; use a negative number for a penalty</source>
         <translation>请给出 1 到 1000 的分数，扣分用负数</translation>
     </message>
 </context>
 <context>
     <name>analysis.give_sizes</name>
     <message>
-        <source>give the sizes in millimetres</source>
+        <source>enter the sizes in millimetres</source>
         <translation>请以毫米给出尺寸</translation>
     </message>
 </context>
 <context>
     <name>analysis.give_three_numbers</name>
     <message>
-        <source>give three numbers</source>
+        <source>enter three numbers</source>
         <translation>请给出三个数字</translation>
     </message>
 </context>
 <context>
     <name>analysis.give_two_points</name>
     <message>
-        <source>give two points or more, three where the path is closed</source>
+        <source>enter at least two points, or three for a closed path</source>
         <translation>请给出两个或以上的点，闭合路径需三个</translation>
     </message>
 </context>
 <context>
     <name>analysis.give_two_values</name>
     <message>
-        <source>give two values, between which the points rise</source>
+        <source>enter two different values; the points rise between them</source>
         <translation>请给出两个数值，分数在其间上升</translation>
     </message>
 </context>
 <context>
     <name>analysis.join_zones</name>
     <message>
-        <source>join zones that lie beside one another</source>
+        <source>merge neighbouring zones</source>
         <translation>请合并相邻的区域</translation>
     </message>
 </context>
@@ -2474,7 +2474,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>analysis.limit_not_positive</name>
     <message>
-        <source>a limit is not above zero</source>
+        <source>a limit is zero or negative</source>
         <translation>限值不大于零</translation>
     </message>
 </context>
@@ -2523,21 +2523,21 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>analysis.many_zones</name>
     <message>
-        <source>the task has %1 zones already</source>
+        <source>the task already has %1 zones</source>
         <translation>任务已有 %1 个区域</translation>
     </message>
 </context>
 <context>
     <name>analysis.moment_outside</name>
     <message>
-        <source>the moment told for %1 lies outside of it</source>
+        <source>the moment entered for %1 is outside that run</source>
         <translation>为 %1 指定的时刻在其范围之外</translation>
     </message>
 </context>
 <context>
     <name>analysis.moments_missing</name>
     <message>
-        <source>a moment of each run is needed to align them by hand</source>
+        <source>aligning runs by hand needs a moment in each run</source>
         <translation>手动对齐需要每次运行的一个时刻</translation>
     </message>
 </context>
@@ -2558,14 +2558,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>analysis.name_twice</name>
     <message>
-        <source>the name is there twice</source>
+        <source>the name is used twice</source>
         <translation>名称出现两次</translation>
     </message>
 </context>
 <context>
     <name>analysis.no_figure</name>
     <message>
-        <source>it names no figure</source>
+        <source>it names no metric</source>
         <translation>没有指定指标</translation>
     </message>
 </context>
@@ -2579,7 +2579,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>analysis.no_onset</name>
     <message>
-        <source>the robot of %1 drives already when it is first seen</source>
+        <source>the robot of %1 is already moving when it is first seen</source>
         <translation>%1 的机器人首次出现时已在行驶</translation>
     </message>
 </context>
@@ -2593,49 +2593,49 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>analysis.no_such_role</name>
     <message>
-        <source>there is no such role</source>
+        <source>gates have no such role</source>
         <translation>没有这样的角色</translation>
     </message>
 </context>
 <context>
     <name>analysis.no_such_rule</name>
     <message>
-        <source>there is no such rule of a zone</source>
+        <source>zones have no such rule</source>
         <translation>没有这样的区域规则</translation>
     </message>
 </context>
 <context>
     <name>analysis.no_such_template</name>
     <message>
-        <source>there is no such template</source>
+        <source>no template has this name</source>
         <translation>没有这样的模板</translation>
     </message>
 </context>
 <context>
     <name>analysis.not_on_tasks_path</name>
     <message>
-        <source>%1 has no stretch of the way in common with the task&apos;s path</source>
+        <source>%1 shares no part of its path with the task&apos;s path</source>
         <translation>%1 与任务路径没有共同路段</translation>
     </message>
 </context>
 <context>
     <name>analysis.not_seen_there</name>
     <message>
-        <source>%1 was not seen at the place to align by</source>
+        <source>%1 was not seen at the position used for alignment</source>
         <translation>%1 在对齐位置没有被看到</translation>
     </message>
 </context>
 <context>
     <name>analysis.nothing_in_common</name>
     <message>
-        <source>%1 has no stretch of the way in common with %2</source>
+        <source>%1 shares no part of its path with %2</source>
         <translation>%1 与 %2 没有共同路段</translation>
     </message>
 </context>
 <context>
     <name>analysis.number_is_none</name>
     <message>
-        <source>a number in it is none</source>
+        <source>one of its values is not a number</source>
         <translation>其中有一个不是数字</translation>
     </message>
 </context>
@@ -2656,7 +2656,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>analysis.other_direction</name>
     <message>
-        <source>%1 drives the way in the other direction than %2</source>
+        <source>%1 runs in the opposite direction to %2</source>
         <translation>%1 的行驶方向与 %2 相反</translation>
     </message>
 </context>
@@ -2677,21 +2677,21 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>analysis.place_no_number</name>
     <message>
-        <source>its place is not a number</source>
+        <source>its position is not a number</source>
         <translation>其位置不是数字</translation>
     </message>
 </context>
 <context>
     <name>analysis.points_off_floor</name>
     <message>
-        <source>its points are not on a floor of 1 km</source>
+        <source>its points are not all on a floor of 1 km</source>
         <translation>其点不在 1 km 的地面内</translation>
     </message>
 </context>
 <context>
     <name>analysis.points_out_of_range</name>
     <message>
-        <source>its points are 0, or beyond 1000</source>
+        <source>its points are 0 or beyond ±1000</source>
         <translation>分数为 0 或超过 1000</translation>
     </message>
 </context>
@@ -2726,14 +2726,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>analysis.same_values</name>
     <message>
-        <source>all points and no points are at the same value</source>
+        <source>full points and no points have the same value</source>
         <translation>满分与零分对应同一数值</translation>
     </message>
 </context>
 <context>
     <name>analysis.sample_coarsely</name>
     <message>
-        <source>sample it more coarsely</source>
+        <source>sample it with fewer points</source>
         <translation>请取更稀疏的点</translation>
     </message>
 </context>
@@ -2754,28 +2754,28 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>analysis.start_is_there</name>
     <message>
-        <source>gate &apos;%1&apos; is the start already</source>
+        <source>gate &apos;%1&apos; is already the start</source>
         <translation>门“%1”已是起点</translation>
     </message>
 </context>
 <context>
     <name>analysis.takes_two_runs</name>
     <message>
-        <source>it takes two runs</source>
+        <source>it needs two runs</source>
         <translation>需要两次运行</translation>
     </message>
 </context>
 <context>
     <name>analysis.tell_moment_inside</name>
     <message>
-        <source>tell one between its first and last frame</source>
+        <source>enter one between its first and last frame</source>
         <translation>请指定首帧与末帧之间的时刻</translation>
     </message>
 </context>
 <context>
     <name>analysis.tell_moments</name>
     <message>
-        <source>tell one for each</source>
+        <source>enter one for each run</source>
         <translation>请为每次运行指定一个</translation>
     </message>
 </context>
@@ -16658,14 +16658,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>synchronisation.every_offset_fits</name>
     <message>
-        <source>the robot stood still or ran straight at constant speed, so every offset fits</source>
+        <source>the robot stood still or ran straight at constant speed, so every time offset fits</source>
         <translation>机器人静止或匀速直行，因此任何偏移都吻合</translation>
     </message>
 </context>
 <context>
     <name>synchronisation.flash_disagrees</name>
     <message>
-        <source>the motion tells an offset of %1, which was taken, and the flash of light %2</source>
+        <source>the motion gives a time offset of %1, the flash of light gives %2; the motion was used</source>
         <translation>由运动得偏移 %1（已采用），由闪光得 %2</translation>
     </message>
 </context>
@@ -16679,14 +16679,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>synchronisation.flashes_fit_alike</name>
     <message>
-        <source>the flashes of light fit alike at offsets of %1 and %2</source>
+        <source>the flashes of light fit equally well at time offsets of %1 and %2</source>
         <translation>闪光在偏移 %1 和 %2 处同样吻合</translation>
     </message>
 </context>
 <context>
     <name>synchronisation.from_flash</name>
     <message>
-        <source>from a flash of light, to %1 only, for %2</source>
+        <source>measured by a flash of light to only ±%1, because %2</source>
         <translation>由闪光得出，仅精确到 %1，因为%2</translation>
     </message>
 </context>
@@ -16721,7 +16721,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>synchronisation.no_offset_fits</name>
     <message>
-        <source>the views&apos; tracks do not coincide at any offset looked at</source>
+        <source>the views&apos; tracks do not match at any time offset tried</source>
         <translation>在所查看的任何偏移下各视角的轨迹都不重合</translation>
     </message>
 </context>
@@ -16742,7 +16742,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>synchronisation.offsets_fit_alike</name>
     <message>
-        <source>offsets of %1 and %2 fit alike</source>
+        <source>time offsets of %1 and %2 fit equally well</source>
         <translation>偏移 %1 和 %2 同样吻合</translation>
     </message>
 </context>
@@ -16756,28 +16756,28 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>synchronisation.other_flashes</name>
     <message>
-        <source>the flashes of light in the views do not belong together</source>
+        <source>the flashes of light in the views do not match</source>
         <translation>各视角的闪光互不对应</translation>
     </message>
 </context>
 <context>
     <name>synchronisation.robots_disagree</name>
     <message>
-        <source>robot %1 tells an offset of %2, robot %3 %4, which was taken</source>
+        <source>robot %1 gives a time offset of %2, robot %3 gives %4; the second was used</source>
         <translation>机器人 %1 给出的偏移为 %2，机器人 %3 为 %4，采用后者</translation>
     </message>
 </context>
 <context>
     <name>synchronisation.seldom_seen</name>
     <message>
-        <source>one view saw the robot in fewer than %1 pictures</source>
+        <source>one view saw the robot in fewer than %1 frames</source>
         <translation>有一个视角看到机器人的画面少于 %1 幅</translation>
     </message>
 </context>
 <context>
     <name>synchronisation.seldom_together</name>
     <message>
-        <source>the views hardly ever saw the robot at the same time</source>
+        <source>the views rarely saw the robot at the same time</source>
         <translation>各视角几乎从未同时看到机器人</translation>
     </message>
 </context>
@@ -16798,35 +16798,35 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>tracking.add_without_colour</name>
     <message>
-        <source>add the robot without a colour, so that it is found by how it differs from the floor</source>
+        <source>add the robot without a colour; background subtraction then finds it</source>
         <translation>请添加没有颜色的机器人，这样会按它与地面的差别来寻找</translation>
     </message>
 </context>
 <context>
     <name>tracking.box_is_grey</name>
     <message>
-        <source>what differs from the floor around it is grey, black or white</source>
+        <source>the robot in it is grey, black or white</source>
         <translation>与周围地面不同的部分是灰、黑或白色</translation>
     </message>
 </context>
 <context>
     <name>tracking.box_leaves_nothing</name>
     <message>
-        <source>the box leaves nothing of the floor to compare with</source>
+        <source>the box leaves no floor around it to compare with</source>
         <translation>框外没有可供比较的地面</translation>
     </message>
 </context>
 <context>
     <name>tracking.box_too_small</name>
     <message>
-        <source>the box is too small, or outside the picture</source>
+        <source>the box is too small or outside the image</source>
         <translation>框太小，或在画面之外</translation>
     </message>
 </context>
 <context>
     <name>tracking.box_without_colour</name>
     <message>
-        <source>it holds no colour that differs from the floor around it</source>
+        <source>it contains no colour that differs from the floor around it</source>
         <translation>其中没有与周围地面不同的颜色</translation>
     </message>
 </context>
@@ -16854,7 +16854,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>tracking.colour_is_grey</name>
     <message>
-        <source>its colour %1 is grey, and only hue tells a robot from the floor</source>
+        <source>its colour %1 is grey, and tracking by colour needs a hue that differs from the floor</source>
         <translation>其颜色 %1 为灰色，而只有色相能把机器人与地面区分</translation>
     </message>
 </context>
@@ -16889,14 +16889,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>tracking.tell_no_colour</name>
     <message>
-        <source>tell no colour, so that it is found by how it differs from the floor</source>
+        <source>set no colour; background subtraction then finds it</source>
         <translation>不要指定颜色，这样会按它与地面的差别来寻找</translation>
     </message>
 </context>
 <context>
     <name>trajectory.add_view</name>
     <message>
-        <source>add a second view, or give the robot one height</source>
+        <source>add a second view, or set one height for the robot</source>
         <translation>请增加第二个视角，或给出机器人的高度</translation>
     </message>
 </context>
@@ -16924,14 +16924,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>trajectory.centre_reference</name>
     <message>
-        <source>give it the reference point 0,0 and track again</source>
+        <source>set its reference point to 0,0 and track again</source>
         <translation>请把参考点设为 0,0 后重新跟踪</translation>
     </message>
 </context>
 <context>
     <name>trajectory.check_robot_and_light</name>
     <message>
-        <source>check that the robot moves in the pictures, that a colour that was told is the one it has there, and that the light is sufficient</source>
+        <source>check that the robot moves in the video, that its colour, if set, matches the video, and that the light is sufficient</source>
         <translation>请检查机器人在画面中是否移动、指定的颜色是否与画面中的一致、光线是否充足</translation>
     </message>
 </context>
@@ -16952,7 +16952,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>trajectory.cut_by_edge</name>
     <message>
-        <source>cut by the picture&apos;s edge</source>
+        <source>cut by the frame&apos;s edge</source>
         <translation>被画面边缘截断</translation>
     </message>
 </context>
@@ -16966,35 +16966,35 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>trajectory.faster_than_limit</name>
     <message>
-        <source>faster than the limit</source>
+        <source>speed above the limit</source>
         <translation>超过速度限值</translation>
     </message>
 </context>
 <context>
     <name>trajectory.figures_of_seen</name>
     <message>
-        <source>the figures are of the part that was seen</source>
+        <source>the metrics cover only the part that was seen</source>
         <translation>指标只针对被看到的部分</translation>
     </message>
 </context>
 <context>
     <name>trajectory.frames_that_tell</name>
     <message>
-        <source>of %1 frames %2 give a position that can be used</source>
+        <source>only %2 of %1 frames give a usable position</source>
         <translation>%1 帧中有 %2 帧给出可用的位置</translation>
     </message>
 </context>
 <context>
     <name>trajectory.harder_than_limit</name>
     <message>
-        <source>harder than the limit of acceleration</source>
+        <source>acceleration above the limit</source>
         <translation>超过加速度限值</translation>
     </message>
 </context>
 <context>
     <name>trajectory.heading_unknown</name>
     <message>
-        <source>its reference point lies beside its centre, but its outlines do not tell its heading</source>
+        <source>its reference point is not the centre of its footprint, but its outlines do not show its heading</source>
         <translation>其参考点偏离中心，但其轮廓无法给出朝向</translation>
     </message>
 </context>
@@ -17029,21 +17029,21 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>trajectory.look_and_register</name>
     <message>
-        <source>look at the outlines, and register the cameras again</source>
+        <source>check the outlines, and register the cameras again</source>
         <translation>请查看轮廓，并重新配准相机</translation>
     </message>
 </context>
 <context>
     <name>trajectory.move_camera</name>
     <message>
-        <source>move or add a camera so that the whole task is seen</source>
+        <source>move or add a camera to cover the whole task</source>
         <translation>请移动或增加相机，使整个任务都能被看到</translation>
     </message>
 </context>
 <context>
     <name>trajectory.no_such_smoother</name>
     <message>
-        <source>there is none of that name</source>
+        <source>no smoother has this name</source>
         <translation>没有此名称</translation>
     </message>
 </context>
@@ -17085,7 +17085,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>trajectory.one_outline</name>
     <message>
-        <source>one outline with %1 in view %2</source>
+        <source>outline merged with %1 in view %2</source>
         <translation>在视角 %2 中与 %1 连成一个轮廓</translation>
     </message>
 </context>
@@ -17141,14 +17141,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>trajectory.robot_not_found</name>
     <message>
-        <source>the robot was not found in any picture of %1</source>
+        <source>the robot was not found in any frame of %1</source>
         <translation>在 %1 的任何画面中都没有找到机器人</translation>
     </message>
 </context>
 <context>
     <name>trajectory.seldom_together</name>
     <message>
-        <source>its height is to be triangulated, but two registered views hardly ever saw it together</source>
+        <source>its height is set to be triangulated, but two registered views rarely saw it at the same time</source>
         <translation>需三角测量其高度，但两个已配准视角几乎没有同时看到它</translation>
     </message>
 </context>
@@ -17162,28 +17162,28 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>trajectory.spike_by_hand</name>
     <message>
-        <source>called a spike by hand</source>
+        <source>marked as a spike by hand</source>
         <translation>由人标为异常点</translation>
     </message>
 </context>
 <context>
     <name>trajectory.stands_out_in_both</name>
     <message>
-        <source>stands out in position and speed</source>
+        <source>spike in position and speed</source>
         <translation>位置和速度突出</translation>
     </message>
 </context>
 <context>
     <name>trajectory.stands_out_in_position</name>
     <message>
-        <source>stands out in position</source>
+        <source>spike in position</source>
         <translation>位置突出</translation>
     </message>
 </context>
 <context>
     <name>trajectory.stands_out_in_speed</name>
     <message>
-        <source>stands out in speed</source>
+        <source>spike in speed</source>
         <translation>速度突出</translation>
     </message>
 </context>
@@ -17239,7 +17239,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>trajectory.views_apart</name>
     <message>
-        <source>the views put it %1 apart</source>
+        <source>the views&apos; floor positions differ by %1</source>
         <translation>各视角给出的位置相差 %1</translation>
     </message>
 </context>
@@ -17253,7 +17253,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>trajectory.why_views_apart</name>
     <message>
-        <source>a camera was moved after it was registered, the videos belong to other cameras, or one view follows something else</source>
+        <source>a camera has moved since it was registered, the videos belong to other cameras, or one view follows something else</source>
         <translation>某台相机在配准后被移动、视频属于其他相机，或某个视角跟踪了别的东西</translation>
     </message>
 </context>

@@ -18,13 +18,13 @@ namespace odo {
 
 Result<void> runCamera(const QStringList &arguments, const CancelToken &cancel)
 {
-    CommandCall call(
-        {QStringLiteral("camera"),
-         QStringLiteral("add P.odo CAMERA [--device URI]"),
-         3,
-         3,
-         {{option::device, QStringLiteral("Where its pictures come from."), QStringLiteral("URI")}}},
-        cancel);
+    CommandCall call({QStringLiteral("camera"),
+                      QStringLiteral("add P.odo CAMERA [--device URI]"),
+                      3,
+                      3,
+                      {{option::device, QStringLiteral("Address of the device that delivers its frames."),
+                        QStringLiteral("URI")}}},
+                     cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
         return parsed.map([](bool) {});
     if (call.positional(0) != QStringLiteral("add"))
@@ -162,12 +162,11 @@ Result<void> runCalibrate(const QStringList &arguments, const CancelToken &cance
                         "[--pattern checkerboard|charuco] [--model standard|rational|fisheye] [--json]"),
          3,
          -1,
-         {{option::board, QStringLiteral("Inner corners; found out when not given."), QStringLiteral("CxR")},
+         {{option::board, QStringLiteral("Inner corners; detected if not given."), QStringLiteral("CxR")},
           {option::square, QStringLiteral("Side of a square."), QStringLiteral("LENGTH")},
-          {option::pattern, QStringLiteral("What is printed on the board; found out when not given."),
+          {option::pattern, QStringLiteral("What is printed on the board; detected if not given."),
            QStringLiteral("PATTERN")},
-          {option::model,
-           QStringLiteral("How the lens is modelled; the one that foretells best when not given."),
+          {option::model, QStringLiteral("Lens model; default: the one that best predicts held-out images."),
            QStringLiteral("MODEL")}}},
         cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
@@ -180,7 +179,7 @@ Result<void> runCalibrate(const QStringList &arguments, const CancelToken &cance
                 QStringLiteral("%1\nRMS %2 px over %3; %4 not used.")
                     .arg(english(job.calibration().verdict))
                     .arg(job.calibration().rmsPx, 0, 'f', 3)
-                    .arg(counted(job.calibration().picturesUsed(), QStringLiteral("picture")))
+                    .arg(counted(job.calibration().picturesUsed(), QStringLiteral("image")))
                     .arg(job.calibration().rejected.size()));
     return {};
 }
@@ -264,7 +263,7 @@ Result<void> runTarget(const QStringList &arguments, const CancelToken &cancel)
          1, 1,
          outputOptions(QStringLiteral("The PDF to write.")) +
              QList<QCommandLineOption>{
-                 {option::paper, QStringLiteral("What it is printed on."), QStringLiteral("PAPER"),
+                 {option::paper, QStringLiteral("Paper size: a4, letter or a3."), QStringLiteral("PAPER"),
                   QStringLiteral("a4")},
                  {option::board, QStringLiteral("Inner corners of a board."), QStringLiteral("CxR"),
                   QStringLiteral("9x6")},
@@ -272,7 +271,7 @@ Result<void> runTarget(const QStringList &arguments, const CancelToken &cancel)
                   QStringLiteral("25mm")},
                  {option::size, QStringLiteral("Side of a tag's black square, diameter of a ring."),
                   QStringLiteral("LENGTH"), QStringLiteral("150mm")},
-                 {option::labels, QStringLiteral("Of the floor markers, in the order of the layout."),
+                 {option::labels, QStringLiteral("Labels of the floor markers, in the order of the layout."),
                   QStringLiteral("LABELS"), QStringLiteral("O,U,V,D")}}},
         cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)

@@ -44,11 +44,11 @@ Result<AnnotatedVideoSettings> settingsOf(const CommandCall &call)
 /// The options of `export --format video`, for its syntax.
 QList<QCommandLineOption> videoOptions()
 {
-    return {{option::speed, QStringLiteral("Of a video, times that of the run: 0.1 to 1."),
+    return {{option::speed, QStringLiteral("Speed of a video, relative to the run: 0.1 to 1."),
              QStringLiteral("S"), QStringLiteral("1")},
-            {option::size, QStringLiteral("Of a video, in pixels."), QStringLiteral("WxH"),
+            {option::size, QStringLiteral("Size of a video, in pixels."), QStringLiteral("WxH"),
              QStringLiteral("1920x1080")},
-            {option::theme, QStringLiteral("Of a video: light or dark."), QStringLiteral("THEME"),
+            {option::theme, QStringLiteral("Theme of a video: light or dark."), QStringLiteral("THEME"),
              QStringLiteral("light")},
             languageOption()};
 }
@@ -140,7 +140,7 @@ Result<void> print(std::string_view piece)
         return {};
     return fail(ErrorCode::Io, ODO_TEXT("app.standard_output", "standard output"),
                 cannotBeWritten(std::strerror(errno)),
-                ODO_TEXT("app.take_all_of_it", "give it to a program or a file that takes all of it"));
+                ODO_TEXT("app.take_all_of_it", "write to a program or a file that can take all of it"));
 }
 
 } // namespace
@@ -155,11 +155,11 @@ Result<void> runExport(const QStringList &arguments, const CancelToken &cancel)
          2, 2,
          outputOptions(QStringLiteral("The file to write; - is standard output.")) +
              QList<QCommandLineOption>{
-                 {option::robot, QStringLiteral("The robot, where there are several."), QStringLiteral("R")},
+                 {option::robot, QStringLiteral("The robot, if the trial has several."), QStringLiteral("R")},
                  {option::format, QStringLiteral("Of the file."), QStringLiteral("FORMAT"),
                   QStringLiteral("csv")},
-                 {option::csvStyle, QStringLiteral("For which program."), QStringLiteral("STYLE"),
-                  QStringLiteral("analysis")}} +
+                 {option::csvStyle, QStringLiteral("CSV style, by the program that reads it."),
+                  QStringLiteral("STYLE"), QStringLiteral("analysis")}} +
              videoOptions()},
         cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
@@ -221,13 +221,14 @@ Result<void> runSnapshot(const QStringList &arguments, const CancelToken &cancel
 {
     CommandCall call(
         {QStringLiteral("snapshot"),
-         QStringLiteral("P.odo TRIAL -o picture.png [--force] [--mode review|compare|history|testbed] "
-                        "[--size 1600x1000] [--language en]"),
+         QStringLiteral(
+             "P.odo TRIAL -o picture.png [--force] [--mode review|compare|history|testbed] [--size "
+             "1600x1000] [--language en]"),
          2, 2,
-         outputOptions(QStringLiteral("The picture to write.")) +
+         outputOptions(QStringLiteral("The image file to write.")) +
              QList<QCommandLineOption>{{option::mode, QStringLiteral("What the window shows."),
                                         QStringLiteral("MODE"), QStringLiteral("review")},
-                                       {option::size, QStringLiteral("Of the window, in pixels."),
+                                       {option::size, QStringLiteral("Size of the window, in pixels."),
                                         QStringLiteral("WxH"), QStringLiteral("1600x1000")},
                                        languageOption()}},
         cancel);

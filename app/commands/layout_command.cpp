@@ -79,7 +79,7 @@ Result<void> list(CommandCall &call)
                                                : registered.join(QStringLiteral(", ")));
     }
     if (lines.isEmpty())
-        lines << QStringLiteral("There is no layout yet.");
+        lines << QStringLiteral("No layout yet.");
     call.answer({{QStringLiteral("layouts"), json}}, lines.join(u'\n'));
     return {};
 }
@@ -163,17 +163,18 @@ Result<void> transform(CommandCall &call)
     for (const std::string &camera : outcome.cameras)
         cameras << QString::fromStdString(camera);
     const QString carried =
-        cameras.isEmpty() ? QStringLiteral("No camera stands on it.")
-                          : QStringLiteral("Carried along: %1.").arg(cameras.join(QStringLiteral(", ")));
+        cameras.isEmpty()
+            ? QStringLiteral("No camera is registered to it.")
+            : QStringLiteral("Registrations updated: %1.").arg(cameras.join(QStringLiteral(", ")));
     call.answer({{QStringLiteral("layout"), call.positional(2)},
                  {QStringLiteral("markers"), markersJson(outcome.layout.layout)},
                  {QStringLiteral("cameras"), QJsonArray::fromStringList(cameras)}},
                 markersText(outcome.layout.layout) + u'\n' + carried);
     if (!outcome.tasks.empty())
-        CommandCall::warn(ODO_TEXT("app.tasks_stay",
-                                   "the gates and paths of tasks stay where they are in the axes that were: "
-                                   "where they lie on this floor, make %1 anew")(
-            listed(outcome.tasks, MessageArgument::Kind::Task, MessageArgument::Joint::Comma)));
+        CommandCall::warn(
+            ODO_TEXT("app.tasks_stay", "the gates and paths of tasks keep their coordinates in the old axes; "
+                                       "if they belong to this floor, recreate %1")(
+                listed(outcome.tasks, MessageArgument::Kind::Task, MessageArgument::Joint::Comma)));
     return {};
 }
 
@@ -190,15 +191,15 @@ Result<void> runLayout(const QStringList &arguments, const CancelToken &cancel)
                         "[--reverse x|y|xy] [--unit mm|cm|m|inch] [--json]"),
          2,
          4,
-         {{option::origin, QStringLiteral("The marker that becomes the origin."), QStringLiteral("LABEL")},
-          {option::originAt, QStringLiteral("The point that becomes the origin."), QStringLiteral("X,Y")},
+         {{option::origin, QStringLiteral("The marker to use as the origin."), QStringLiteral("LABEL")},
+          {option::originAt, QStringLiteral("The point to use as the origin."), QStringLiteral("X,Y")},
           {option::turn, QStringLiteral("The angle of the new X in the old axes, counter-clockwise."),
            QStringLiteral("DEGREES")},
           {option::xAxis, QStringLiteral("X runs from the first marker to the second."),
            QStringLiteral("LABEL,LABEL")},
           {option::reverse, QStringLiteral("Reverses both axes: xy."), QStringLiteral("AXES")},
           forceOption(),
-          {option::unit, QStringLiteral("What the layout's numbers were, where they were read as mm."),
+          {option::unit, QStringLiteral("The unit of the layout's numbers, if they were wrongly read as mm."),
            QStringLiteral("UNIT")}}},
         cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)

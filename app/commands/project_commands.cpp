@@ -122,14 +122,14 @@ Result<void> remove(const CommandCall &call, Project &project, const FindStraysJ
 /// The options of odograph check that change something.
 QList<QCommandLineOption> repairOptions()
 {
-    return {
-        {option::find,
-         QStringLiteral(
-             "Finds lost videos in this folder or below, by size and content, and takes them from there."),
-         QStringLiteral("FOLDER")},
-        {option::adopt, QStringLiteral("Makes trials of videos in the media folder that belong to none.")},
-        {option::removeStrays,
-         QStringLiteral("Removes the files in the media folder that belong to nothing in the project.")}};
+    return {{option::find,
+             QStringLiteral("Finds lost videos in this folder and its subfolders, by size and content, and "
+                            "uses them from there."),
+             QStringLiteral("FOLDER")},
+            {option::adopt,
+             QStringLiteral("Creates trials for videos in the media folder that belong to no trial.")},
+            {option::removeStrays,
+             QStringLiteral("Removes the files in the media folder that belong to nothing in the project.")}};
 }
 
 /// Whether any of them is set.
@@ -176,8 +176,7 @@ Result<void> runCheck(const QStringList &arguments, const CancelToken &cancel)
     const QString quick = QStringLiteral("quick");
     QList<QCommandLineOption> options = repairOptions();
     options.prepend(
-        {quick,
-         QStringLiteral("leave out the content of the recordings, and metrics that their digests prove")});
+        {quick, QStringLiteral("Skips the content of the recordings, and metrics proven by their digests.")});
     CommandCall call({QStringLiteral("check"),
                       QStringLiteral("P.odo [--quick] [--find FOLDER] [--adopt] [--remove-strays] [--json]"),
                       1, 1, options},
@@ -204,7 +203,7 @@ Result<void> runCheck(const QStringList &arguments, const CancelToken &cancel)
         lines << english(wholeMessage(problem.where, problem.what, problem.advice));
     }
     if (problems->empty())
-        lines << QStringLiteral("All is well.");
+        lines << QStringLiteral("No problems found.");
     if (unproved > 0)
         lines << QStringLiteral("Analyses without a digest: %1. Each was made by an older Odograph, or its "
                                 "digest was removed. Analysing a trial again adds one.")

@@ -145,22 +145,22 @@ Result<void> runRegister(const QStringList &arguments, const CancelToken &cancel
          1,
          {{option::camera, QStringLiteral("The camera to register."), QStringLiteral("CAMERA")},
           {option::layout, QStringLiteral("The marker layout it sees."), QStringLiteral("NAME")},
-          {option::through, QStringLiteral("A registered camera that sees the same points of the floor."),
+          {option::through, QStringLiteral("A registered camera that sees the same floor points."),
            QStringLiteral("CAMERA")},
           {option::pixels,
            QStringLiteral("Where the markers are: label,u,v; with --through: label,u,v,through_u,through_v."),
            QStringLiteral("FILE")},
-          {option::image, QStringLiteral("A picture to find them in."), QStringLiteral("FILE")},
-          {option::video, QStringLiteral("A video to find them in."), QStringLiteral("FILE")},
+          {option::image, QStringLiteral("An image in which to detect the markers."), QStringLiteral("FILE")},
+          {option::video, QStringLiteral("A video in which to detect the markers."), QStringLiteral("FILE")},
           {option::again,
-           QStringLiteral("By the markers it was registered with before, with the lens in force now.")},
+           QStringLiteral("Registers again from the same markers, with the current lens calibration.")},
           {option::joint,
            QStringLiteral(
-               "Registers all cameras of the layout together, by the pixels they were registered with.")},
-          {option::tape, QStringLiteral("With --joint: how well the markers' places were measured (2mm)."),
+               "Registers all cameras of the layout jointly, from the pixels they were registered with.")},
+          {option::tape, QStringLiteral("With --joint: uncertainty of the measured marker positions (2mm)."),
            QStringLiteral("LENGTH")},
           {option::hint,
-           QStringLiteral("A marker told by hand, where rings look the same from several sides."),
+           QStringLiteral("A marker identified by hand, if the rings look the same from several sides."),
            QStringLiteral("LABEL=U,V")}}},
         cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
@@ -244,7 +244,7 @@ Result<void> runMoved(const QStringList &arguments, const CancelToken &cancel)
          1,
          1,
          {{option::camera, QStringLiteral("The registered camera."), QStringLiteral("CAMERA")},
-          {option::image, QStringLiteral("A picture of it as it stands now."), QStringLiteral("FILE")}}},
+          {option::image, QStringLiteral("A current image from the camera."), QStringLiteral("FILE")}}},
         cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
         return parsed.map([](bool) {});
@@ -275,7 +275,7 @@ Result<void> runMoved(const QStringList &arguments, const CancelToken &cancel)
                 check.verdict == MovedCheck::Verdict::CameraMoved
                     ? ODO_TEXT("app.camera_moved", "it has moved since it was registered")
                     : ODO_TEXT("app.marker_moved", "a marker has moved since it was registered"),
-                ODO_TEXT("app.see_answer", "see the answer for what to do"));
+                ODO_TEXT("app.see_answer", "see the output for what to do"));
 }
 
 namespace {
@@ -334,7 +334,7 @@ Result<void> runRevisions(const QStringList &arguments, const CancelToken &cance
                       QStringLiteral("P.odo CAMERA [--use calibration:N|registration:N] [--json]"),
                       2,
                       2,
-                      {{option::use, QStringLiteral("Put this revision in force until the next one is made."),
+                      {{option::use, QStringLiteral("Use this revision until the next one is created."),
                         QStringLiteral("KIND:N")}}},
                      cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)

@@ -19,15 +19,15 @@ QList<QCommandLineOption> reportSyntax()
 {
     return outputOptions(QStringLiteral("The PDF file to write.")) +
            QList<QCommandLineOption>{
-               {option::ofClass, QStringLiteral("The ranking of this class, before the trials."),
+               {option::ofClass, QStringLiteral("Starts with the ranking of this class."),
                 QStringLiteral("CLASS")},
-               {option::task,
-                QStringLiteral("In which task; without it, the one that most of its trials have."),
+               {option::task, QStringLiteral("The task to rank by; default: the task of most of its trials."),
                 QStringLiteral("TASK")},
                {option::figure,
-                QStringLiteral("By which figure; without it, the score, or else what tells most."),
+                QStringLiteral(
+                    "The metric to rank by; default: the score, or else the most informative metric."),
                 QStringLiteral("NAME")},
-               {option::teams, QStringLiteral("A page for each team of the class, too.")}} +
+               {option::teams, QStringLiteral("Adds a page for each team of the class.")}} +
            reportOptionSyntax();
 }
 
@@ -141,7 +141,7 @@ QString alignmentWords(AlignBy by)
     case AlignBy::MotionOnset:
         return QStringLiteral("the onset of motion");
     case AlignBy::Distance:
-        return QStringLiteral("a place that both pass");
+        return QStringLiteral("a position that both pass");
     case AlignBy::ByHand:
         break;
     }
@@ -157,7 +157,7 @@ QString differenceText(const Difference &difference, const QString &unit)
         .arg(difference.value, 0, 'f', decimals)
         .arg(difference.sigma, 0, 'f', decimals)
         .arg(unit == QStringLiteral("1") ? QString() : u' ' + unit,
-             difference.isSignificant() ? QString() : QStringLiteral("  within the error"));
+             difference.isSignificant() ? QString() : QStringLiteral("  not significant"));
 }
 
 QString valueText(const std::optional<double> &value)
@@ -171,10 +171,10 @@ QString comparisonText(const ComparedTrials &trials, const TrialComparison &comp
     const QString a = QString::fromStdString(runName(trials.runs[0])),
                   b = QString::fromStdString(runName(trials.runs[1]));
     QStringList lines(
-        QStringLiteral("%1 (a) and %2 (b), aligned by %3, along %4; differences are b less a, ± one σ")
+        QStringLiteral("%1 (a) and %2 (b), aligned by %3, along %4; differences are b minus a, ± one σ")
             .arg(a, b, alignmentWords(comparison.alignedBy),
                  comparison.isTasksPath ? QStringLiteral("the task's path")
-                                        : QStringLiteral("the way of a")));
+                                        : QStringLiteral("the path of a")));
     for (std::size_t station = comparison.waysM.size(); station-- > 0;) {
         if (const auto last = comparison.timeDifference(1, station)) {
             lines << QStringLiteral("  after %1 m: %2")
@@ -226,12 +226,12 @@ Result<void> runCompare(const QStringList &arguments, const CancelToken &cancel)
          3, 3,
          outputOptions(QStringLiteral("The PDF report to write.")) +
              QList<QCommandLineOption>{
-                 {option::robot, QStringLiteral("Where a trial has several: of both, or given twice."),
+                 {option::robot,
+                  QStringLiteral("The robot, if a trial has several: one for both trials, or one for each."),
                   QStringLiteral("R")},
                  {option::align,
-                  QStringLiteral(
-                      "The moment that counts as the same; SECONDS: how much later TRIAL2's moment comes "
-                      "in its recording."),
+                  QStringLiteral("The moment to align by; SECONDS: how much later it comes in TRIAL2's "
+                                 "recording than in TRIAL1's."),
                   QStringLiteral("HOW"), QStringLiteral("auto")}} +
              reportOptionSyntax()},
         cancel);

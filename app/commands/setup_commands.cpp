@@ -113,10 +113,9 @@ Result<void> runRobot(const QStringList &arguments, const CancelToken &cancel)
          3,
          {{option::colour,
            QStringLiteral(
-               "The robot's colour, where it has one of its own; without it the robot may have any look."),
+               "The robot's colour, if it has a distinct one; without it the robot may have any look."),
            QStringLiteral("#rrggbb")},
-          {option::pick, QStringLiteral("A video or picture to take the colour from."),
-           QStringLiteral("FILE")},
+          {option::pick, QStringLiteral("A video or image to take the colour from."), QStringLiteral("FILE")},
           {option::box, QStringLiteral("A box closely round the robot in it, in pixels from the top left."),
            QStringLiteral("x,y,w,h")},
           {option::frame, QStringLiteral("Which frame of the video; the first is 0."), QStringLiteral("N")},

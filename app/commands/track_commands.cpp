@@ -85,14 +85,14 @@ Result<void> runTrack(const QStringList &arguments, const CancelToken &cancel)
                         "rts|savgol|tracker|none] [--again] [--json]"),
          2,
          2,
-         {{option::robot, QStringLiteral("A robot to look for."), QStringLiteral("R")},
+         {{option::robot, QStringLiteral("A robot to track."), QStringLiteral("R")},
           {option::at,
-           QStringLiteral("Where a robot without a colour is in a picture, in pixels, if the wrong thing was "
-                          "followed; R=none takes it back."),
+           QStringLiteral("Where a robot without a colour is in a frame, in pixels, if something else was "
+                          "tracked; R=none clears it."),
            QStringLiteral("R=VIEW,SECONDS,X,Y")},
-          {option::smoother, QStringLiteral("How the curves are made."), QStringLiteral("NAME")},
+          {option::smoother, QStringLiteral("How the curves are smoothed."), QStringLiteral("NAME")},
           {option::again,
-           QStringLiteral("Analyse the stored observations anew, without decoding the videos.")}}},
+           QStringLiteral("Reanalyse the stored observations, without decoding the videos.")}}},
         cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
         return parsed.map([](bool) {});
@@ -164,13 +164,13 @@ QString wordsOf(OverruleRequest::Word word)
 {
     switch (word) {
     case OverruleRequest::Word::Spike:
-        return QStringLiteral("called a spike by hand");
+        return QStringLiteral("marked as a spike by hand");
     case OverruleRequest::Word::Valid:
-        return QStringLiteral("called valid by hand");
+        return QStringLiteral("marked as valid by hand");
     case OverruleRequest::Word::Clear:
         break;
     }
-    return QStringLiteral("judged by the program again");
+    return QStringLiteral("manual override removed");
 }
 
 } // namespace
@@ -183,12 +183,12 @@ Result<void> runFlag(const QStringList &arguments, const CancelToken &cancel)
              "P.odo TRIAL [--robot R] --time SECONDS|--frame N (--spike|--valid|--clear) [--json]"),
          2,
          2,
-         {{option::robot, QStringLiteral("The robot, where there are several."), QStringLiteral("R")},
+         {{option::robot, QStringLiteral("The robot, if the trial has several."), QStringLiteral("R")},
           {option::time, QStringLiteral("The sample nearest to this time."), QStringLiteral("SECONDS")},
           {option::frame, QStringLiteral("The sample of this frame of the first view."), QStringLiteral("N")},
-          {option::spike, QStringLiteral("It is not to be used.")},
-          {option::valid, QStringLiteral("It is to be used.")},
-          {option::clear, QStringLiteral("Take back what was said by hand.")}}},
+          {option::spike, QStringLiteral("Mark it as a spike.")},
+          {option::valid, QStringLiteral("Mark it as valid.")},
+          {option::clear, QStringLiteral("Remove the manual override.")}}},
         cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
         return parsed.map([](bool) {});
@@ -207,7 +207,7 @@ Result<void> runFlag(const QStringList &arguments, const CancelToken &cancel)
                  {QStringLiteral("spikes"), qint64(profile.spikes.size())},
                  {QStringLiteral("analysis"), qint64(outcome.analysis.id)},
                  {QStringLiteral("metrics"), metricsJson(profile.metrics)}},
-                QStringLiteral("%1, frame %2 at %3 s: %4. A new analysis was made; it has %5.")
+                QStringLiteral("%1, frame %2 at %3 s: %4. The trial was reanalysed; it has %5.")
                     .arg(QString::fromStdString(outcome.robot))
                     .arg(outcome.frame)
                     .arg(toSeconds(outcome.time), 0, 'f', 3)
@@ -245,8 +245,7 @@ Result<void> runReprocess(const QStringList &arguments, const CancelToken &cance
          QStringLiteral("P.odo TRIAL [--keep] [--json]"),
          2,
          2,
-         {{option::keep,
-           QStringLiteral("Store the new analyses; without it only what would change is told.")}}},
+         {{option::keep, QStringLiteral("Store the new analyses. Without it, only the changes are shown.")}}},
         cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
         return parsed.map([](bool) {});

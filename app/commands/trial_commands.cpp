@@ -39,8 +39,8 @@ Result<ImportSettings> importSettings(const CommandCall &call)
         }
         const auto offset = parseNumber(how);
         if (!offset)
-            return call.wrongCall(ODO_TEXT(
-                "app.sync_is", "--sync is auto, none or seconds, one of them for each view but the first"));
+            return call.wrongCall(
+                ODO_TEXT("app.sync_is", "--sync is auto, none or seconds, one for each view but the first"));
         if (std::abs(*offset) > largestOffsetS)
             return call.wrongCall(
                 ODO_TEXT("app.sync_takes_seconds", "--sync takes seconds from -3600 to 3600"));
@@ -105,14 +105,14 @@ Result<void> runImport(const QStringList &arguments, const CancelToken &cancel)
            QStringLiteral("ROBOT=FILE")},
           {option::sync,
            QStringLiteral("How much later each other view's first frame was taken than the first view's; "
-                          "auto: found from the motion or a flash of light."),
+                          "auto: found by the motion or a flash of light."),
            QStringLiteral("auto|none|SECONDS[,...]")},
-          {option::team, QStringLiteral("The team that ran."), QStringLiteral("T")},
-          {option::task, QStringLiteral("The task that was driven; see odograph task add."),
+          {option::team, QStringLiteral("The team of the trial."), QStringLiteral("T")},
+          {option::task, QStringLiteral("The task of the trial; see odograph task add."),
            QStringLiteral("NAME")},
-          {option::robot, QStringLiteral("A robot that is seen; else those that belong to the team."),
+          {option::robot, QStringLiteral("A robot in view; default: the team's robots."),
            QStringLiteral("R")},
-          {option::rate, QStringLiteral("The camera's frame rate where the file has another."),
+          {option::rate, QStringLiteral("The camera's frame rate, if the file says another."),
            QStringLiteral("FPS")}}},
         cancel);
     if (const auto parsed = call.parse(arguments); !parsed || !*parsed)
@@ -232,7 +232,7 @@ Result<void> answerRecover(const CommandCall &call)
     if (const auto left = std::ranges::find_if(trials, &TrialName::unfinished); left != trials.end())
         return fail(ErrorCode::InvalidInput, trialSubject(left->name),
                     ODO_TEXT("app.cut_off", "its recording was cut off; it is not complete yet"),
-                    ODO_TEXT("app.follow_above", "follow what is said above"));
+                    ODO_TEXT("app.follow_above", "follow the advice above"));
     call.answer({{QStringLiteral("project"), call.positional(0)}},
                 QStringLiteral("No recording is left that was cut off."));
     return {};
@@ -253,7 +253,7 @@ Result<RecordSettings> recordSettings(const CommandCall &call)
         const auto number = call.number(option::seconds);
         if (!number || *number <= 0 || *number > longestRecordingS)
             return call.wrongCall(
-                ODO_TEXT("app.seconds_is", "--seconds is a number above zero, of 86,400 (a day) at most"));
+                ODO_TEXT("app.seconds_is", "--seconds is a number above zero, at most 86,400 (a day)"));
         settings.seconds = *number;
     }
     if (call.isSet(option::sslVision)) {
@@ -276,13 +276,13 @@ double rateOf(const ViewRecording &view)
     return lengthS > 0 ? double(view.taken.size() - 1) / lengthS : 0;
 }
 
-/// "A: 300 pictures, 30.0 a second, none lost", on a line of its own.
+/// "A: 300 frames, 30.0 a second, none lost", on a line of its own.
 QString viewWords(const QString &name, const ViewRecording &view)
 {
     const std::uint64_t lost = view.lostOnWire + view.lostByUs;
     return QStringLiteral("\nView %1: %2, %3 a second, %4 lost.")
         .arg(name)
-        .arg(counted(view.taken.size(), QStringLiteral("picture")))
+        .arg(counted(view.taken.size(), QStringLiteral("frame")))
         .arg(rateOf(view), 0, 'f', 1)
         .arg(lost == 0 ? QStringLiteral("none") : QString::number(lost));
 }
@@ -332,17 +332,16 @@ Result<void> runRecord(const QStringList &arguments, const CancelToken &cancel)
          {{option::trial, QStringLiteral("What the trial is called."), QStringLiteral("NAME")},
           {option::camera, QStringLiteral("A view: the camera's name and its address; see odograph cameras."),
            QStringLiteral("CAMERA=URI")},
-          {option::seconds, QStringLiteral("How long, from when all cameras deliver."),
+          {option::seconds, QStringLiteral("How long to record, from when all cameras deliver frames."),
            QStringLiteral("SECONDS")},
           {option::preRoll,
            QStringLiteral(
-               "What is recorded from before that, 10 seconds at most: the cameras run so long first."),
+               "How long to record before that, at most 10 seconds; the cameras run for this time first."),
            QStringLiteral("SECONDS")},
-          {option::robot, QStringLiteral("A robot that is seen."), QStringLiteral("R")},
+          {option::robot, QStringLiteral("A robot in view."), QStringLiteral("R")},
           {option::sslVision,
-           QStringLiteral(
-               "Sends the robots' live positions as SSL-Vision packets, on this machine's loopback only; "
-               "224.5.23.2:10006 unless another address is told."),
+           QStringLiteral("Sends the robots' live positions as SSL-Vision packets, on this computer's "
+                          "loopback only; default address: 224.5.23.2:10006."),
            QStringLiteral("[ADDRESS:PORT]")},
           {option::recover,
            QStringLiteral(
@@ -385,7 +384,7 @@ Result<void> runRecord(const QStringList &arguments, const CancelToken &cancel)
     if (!call.control().isCancelled())
         return {};
     return fail(ErrorCode::Cancelled, recordingSubject(recorded.trial().name),
-                ODO_TEXT("app.stopped_early", "it was stopped before its time was over"),
+                ODO_TEXT("app.stopped_early", "it was stopped early"),
                 ODO_TEXT("app.recorded_kept", "what was recorded until then is kept"));
 }
 

@@ -82,19 +82,19 @@ Result<void> checkScoring(const std::vector<Criterion> &criteria)
                         std::move(advice));
         };
         if (line.metric.empty())
-            return refuse(ODO_TEXT("analysis.no_figure", "it names no figure"),
-                          ODO_TEXT("analysis.choose_figure", "choose what is scored"));
+            return refuse(ODO_TEXT("analysis.no_figure", "it names no metric"),
+                          ODO_TEXT("analysis.choose_figure", "choose a metric to score"));
         if (!std::isfinite(line.fullAt) || !std::isfinite(line.noneAt) || !std::isfinite(line.points))
-            return refuse(ODO_TEXT("analysis.number_is_none", "a number in it is none"),
-                          ODO_TEXT("analysis.give_three_numbers", "give three numbers"));
+            return refuse(ODO_TEXT("analysis.number_is_none", "one of its values is not a number"),
+                          ODO_TEXT("analysis.give_three_numbers", "enter three numbers"));
         if (line.fullAt == line.noneAt)
-            return refuse(
-                ODO_TEXT("analysis.same_values", "all points and no points are at the same value"),
-                ODO_TEXT("analysis.give_two_values", "give two values, between which the points rise"));
+            return refuse(ODO_TEXT("analysis.same_values", "full points and no points have the same value"),
+                          ODO_TEXT("analysis.give_two_values",
+                                   "enter two different values; the points rise between them"));
         if (line.points == 0 || std::abs(line.points) > mostPoints)
-            return refuse(
-                ODO_TEXT("analysis.points_out_of_range", "its points are 0, or beyond 1000"),
-                ODO_TEXT("analysis.give_points", "give points from 1 to 1000, below zero for a penalty"));
+            return refuse(ODO_TEXT("analysis.points_out_of_range", "its points are 0 or beyond ±1000"),
+                          ODO_TEXT("analysis.give_points",
+                                   "enter points from 1 to 1000; use a negative number for a penalty"));
     }
     return {};
 }

@@ -19,7 +19,7 @@ constexpr double shortestEdgeM = 0.001;
 
 Message nameIsThereTwice()
 {
-    return ODO_TEXT("analysis.name_twice", "the name is there twice");
+    return ODO_TEXT("analysis.name_twice", "the name is used twice");
 }
 
 /// As much of a word that was typed as an error shows.
@@ -97,7 +97,7 @@ Result<ZoneRule> parseZoneRule(std::string_view word)
     if (word == outsideWord)
         return ZoneRule::StayOutside;
     return fail(ErrorCode::NotFound, ODO_TEXT("analysis.rule", "rule '%1'")(beginningOf(word)),
-                ODO_TEXT("analysis.no_such_rule", "there is no such rule of a zone"),
+                ODO_TEXT("analysis.no_such_rule", "zones have no such rule"),
                 ODO_TEXT("analysis.use_a_rule", "use stay_inside or stay_outside"));
 }
 
@@ -120,22 +120,22 @@ Result<void> checkZone(const Zone &zone)
     const auto &corners = zone.corners;
     if (corners.size() < fewestCorners)
         return refuse(
-            ODO_TEXT("analysis.few_corners", "it has less than three corners"),
-            ODO_TEXT("analysis.give_corners", "give the corners of its outline, all the way round"));
+            ODO_TEXT("analysis.few_corners", "it has fewer than three corners"),
+            ODO_TEXT("analysis.give_corners", "enter the corners of its outline, all the way round"));
     if (corners.size() > mostCorners)
         return refuse(ODO_TEXT("analysis.many_corners", "it has more than %1 corners")(mostCorners),
-                      ODO_TEXT("analysis.draw_coarsely", "draw it more coarsely"));
+                      ODO_TEXT("analysis.draw_coarsely", "draw it with fewer corners"));
     if (!std::ranges::all_of(corners, isOnFloor))
-        return refuse(ODO_TEXT("analysis.corners_off_floor", "its corners are not on a floor of 1 km"),
+        return refuse(ODO_TEXT("analysis.corners_off_floor", "its corners are not all on a floor of 1 km"),
                       checkTheNumbers());
     for (std::size_t i = 0; i < corners.size(); ++i) {
         if ((corners[(i + 1) % corners.size()] - corners[i]).norm() < shortestEdgeM)
             return refuse(ODO_TEXT("analysis.corners_too_near", "two corners are less than 1 mm apart"),
-                          ODO_TEXT("analysis.corners_once", "give each corner once"));
+                          ODO_TEXT("analysis.corners_once", "enter each corner once"));
     }
     if (meetsItself(corners))
         return refuse(ODO_TEXT("analysis.outline_crosses", "its outline crosses itself"),
-                      ODO_TEXT("analysis.corners_in_order", "give the corners in order, all the way round"));
+                      ODO_TEXT("analysis.corners_in_order", "enter the corners in order, all the way round"));
     return {};
 }
 
@@ -144,8 +144,8 @@ Result<void> checkZoneAmong(const std::vector<Zone> &zones)
     const Message what = zoneSubject(zones.back().name);
     if (zones.size() > mostZones)
         return fail(ErrorCode::InvalidInput, what,
-                    ODO_TEXT("analysis.many_zones", "the task has %1 zones already")(mostZones),
-                    ODO_TEXT("analysis.join_zones", "join zones that lie beside one another"));
+                    ODO_TEXT("analysis.many_zones", "the task already has %1 zones")(mostZones),
+                    ODO_TEXT("analysis.join_zones", "merge neighbouring zones"));
     if (std::ranges::count(zones, zones.back().name, &Zone::name) > 1)
         return fail(ErrorCode::InvalidInput, what, nameIsThereTwice(),
                     ODO_TEXT("analysis.name_each_zone", "give each zone a name of its own"));
@@ -214,7 +214,7 @@ ReferencePath sampled(const std::function<Eigen::Vector2d(double)> &curve, doubl
 Result<TaskTemplate> parseTaskTemplate(std::string_view word)
 {
     return parse(templateWords, word, ODO_TEXT("analysis.template", "template '%1'")(beginningOf(word)),
-                 ODO_TEXT("analysis.no_such_template", "there is no such template"));
+                 ODO_TEXT("analysis.no_such_template", "no template has this name"));
 }
 
 std::string_view taskTemplateWord(TaskTemplate kind)
@@ -225,7 +225,7 @@ std::string_view taskTemplateWord(TaskTemplate kind)
 Result<GateRole> parseGateRole(std::string_view word)
 {
     return parse(roleWords, word, ODO_TEXT("analysis.role", "role '%1'")(beginningOf(word)),
-                 ODO_TEXT("analysis.no_such_role", "there is no such role"));
+                 ODO_TEXT("analysis.no_such_role", "gates have no such role"));
 }
 
 std::string_view gateRoleWord(GateRole role)
@@ -238,12 +238,12 @@ Result<void> checkGate(const Gate &gate)
     const Message what = gateSubject(gate.name);
     if (!isOnFloor(gate.from) || !isOnFloor(gate.to))
         return fail(ErrorCode::InvalidInput, what,
-                    ODO_TEXT("analysis.ends_off_floor", "its ends are not on a floor of 1 km"),
+                    ODO_TEXT("analysis.ends_off_floor", "its ends are not both on a floor of 1 km"),
                     checkTheNumbers());
     if ((gate.to - gate.from).norm() < shortestGateM)
         return fail(ErrorCode::InvalidInput, what,
                     ODO_TEXT("analysis.ends_too_near", "its ends are less than 1 mm apart"),
-                    ODO_TEXT("analysis.give_ends", "give the two ends of the line that is to be passed"));
+                    ODO_TEXT("analysis.give_ends", "enter the two ends of the line that the robot passes"));
     return {};
 }
 
@@ -263,8 +263,8 @@ Result<void> checkGateAmong(const std::vector<Gate> &gates)
             return fail(
                 ErrorCode::InvalidInput, what,
                 starts(gates[i].role) && starts(last.role)
-                    ? ODO_TEXT("analysis.start_is_there", "gate '%1' is the start already")(gates[i].name)
-                    : ODO_TEXT("analysis.finish_is_there", "gate '%1' is the finish already")(gates[i].name),
+                    ? ODO_TEXT("analysis.start_is_there", "gate '%1' is already the start")(gates[i].name)
+                    : ODO_TEXT("analysis.finish_is_there", "gate '%1' is already the finish")(gates[i].name),
                 ODO_TEXT("analysis.one_start_and_finish",
                          "keep one start and one finish, or one gate with the role start_finish"));
     }
@@ -283,12 +283,12 @@ Result<void> checkReferencePath(const ReferencePath &path)
     if (path.points.size() < 2 || (path.closed && path.points.size() < 3))
         return refuse(
             ODO_TEXT("analysis.few_points", "it has too few points"),
-            ODO_TEXT("analysis.give_two_points", "give two points or more, three where the path is closed"));
+            ODO_TEXT("analysis.give_two_points", "enter at least two points, or three for a closed path"));
     if (path.points.size() > mostPoints)
         return refuse(ODO_TEXT("analysis.many_points", "it has more than %1 points")(mostPoints),
-                      ODO_TEXT("analysis.sample_coarsely", "sample it more coarsely"));
+                      ODO_TEXT("analysis.sample_coarsely", "sample it with fewer points"));
     if (!std::all_of(path.points.begin(), path.points.end(), isOnFloor))
-        return refuse(ODO_TEXT("analysis.points_off_floor", "its points are not on a floor of 1 km"),
+        return refuse(ODO_TEXT("analysis.points_off_floor", "its points are not all on a floor of 1 km"),
                       checkTheNumbers());
     double lengthM = 0;
     for (std::size_t i = 1; i < path.points.size(); ++i)
@@ -304,9 +304,9 @@ Result<void> checkTaskLimits(const TaskLimits &limits)
         if (limit && !(*limit > 0 && std::isfinite(*limit)))
             return fail(
                 ErrorCode::InvalidInput, ODO_TEXT("analysis.limits", "limits of a task"),
-                ODO_TEXT("analysis.limit_not_positive", "a limit is not above zero"),
+                ODO_TEXT("analysis.limit_not_positive", "a limit is zero or negative"),
                 ODO_TEXT("analysis.give_limits",
-                         "give the largest speed and acceleration that a robot can have in the task"));
+                         "enter the largest speed and acceleration that a robot can reach in the task"));
     }
     return {};
 }

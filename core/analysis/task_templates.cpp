@@ -57,13 +57,13 @@ Result<Task> taskFromTemplate(TaskTemplate kind, const TemplateSizes &sizes)
     for (const double size : {sizes.lengthM, sizes.widthM, sizes.gateM})
         if (!(size >= smallestM) || !std::isfinite(size))
             return refuse(ODO_TEXT("analysis.size_too_small", "a size is less than 1 mm"),
-                          ODO_TEXT("analysis.give_sizes", "give the sizes in millimetres"));
+                          ODO_TEXT("analysis.give_sizes", "enter the sizes in millimetres"));
     if (!sizes.centre.allFinite() || !std::isfinite(sizes.directionRad))
-        return refuse(ODO_TEXT("analysis.place_no_number", "its place is not a number"),
-                      ODO_TEXT("analysis.give_place", "give where it lies in millimetres"));
+        return refuse(ODO_TEXT("analysis.place_no_number", "its position is not a number"),
+                      ODO_TEXT("analysis.give_place", "enter its position in millimetres"));
     if (sizes.poles < 1 || sizes.poles > mostPoles)
         return refuse(ODO_TEXT("analysis.wrong_poles", "a slalom has 1 to 100 poles, not %1")(sizes.poles),
-                      ODO_TEXT("analysis.give_another_number", "give another number"));
+                      ODO_TEXT("analysis.give_another_number", "choose another number"));
     Task task;
     task.kind = kind;
     if (kind == TaskTemplate::Circle || kind == TaskTemplate::FigureEight)

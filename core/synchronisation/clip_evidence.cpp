@@ -122,10 +122,11 @@ Result<ClipOffset> fromMotion(const ClipEvidence &first, const ClipEvidence &sec
         return tl::unexpected(*whyNot);
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (all[i] && disagree(*all[i], *best))
-            remarks.push_back(ODO_TEXT("synchronisation.robots_disagree",
-                                       "robot %1 tells an offset of %2, robot %3 %4, which was taken")(
-                namesOf(first.tracks[i]), plusMinus(*all[i]), namesOf(first.tracks[bestTrack]),
-                plusMinus(*best)));
+            remarks.push_back(
+                ODO_TEXT("synchronisation.robots_disagree",
+                         "robot %1 gives a time offset of %2, robot %3 gives %4; the second was used")(
+                    namesOf(first.tracks[i]), plusMinus(*all[i]), namesOf(first.tracks[bestTrack]),
+                    plusMinus(*best)));
     }
     return *best;
 }
@@ -189,16 +190,16 @@ Result<FoundOffset> findClipOffset(const ClipEvidence &first, const ClipEvidence
     if (motion) {
         found.clock = *motion;
         if (flash && disagree(*motion, *flash))
-            found.remarks.push_back(
-                ODO_TEXT("synchronisation.flash_disagrees",
-                         "the motion tells an offset of %1, which was taken, and the flash of light %2")(
-                    plusMinus(*motion), plusMinus(*flash)));
+            found.remarks.push_back(ODO_TEXT(
+                "synchronisation.flash_disagrees",
+                "the motion gives a time offset of %1, the flash of light gives %2; the motion was used")(
+                plusMinus(*motion), plusMinus(*flash)));
         return found;
     }
     found.clock = *flash;
     found.fromFlash = true;
     found.remarks.push_back(
-        ODO_TEXT("synchronisation.from_flash", "from a flash of light, to %1 only, for %2")(
+        ODO_TEXT("synchronisation.from_flash", "measured by a flash of light to only ±%1, because %2")(
             quantity(1e3 * flash->sigmaS, 1, "ms"), motion.error().why));
     return found;
 }

@@ -170,28 +170,27 @@ Result<PickedColour> pickColour(const Frame &frame, const PixelRect &box)
     if (area.width() < leastSamples || area.height() < leastSamples)
         return fail(
             ErrorCode::InvalidInput, colourInBox(),
-            ODO_TEXT("tracking.box_too_small", "the box is too small, or outside the picture"),
+            ODO_TEXT("tracking.box_too_small", "the box is too small or outside the image"),
             ODO_TEXT("tracking.draw_box_larger", "draw it round the robot, at least 8 pixels wide and high"));
     const ChromaDensity around = densityAround(grid, area);
     if (!(around.sum() > 0.5))
         return fail(
             ErrorCode::InvalidInput, colourInBox(),
-            ODO_TEXT("tracking.box_leaves_nothing", "the box leaves nothing of the floor to compare with"),
+            ODO_TEXT("tracking.box_leaves_nothing", "the box leaves no floor around it to compare with"),
             ODO_TEXT("tracking.draw_box_closely", "draw it closely round the robot"));
     const Standing standing = findStanding(densityOf(grid, area), around);
     if (standing.coloured >= leastShareOfBox)
         return PickedColour{meanColour(frame, grid, area, standing.own), std::min(1.0, standing.coloured)};
     if (standing.grey >= leastShareOfBox)
-        return fail(
-            ErrorCode::Undetermined, colourInBox(),
-            ODO_TEXT("tracking.box_is_grey", "what differs from the floor around it is grey, black or white"),
-            ODO_TEXT("tracking.add_without_colour",
-                     "add the robot without a colour, so that it is found by how it differs from the floor"));
-    return fail(
-        ErrorCode::Undetermined, colourInBox(),
-        ODO_TEXT("tracking.box_without_colour", "it holds no colour that differs from the floor around it"),
-        ODO_TEXT("tracking.put_plate_on_it",
-                 "draw it closely round the robot, or put a plate of another colour on it"));
+        return fail(ErrorCode::Undetermined, colourInBox(),
+                    ODO_TEXT("tracking.box_is_grey", "the robot in it is grey, black or white"),
+                    ODO_TEXT("tracking.add_without_colour",
+                             "add the robot without a colour; background subtraction then finds it"));
+    return fail(ErrorCode::Undetermined, colourInBox(),
+                ODO_TEXT("tracking.box_without_colour",
+                         "it contains no colour that differs from the floor around it"),
+                ODO_TEXT("tracking.put_plate_on_it",
+                         "draw it closely round the robot, or put a plate of another colour on it"));
 }
 
 } // namespace odo

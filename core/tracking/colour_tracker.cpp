@@ -247,11 +247,11 @@ Result<std::unique_ptr<ColourTracker>> ColourTracker::create(std::vector<TrackTa
             return fail(
                 ErrorCode::InvalidInput,
                 ODO_TEXT("tracking.cannot_track_robot", "Cannot track robot %1")(Named::robot(target.name)),
-                ODO_TEXT("tracking.colour_is_grey",
-                         "its colour %1 is grey, and only hue tells a robot from the floor")(
+                ODO_TEXT(
+                    "tracking.colour_is_grey",
+                    "its colour %1 is grey, and tracking by colour needs a hue that differs from the floor")(
                     target.colour ? target.colour->toString() : std::string()),
-                ODO_TEXT("tracking.tell_no_colour",
-                         "tell no colour, so that it is found by how it differs from the floor"));
+                ODO_TEXT("tracking.tell_no_colour", "set no colour; background subtraction then finds it"));
     }
     auto impl = std::make_unique<Impl>();
     for (const TrackTarget &target : targets)

@@ -68,13 +68,12 @@ Result<void> checkViews(const std::vector<ViewTrack> &views)
         foundRegistered += view.floorView ? count : 0;
     }
     if (found == 0)
-        return fail(
-            ErrorCode::Undetermined, cannotMeasurePath(),
-            ODO_TEXT("trajectory.robot_not_found",
-                     "the robot was not found in any picture of %1")(camerasOf(views)),
-            ODO_TEXT("trajectory.check_robot_and_light",
-                     "check that the robot moves in the pictures, that a colour that was told is the one it "
-                     "has there, and that the light is sufficient"));
+        return fail(ErrorCode::Undetermined, cannotMeasurePath(),
+                    ODO_TEXT("trajectory.robot_not_found",
+                             "the robot was not found in any frame of %1")(camerasOf(views)),
+                    ODO_TEXT("trajectory.check_robot_and_light",
+                             "check that the robot moves in the video, that its colour, if set, matches the "
+                             "video, and that the light is sufficient"));
     if (foundRegistered == 0)
         return fail(ErrorCode::Undetermined, cannotMeasurePath(),
                     ODO_TEXT("trajectory.only_unregistered",
@@ -171,9 +170,9 @@ Result<PlacedRobot> placeAtOneHeight(const std::vector<ViewTrack> &views,
     if (!shape.referenceM.isZero())
         return fail(
             ErrorCode::Undetermined, cannotMeasurePath(),
-            ODO_TEXT("trajectory.heading_unknown",
-                     "its reference point lies beside its centre, but its outlines do not tell its heading"),
-            ODO_TEXT("trajectory.centre_reference", "give it the reference point 0,0 and track again"));
+            ODO_TEXT("trajectory.heading_unknown", "its reference point is not the centre of its footprint, "
+                                                   "but its outlines do not show its heading"),
+            ODO_TEXT("trajectory.centre_reference", "set its reference point to 0,0 and track again"));
     const PlaneChoice plane = choosePlane(views, times, shape);
     const bool known = plane.heightM > 0;
     PlacedRobot placed{known ? lookAtPlane(views, times, plane.planeM) : lookFromAllViews(views, times, 0),
@@ -192,12 +191,10 @@ Result<PlacedRobot> place(const std::vector<ViewTrack> &views, const std::vector
         return placeAtOneHeight(views, times, shape);
     auto placed = freeHeight(lookFromAllViews(views, times, 0));
     if (!placed)
-        return fail(
-            ErrorCode::Undetermined, cannotMeasurePath(),
-            ODO_TEXT(
-                "trajectory.seldom_together",
-                "its height is to be triangulated, but two registered views hardly ever saw it together"),
-            ODO_TEXT("trajectory.add_view", "add a second view, or give the robot one height"));
+        return fail(ErrorCode::Undetermined, cannotMeasurePath(),
+                    ODO_TEXT("trajectory.seldom_together", "its height is set to be triangulated, but two "
+                                                           "registered views rarely saw it at the same time"),
+                    ODO_TEXT("trajectory.add_view", "add a second view, or set one height for the robot"));
     return PlacedRobot{std::move(placed->views), freePlaneSigmaM, placed->medianHeightM, true, {}};
 }
 
@@ -222,7 +219,7 @@ Result<Smoother> parseSmoother(std::string_view name)
             return smoother;
     }
     return fail(ErrorCode::NotFound, ODO_TEXT("trajectory.smoother", "smoother %1")(std::string(name)),
-                ODO_TEXT("trajectory.no_such_smoother", "there is none of that name"),
+                ODO_TEXT("trajectory.no_such_smoother", "no smoother has this name"),
                 ODO_TEXT("trajectory.use_smoother", "use rts, savgol, tracker or none"));
 }
 

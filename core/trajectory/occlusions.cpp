@@ -280,7 +280,7 @@ Message occlusionWords(const Occlusion &occlusion)
     case OcclusionCause::PartlyHiddenBehind:
         return ODO_TEXT("trajectory.partly_hidden_behind", "partly hidden behind %1 in view %2")(other, view);
     case OcclusionCause::OneOutline:
-        return ODO_TEXT("trajectory.one_outline", "one outline with %1 in view %2")(other, view);
+        return ODO_TEXT("trajectory.one_outline", "outline merged with %1 in view %2")(other, view);
     case OcclusionCause::CutByEdge:
         return ODO_TEXT("trajectory.cut_by_frames_edge", "cut by the frame's edge in view %1")(view);
     case OcclusionCause::PartlyVisible:
@@ -354,8 +354,8 @@ Message unseenStretch(const Sample &left, const Sample *back)
                     since, quantity(toSeconds(back->time), 1, "s"), x, y)
               : ODO_TEXT("trajectory.unseen_after", "no view sees it after %1 (it was at X %2, Y %3)")(since,
                                                                                                        x, y),
-         ODO_TEXT("trajectory.move_camera", "move or add a camera so that the whole task is seen"),
-         ODO_TEXT("trajectory.figures_of_seen", "the figures are of the part that was seen")},
+         ODO_TEXT("trajectory.move_camera", "move or add a camera to cover the whole task"),
+         ODO_TEXT("trajectory.figures_of_seen", "the metrics cover only the part that was seen")},
         Join::Semicolon);
 }
 

@@ -232,13 +232,13 @@ Result<void> checkAgreement(const std::vector<Sample> &samples)
         return {};
     return fail(
         ErrorCode::Undetermined, cannotMeasurePath(),
-        joined({ODO_TEXT("trajectory.views_apart", "the views put it %1 apart")(
+        joined({ODO_TEXT("trajectory.views_apart", "the views' floor positions differ by %1")(
                     quantity(toMillimetres(upperMedian(std::move(found.apartM))), 0, "mm")),
                 ODO_TEXT("trajectory.why_views_apart",
-                         "a camera was moved after it was registered, the videos belong to other cameras, or "
+                         "a camera has moved since it was registered, the videos belong to other cameras, or "
                          "one view follows something else")},
                Join::Colon),
-        ODO_TEXT("trajectory.look_and_register", "look at the outlines, and register the cameras again"));
+        ODO_TEXT("trajectory.look_and_register", "check the outlines, and register the cameras again"));
 }
 
 namespace {

@@ -21,7 +21,7 @@ private Q_SLOTS:
         QVERIFY(writeNoiseClip(path("clip.mkv").toStdString(), 1).has_value());
         QCOMPARE(good("new %P").exitStatus, 0);
         QCOMPARE(good("import %P --trial run --video A=%/clip.mkv").exitStatus, 0);
-        QCOMPARE(good("check %P").out, QByteArray("All is well.\n"));
+        QCOMPARE(good("check %P").out, QByteArray("No problems found.\n"));
     }
 
     void strayFilesAreNamedAdoptedAndRemoved()
@@ -46,7 +46,7 @@ private Q_SLOTS:
         QVERIFY(!QFile::exists(path("class.media/broken_A.mkv")));
         QCOMPARE(removed.exitStatus, 1);
         QVERIFY(QFile::remove(path("class.media/notes.txt")));
-        QCOMPARE(good("check %P").out, QByteArray("All is well.\n"));
+        QCOMPARE(good("check %P").out, QByteArray("No problems found.\n"));
         QVERIFY(QFile::exists(path("class.media/lap_A.mkv")) && QFile::exists(path("class.media/run_A.mkv")));
     }
 

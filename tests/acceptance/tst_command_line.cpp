@@ -157,8 +157,8 @@ private Q_SLOTS:
             const ProgramRun failed = shell(line, file);
             QCOMPARE(failed.exitStatus, 1);
             QCOMPARE(failed.err,
-                     QByteArray("odograph: the answer: it could not be written (Bad file descriptor); what "
-                                "was to be done is done, make room and ask again\n"));
+                     QByteArray("odograph: the output: it could not be written (Bad file descriptor); the "
+                                "command succeeded; free some disk space and repeat it\n"));
         }
         QCOMPARE(shell("\"$ODOGRAPH_PROGRAM\" list \"$0\" 2>&- <&-", file).exitStatus, 0);
         QCOMPARE(shell("\"$ODOGRAPH_PROGRAM\" list \"$0.none\" >&- 2>&- <&-", file).exitStatus, 1);
@@ -279,11 +279,10 @@ private Q_SLOTS:
         const QJsonArray warnings = tracked.json().value(QStringLiteral("warnings")).toArray();
         QCOMPARE(warnings.size(), 1);
         const QString sentence = warnings.first().toString();
-        QVERIFY2(
-            sentence.startsWith(
-                QStringLiteral("robot 'red' in trial 'leaving': no view sees it after 1.2 s")) &&
-                sentence.contains(QStringLiteral("; move or add a camera so that the whole task is seen")),
-            qPrintable(sentence));
+        QVERIFY2(sentence.startsWith(
+                     QStringLiteral("robot 'red' in trial 'leaving': no view sees it after 1.2 s")) &&
+                     sentence.contains(QStringLiteral("; move or add a camera to cover the whole task")),
+                 qPrintable(sentence));
         QCOMPARE(tracked.err, "odograph: " + sentence.toUtf8() + '\n');
         QCOMPARE(good("show %P leaving --json").json().value(QStringLiteral("warnings")).toArray(), warnings);
 
@@ -300,7 +299,7 @@ private Q_SLOTS:
         QCOMPARE(absent.exitStatus, 1);
         QCOMPARE(absent.err,
                  QByteArray("odograph: robot 'absent' in trial 'leaving': the robot was not found in any "
-                            "picture of A; track only the robots that are in view (--robot)\n"));
+                            "frame of A; track only the robots that are in view (--robot)\n"));
     }
 
     void badCallsFailInOneLine_data()
@@ -308,13 +307,13 @@ private Q_SLOTS:
         beginBadCalls();
         const auto row = addBadCall;
         row("nonsense", 2, "neither a command nor a project");
-        row("new", 2, "something is missing");
+        row("new", 2, "an argument is missing");
         row("new %P", 1, "there already");
         row("new %/nowhere/x.odo", 1, "nowhere");
         row("new %/x.odo --title=", 1, "title of the project: it is empty; give the project a title");
         row("new %/x.odo --title=T\u202eitle", 1, "it holds an invisible character, U+202E");
         row("new %/x.odo --title=two\nlines", 1, "it holds a line break");
-        row("demo", 2, "something is missing");
+        row("demo", 2, "an argument is missing");
         row("demo %/a.mkv", 1, "demo");
         row("robot add %P blue --colour red", 2, "#rrggbb");
         row("robot add %P blue --colour #0000ff --height tall", 2, "not a length");
@@ -340,7 +339,7 @@ private Q_SLOTS:
         row("robot add %/missing.odo red --colour #0000ff", 1, "missing.odo");
         row("robot add %/foreign.odo red --colour #0000ff", 1, "foreign.odo");
         row("camera add %P A", 1, "A");
-        row("camera add %P", 2, "something is missing");
+        row("camera add %P", 2, "an argument is missing");
         row("calibrate %P A %/nofile.png", 1, "no such file");
         row("calibrate %P A %/noboard.png", 1, "board");
         row("calibrate %P A %/noboard.png --board 9", 2, "AxB");
@@ -387,7 +386,7 @@ private Q_SLOTS:
         row("track %P run1 --robot blue", 1, "blue");
         row("track %P nowhere", 1, "nowhere");
         row("track %P run1 --smoother magic", 2, "--smoother");
-        row("track %P", 2, "something is missing");
+        row("track %P", 2, "an argument is missing");
         row("track %P uneven --again --robot red", 1, "not been tracked yet");
         row("flag %P run1 --time 1", 2, "--spike");
         row("flag %P run1 --time 1 --spike --valid", 2, "--spike");
@@ -564,10 +563,9 @@ private Q_SLOTS:
                                           {QStringLiteral("-c"), QStringLiteral("\"$ODOGRAPH_PROGRAM\" ") +
                                                                      arguments.arg(m_folder.path())});
         QCOMPARE(run.exitStatus, 2);
-        QVERIFY2(
-            run.err.endsWith("': it is not valid UTF-8, so it cannot be used; rename the file or folder\n") &&
-                run.err.count('\n') == 1,
-            run.err);
+        QVERIFY2(run.err.endsWith("': it is not valid UTF-8; rename the file or folder\n") &&
+                     run.err.count('\n') == 1,
+                 run.err);
         QVERIFY2(run.err.contains("\\xe9"), run.err);
         QCOMPARE(QDir(m_folder.path()).entryList(), before);
     }

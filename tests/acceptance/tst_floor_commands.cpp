@@ -169,10 +169,9 @@ private Q_SLOTS:
         QCOMPARE(run("task add %P dash %/task.json").exitStatus, 0);
         const ProgramRun moved = run("layout transform %P floor --origin U --turn 90 --json");
         QVERIFY2(moved.exitStatus == 0, moved.err);
-        QVERIFY2(
-            moved.err.contains("the gates and paths of tasks stay where they are in the axes that were") &&
-                moved.err.contains("make dash anew"),
-            moved.err);
+        QVERIFY2(moved.err.contains("the gates and paths of tasks keep their coordinates in the old axes") &&
+                     moved.err.contains("recreate dash"),
+                 moved.err);
         QCOMPARE(moved.json().value(QStringLiteral("cameras")).toArray().size(), 2);
         const QJsonObject second = moved.json().value(QStringLiteral("markers")).toArray()[1].toObject();
         QVERIFY(std::abs(second.value(QStringLiteral("x_mm")).toDouble()) < 1e-6);
@@ -217,7 +216,7 @@ private Q_SLOTS:
         row("layout transform %P floor --unit ell", 1, "use mm, cm, m or inch");
         row("layout transform %P floor --x-axis O", 2, "takes two");
         row("register %P --joint", 2, "--joint needs --layout");
-        row("register %P --joint --layout floor --camera A", 2, "exclude each other");
+        row("register %P --joint --layout floor --camera A", 2, "cannot be used together");
         row("register %P --joint --layout floor --tape 0mm", 2, "--tape");
         row("register %P --camera A --layout floor --image %/a.png --hint O=5", 2, "--hint takes LABEL=U,V");
         row("moved %P --camera B", 2, "--camera and --image are needed");

@@ -124,7 +124,7 @@ void TestRecord::badCallsFailInOneLine_data()
     row("record %/p.odo --camera A=sim:A", 2, "--trial is missing");
     row("record %/p.odo --trial x --camera sim:A", 2, "--camera");
     row("record %/p.odo --trial x --camera A=sim:A --seconds 0", 2, "--seconds is a number above zero");
-    row("record %/p.odo --trial x --camera A=sim:A --seconds 1e30", 2, "of 86,400 (a day) at most");
+    row("record %/p.odo --trial x --camera A=sim:A --seconds 1e30", 2, "at most 86,400 (a day)");
     row("record %/p.odo --trial x --camera A=sim:A --pre-roll 11", 2,
         "--pre-roll is a number of seconds from 0 to 10");
     row("record %/p.odo --trial x --camera A=sim:Z", 1, "there is no simulated camera Z");

@@ -101,7 +101,7 @@ void TestStopping::aRecordingIsKept()
     QCOMPARE(end(), status);
     const QByteArray words = m_program->readAllStandardOutput(), error = m_program->readAllStandardError();
     QVERIFY2(words.startsWith("Trial run recorded: "), words);
-    QCOMPARE(error, QByteArray("odograph: recording of trial 'run': it was stopped before its time was over; "
+    QCOMPARE(error, QByteArray("odograph: recording of trial 'run': it was stopped early; "
                                "what was recorded until then is kept\n"));
     const auto project = Project::open(path("p.odo").toStdString(), Project::Access::ReadOnly);
     const auto trial = (*project)->trials().find("run");

@@ -199,13 +199,13 @@ private Q_SLOTS:
     {
         beginBadCalls();
         const auto row = addBadCall;
-        row("task", 2, "something is missing");
+        row("task", 2, "an argument is missing");
         row("task paint %P", 2, "give add P.odo NAME task.json, list P.odo, or set P.odo TRIAL NAME");
         row("task add %P name", 2, "give add P.odo NAME task.json");
         row("task add %P quarter %/quarter.json", 1,
             "task 'quarter': the project has a task of that name already");
         row("task add %P bad %/bad.json", 1,
-            "bad.json:2: role 'goal': there is no such role; use start, finish");
+            "bad.json:2: role 'goal': gates have no such role; use start, finish");
         row("task add %P none %/none.json", 1, "none.json");
         row("task set %P run1 unknown", 1,
             "task 'unknown': there is no such task in the project; it has 'quarter'");

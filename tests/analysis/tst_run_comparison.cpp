@@ -200,7 +200,7 @@ private Q_SLOTS:
         QVERIFY(std::abs(comparison->timeDifferenceAt(1, 1.5)->value - (0.5 / 0.4 - 0.5 / 0.5)) < 1e-6);
         options.placeM = 5;
         QVERIFY(message(compared(fast, slow, options))
-                    .contains(QLatin1String("was not seen at the place to align by; choose")));
+                    .contains(QLatin1String("was not seen at the position used for alignment; choose")));
     }
 
     void withoutATaskTheFirstRunsWayIsThePath()
@@ -412,24 +412,24 @@ private Q_SLOTS:
                 "comparison of 'One' and 'Two': the robot does not move in 'Two'; choose a run with motion"));
         QVERIFY(message(compared(empty, run)).contains(QLatin1String("the robot does not move in 'One'")));
         QCOMPARE(message(compared(run, elsewhere)),
-                 QStringLiteral("comparison of 'One' and 'Two': 'Two' has no stretch of the way in common "
-                                "with 'One'; choose runs of "
-                                "the same task"));
+                 QStringLiteral("comparison of 'One' and 'Two': 'Two' shares no part of its path with 'One'; "
+                                "choose runs of the same task"));
         QVERIFY(message(compared(run, elsewhere, byTask()))
                     .contains(QLatin1String("in common with the task's path")));
         QCOMPARE(message(compareRuns({{foreignWords("One"), &run}}, {})),
-                 QStringLiteral("comparison: it takes two runs; choose another run as well"));
+                 QStringLiteral("comparison: it needs two runs; choose another run as well"));
         QVERIFY(
             message(compared(run, run, {std::nullopt, AlignBy::StartGate, {}, {}, false}))
                 .contains(QLatin1String("does not pass a start gate; align by motion onset or distance")));
         const Profile moving = exact(evenRun(-1, 0.5), 3);
         QVERIFY(message(compared(run, moving, byTask(AlignBy::MotionOnset)))
-                    .contains(QLatin1String("drives already when it is first seen; align by distance")));
+                    .contains(QLatin1String("is already moving when it is first seen; align by distance")));
         ComparisonOptions hand = byTask(AlignBy::ByHand);
-        QVERIFY(message(compared(run, run, hand)).contains(QLatin1String("a moment of each run is needed")));
+        QVERIFY(message(compared(run, run, hand))
+                    .contains(QLatin1String("aligning runs by hand needs a moment in each run")));
         hand.handTimesS = {1, 100};
         QVERIFY(message(compared(run, run, hand))
-                    .contains(QLatin1String("the moment told for 'Two' lies outside of it")));
+                    .contains(QLatin1String("the moment entered for 'Two' is outside that run")));
     }
 };
 

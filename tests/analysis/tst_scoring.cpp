@@ -121,12 +121,12 @@ void TestScoring::refusesWhatCannotBeComputed_data()
     QTest::addColumn<double>("none");
     QTest::addColumn<double>("points");
     QTest::addColumn<QString>("why");
-    QTest::newRow("no figure") << "" << 1.0 << 2.0 << 3.0 << "it names no figure";
-    QTest::newRow("no number") << "laps" << nan << 2.0 << 3.0 << "a number in it is none";
+    QTest::newRow("no figure") << "" << 1.0 << 2.0 << 3.0 << "it names no metric";
+    QTest::newRow("no number") << "laps" << nan << 2.0 << 3.0 << "one of its values is not a number";
     QTest::newRow("equal bounds") << "laps" << 2.0 << 2.0 << 3.0
-                                  << "all points and no points are at the same value";
-    QTest::newRow("no points") << "laps" << 1.0 << 2.0 << 0.0 << "its points are 0, or beyond 1000";
-    QTest::newRow("too many points") << "laps" << 1.0 << 2.0 << 1001.0 << "its points are 0, or beyond 1000";
+                                  << "full points and no points have the same value";
+    QTest::newRow("no points") << "laps" << 1.0 << 2.0 << 0.0 << "its points are 0 or beyond ±1000";
+    QTest::newRow("too many points") << "laps" << 1.0 << 2.0 << 1001.0 << "its points are 0 or beyond ±1000";
 }
 
 void TestScoring::refusesWhatCannotBeComputed()

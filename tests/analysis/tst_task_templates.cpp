@@ -137,7 +137,7 @@ void TestTaskTemplates::refusesSizesThatAreNone()
     TemplateSizes forest;
     forest.poles = 101;
     QCOMPARE(taskFromTemplate(TaskTemplate::Slalom, forest).error().message(),
-             std::string("template of a task: a slalom has 1 to 100 poles, not 101; give another number"));
+             std::string("template of a task: a slalom has 1 to 100 poles, not 101; choose another number"));
 }
 
 ODOGRAPH_TEST(TestTaskTemplates, QCoreApplication)

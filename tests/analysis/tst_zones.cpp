@@ -78,7 +78,7 @@ private Q_SLOTS:
     {
         QTest::addColumn<QList<double>>("numbers");
         QTest::addColumn<QString>("why");
-        QTest::newRow("line") << QList<double>{0, 0, 1, 0} << "it has less than three corners";
+        QTest::newRow("line") << QList<double>{0, 0, 1, 0} << "it has fewer than three corners";
         QTest::newRow("bow") << QList<double>{0, 0, 1, 1, 1, 0, 0, 1} << "its outline crosses itself";
         QTest::newRow("back on itself") << QList<double>{0, 0, 1, 0, 2, 0} << "its outline crosses itself";
         QTest::newRow("needle") << QList<double>{0, 0, 1, 0, 1, 1, 1, -1} << "its outline crosses itself";
@@ -87,7 +87,7 @@ private Q_SLOTS:
         QTest::newRow("corner twice")
             << QList<double>{0, 0, 1, 0, 1, 0, 1, 1} << "two corners are less than 1 mm apart";
         QTest::newRow("nowhere") << QList<double>{0, 0, 1, 0, 1, qQNaN()}
-                                 << "its corners are not on a floor of 1 km";
+                                 << "its corners are not all on a floor of 1 km";
         QTest::newRow("square") << QList<double>{0, 0, 1, 0, 1, 1, 0, 1} << "";
         QTest::newRow("with a corner on a straight edge") << QList<double>{0, 0, 1, 0, 2, 0, 2, 1} << "";
     }
@@ -108,7 +108,7 @@ private Q_SLOTS:
         for (int i = 0; i < 101; ++i)
             zone.corners.emplace_back(std::cos(i * 0.06), std::sin(i * 0.06));
         QCOMPARE(checkZone(zone).error().message(),
-                 std::string("zone 'Round': it has more than 100 corners; draw it more coarsely"));
+                 std::string("zone 'Round': it has more than 100 corners; draw it with fewer corners"));
         Task task;
         for (int i = 0; i < 31; ++i)
             task.zones.push_back(rectangularZone(std::to_string(i), ZoneRule::StayInside, {0, 0}, {1, 1}));

@@ -114,11 +114,11 @@ private Q_SLOTS:
         row("twice", "{\"template\": \"free\",\n\"template\": \"circle\"}",
             ":2: the key 'template' is there twice");
         row("template", "{\n\"template\": \"spiral\"}",
-            ":2: template 'spiral': there is no such template; use free, straight_line, circle, figure_eight "
+            ":2: template 'spiral': no template has this name; use free, straight_line, circle, figure_eight "
             "or slalom");
         row("role",
             "{\"gates\": [\n{\"name\": \"a\", \"role\": \"goal\", \"from_mm\": [0,0], \"to_mm\": [1,0]}]}",
-            ":2: role 'goal': there is no such role; use start, finish, start_finish or split");
+            ":2: role 'goal': gates have no such role; use start, finish, start_finish or split");
         row("no end", "{\"gates\": [\n{\"name\": \"a\", \"role\": \"split\", \"from_mm\": [0,0]}]}",
             ":2: the entry 'to_mm' is missing");
         row("point",
@@ -133,11 +133,11 @@ private Q_SLOTS:
         row("two starts",
             "{\"gates\": [{\"name\": \"a\", \"role\": \"start\", \"from_mm\": [0,0], \"to_mm\": [5,5]},\n"
             "{\"name\": \"b\", \"role\": \"start_finish\", \"from_mm\": [0,0], \"to_mm\": [5,5]}]}",
-            ":2: gate 'b': gate 'a' is the start already; keep one start and one finish");
+            ":2: gate 'b': gate 'a' is already the start; keep one start and one finish");
         row("same name",
             "{\"gates\": [{\"name\": \"a\", \"role\": \"split\", \"from_mm\": [0,0], \"to_mm\": [5,5]},\n"
             "{\"name\": \"a\", \"role\": \"split\", \"from_mm\": [0,0], \"to_mm\": [5,5]}]}",
-            ":2: gate 'a': the name is there twice");
+            ":2: gate 'a': the name is used twice");
         row("one point", "{\n\"reference_path\": {\"points_mm\": [[0, 0]]}}",
             ":2: reference path: it has too few points");
         row("two paths",
@@ -156,7 +156,7 @@ private Q_SLOTS:
         row("limit", "{\"limits\": {\n\"speed_mm_s\": 0}}", ":2: 'speed_mm_s' is not above zero");
         row("rule",
             "{\"zones\": [\n{\"name\": \"a\", \"rule\": \"inside\", \"rectangle_mm\": [[0, 0], [1, 1]]}]}",
-            ":2: rule 'inside': there is no such rule of a zone; use stay_inside or stay_outside");
+            ":2: rule 'inside': zones have no such rule; use stay_inside or stay_outside");
         row("no corners", "{\"zones\": [\n{\"name\": \"a\", \"rule\": \"stay_inside\"}]}",
             ":2: the zone is given by nothing; give corners_mm, all the way round, or two opposite corners "
             "as rectangle_mm");
@@ -166,11 +166,11 @@ private Q_SLOTS:
         row("bow",
             "{\"zones\": [\n{\"name\": \"a\", \"rule\": \"stay_inside\", \"corners_mm\": [[0, 0], [9, 9], "
             "[9, 0], [0, 9]]}]}",
-            ":2: zone 'a': its outline crosses itself; give the corners in order");
+            ":2: zone 'a': its outline crosses itself; enter the corners in order");
         row("zone twice",
             "{\"zones\": [{\"name\": \"a\", \"rule\": \"stay_inside\", \"rectangle_mm\": [[0, 0], [9, 9]]},\n"
             "{\"name\": \"a\", \"rule\": \"stay_inside\", \"rectangle_mm\": [[0, 0], [9, 9]]}]}",
-            ":2: zone 'a': the name is there twice");
+            ":2: zone 'a': the name is used twice");
         row("closed", "{\"reference_path\": {\"points_mm\": [[0, 0], [1, 0]],\n\"closed\": 1}}",
             ":2: 'closed' is neither true nor false");
     }

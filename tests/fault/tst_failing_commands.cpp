@@ -214,9 +214,8 @@ void TestFailingCommands::anAnswerThatCannotBePrintedIsAnError()
     QCOMPARE(run.exitStatus, 1);
     QCOMPARE(
         run.err,
-        QByteArray(
-            "odograph: the answer: it could not be written (No space left on device); what was to be done "
-            "is done, make room and ask again\n"));
+        QByteArray("odograph: the output: it could not be written (No space left on device); the command "
+                   "succeeded; free some disk space and repeat it\n"));
 }
 
 ODOGRAPH_TEST(TestFailingCommands, QCoreApplication)

@@ -230,7 +230,7 @@ private Q_SLOTS:
         const auto problems = m_project->check(false);
         QCOMPARE(problems->size(), std::size_t(1));
         QCOMPARE(problems->front().what.english(),
-                 std::string("task 'bad': gate 'start': its ends are not on a floor of 1 km"));
+                 std::string("task 'bad': gate 'start': its ends are not both on a floor of 1 km"));
     }
 
     void checkNamesWhatIsBeyondLimits()

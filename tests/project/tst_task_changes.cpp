@@ -196,7 +196,7 @@ void TestTaskChanges::zonesBelongToTheCourse()
     changed = task("Line");
     changed.task.zones.push_back(changed.task.zones[0]);
     QCOMPARE(tasks().change(changed).error().message(),
-             std::string("zone 'Field': the name is there twice; give each zone a name of its own"));
+             std::string("zone 'Field': the name is used twice; give each zone a name of its own"));
 }
 
 void TestTaskChanges::whatIsUsedIsNotRemoved()

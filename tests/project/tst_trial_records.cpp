@@ -107,13 +107,14 @@ private Q_SLOTS:
         Task task = m_source.task();
         task.gates[2].name = "half";
         QCOMPARE((*m_project)->tasks().add({0, "t", task}).error().message(),
-                 std::string("gate 'half': the name is there twice; give each gate a name of its own"));
+                 std::string("gate 'half': the name is used twice; give each gate a name of its own"));
         task = m_source.task();
         task.zones[0].corners.pop_back();
         task.zones[0].corners.pop_back();
-        QCOMPARE((*m_project)->tasks().add({0, "t", task}).error().message(),
-                 std::string("zone 'поле': it has less than three corners; give the corners of its outline, "
-                             "all the way round"));
+        QCOMPARE(
+            (*m_project)->tasks().add({0, "t", task}).error().message(),
+            std::string("zone 'поле': it has fewer than three corners; enter the corners of its outline, "
+                        "all the way round"));
         task = m_source.task();
         task.gates[1].name = "a\nb";
         QCOMPARE((*m_project)->tasks().add({0, "t", task}).error().code, ErrorCode::InvalidInput);

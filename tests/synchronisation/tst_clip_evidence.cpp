@@ -154,9 +154,9 @@ void TestClipEvidence::saysWhenTheyDisagree()
     QVERIFY2(found, found ? "" : found.error().message().c_str());
     QVERIFY(!found->fromFlash && std::abs(found->clock.offsetS - 0.321) < 0.002);
     QCOMPARE(found->remarks.size(), std::size_t(1));
-    QVERIFY2(found->remarks[0].english().find("the motion tells an offset of 0.3") == 0,
+    QVERIFY2(found->remarks[0].english().find("the motion gives a time offset of 0.3") == 0,
              found->remarks[0].english().c_str());
-    QVERIFY2(found->remarks[0].english().find("flash of light 0.1") != std::string::npos,
+    QVERIFY2(found->remarks[0].english().find("flash of light gives 0.1") != std::string::npos,
              found->remarks[0].english().c_str());
 }
 
@@ -167,7 +167,7 @@ void TestClipEvidence::saysWhenNothingTells()
     QVERIFY(!found);
     QCOMPARE(found.error().code, ErrorCode::Undetermined);
     QVERIFY2(found.error().why.english().find(
-                 "straight at constant speed, so every offset fits, and neither view shows") !=
+                 "straight at constant speed, so every time offset fits, and neither view shows") !=
                  std::string::npos,
              found.error().why.english().c_str());
     QCOMPARE(found.error().advice.english(),

@@ -197,7 +197,7 @@ void TestFlashSynchronisation::saysWhenFlashesFitAlike()
                                            lightCourseOf(filmLight(steps, b, random)));
     QVERIFY(!found);
     QCOMPARE(found.error().code, ErrorCode::Undetermined);
-    QVERIFY2(found.error().why.english().find("fit alike at offsets of") != std::string::npos,
+    QVERIFY2(found.error().why.english().find("fit equally well at time offsets of") != std::string::npos,
              found.error().why.english().c_str());
 }
 
@@ -215,7 +215,7 @@ void TestFlashSynchronisation::saysWhenThereIsNoFlash()
     QVERIFY(why(dull, dull).find("neither view shows a flash") != std::string::npos);
     QVERIFY(why(lit, dull).find("only one of the views shows a flash") != std::string::npos);
     QVERIFY(why(dull, lit).find("only one of the views shows a flash") != std::string::npos);
-    QVERIFY(why(darker, brighter).find("do not belong together") != std::string::npos);
+    QVERIFY(why(darker, brighter).find("do not match") != std::string::npos);
     QVERIFY(
         why(dull, lit).find("flash the room lights once while both cameras record, or give --sync SECONDS") !=
         std::string::npos);

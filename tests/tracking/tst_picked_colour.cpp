@@ -124,7 +124,7 @@ private Q_SLOTS:
         QTest::addColumn<double>("x");
         QTest::addColumn<QString>("said");
         const QString nothing = QStringLiteral(
-            "colour in the box: it holds no colour that differs from the floor around it; draw it "
+            "colour in the box: it contains no colour that differs from the floor around it; draw it "
             "closely round the robot, or put a plate of another colour on it");
         QTest::newRow("the floor alone") << "#d72328"
                                          << "#b6b1a6" << 0.6 << nothing;
@@ -135,9 +135,8 @@ private Q_SLOTS:
         QTest::newRow("a black robot on wood")
             << "#202020"
             << "#b09470" << 1.5
-            << "colour in the box: what differs from the floor around it "
-               "is grey, black or white; add the robot without a "
-               "colour, so that it is found by how it differs from the floor";
+            << "colour in the box: the robot in it is grey, black or white; add the robot "
+               "without a colour; background subtraction then finds it";
     }
     void whatHoldsNoColourIsRefused()
     {
@@ -159,11 +158,11 @@ private Q_SLOTS:
         for (const PixelRect box :
              {PixelRect{100, 100, 105, 140}, PixelRect{100, 100, 90, 90}, PixelRect{2000, 100, 2100, 200}})
             QCOMPARE(QString::fromStdString(pickColour(frame, box).error().message()),
-                     QStringLiteral("colour in the box: the box is too small, or outside the picture; draw "
+                     QStringLiteral("colour in the box: the box is too small or outside the image; draw "
                                     "it round the robot, at "
                                     "least 8 pixels wide and high"));
         QCOMPARE(QString::fromStdString(pickColour(frame, {-10, -10, 5000, 5000}).error().message()),
-                 QStringLiteral("colour in the box: the box leaves nothing of the floor to compare with; "
+                 QStringLiteral("colour in the box: the box leaves no floor around it to compare with; "
                                 "draw it closely round the "
                                 "robot"));
     }

@@ -373,14 +373,13 @@ private Q_SLOTS:
             observation.found = false;
         const auto lost = analyse({a}, told, {});
         QVERIFY(!lost);
-        QVERIFY(lost.error().message().find("not found in any picture of A; check that the robot moves") !=
+        QVERIFY(lost.error().message().find("not found in any frame of A; check that the robot moves") !=
                 std::string::npos);
         QVERIFY(!analyse({}, told, {}));
         const auto word = parseSmoother("butter");
         QVERIFY(!word);
-        QCOMPARE(
-            word.error().message(),
-            std::string("smoother butter: there is none of that name; use rts, savgol, tracker or none"));
+        QCOMPARE(word.error().message(),
+                 std::string("smoother butter: no smoother has this name; use rts, savgol, tracker or none"));
     }
 };
 

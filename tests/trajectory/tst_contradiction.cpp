@@ -136,9 +136,11 @@ private Q_SLOTS:
         }
         const auto refused = checkAgreement(samples);
         QVERIFY(!refused);
-        QCOMPARE(QString::fromStdString(refused.error().why.english()),
-                 QStringLiteral("the views put it 208 mm apart: a camera was moved after it was registered, "
-                                "the videos belong to other cameras, or one view follows something else"));
+        QCOMPARE(
+            QString::fromStdString(refused.error().why.english()),
+            QStringLiteral(
+                "the views' floor positions differ by 208 mm: a camera has moved since it was registered, "
+                "the videos belong to other cameras, or one view follows something else"));
         for (std::size_t i = 0; i < 20; ++i)
             samples[i].flags = 0;
         QVERIFY(checkAgreement(samples));

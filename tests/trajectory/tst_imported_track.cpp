@@ -92,7 +92,7 @@ private Q_SLOTS:
         const auto profile = analyseImported(samplesOfImported(track, 0.002), options);
         QVERIFY(profile);
         QCOMPARE(profile->spikes.size(), std::size_t(1));
-        QCOMPARE(profile->spikes[0].reason.english(), std::string("called a spike by hand"));
+        QCOMPARE(profile->spikes[0].reason.english(), std::string("marked as a spike by hand"));
     }
     /// A position every two seconds is no gap in a track that has no others.
     void slowTracksAreNoGaps()
@@ -176,8 +176,8 @@ private Q_SLOTS:
         const auto profile = analyseImported(samplesOfImported(circle(0.001, 0.05), 0.001), {});
         QVERIFY(!profile);
         QCOMPARE(profile.error().message(), std::string("the robot's path cannot be measured: not enough "
-                                                        "data: of 2 frames 2 give a position that can be "
-                                                        "used; choose a track with more positions"));
+                                                        "data: only 2 of 2 frames give a usable "
+                                                        "position; choose a track with more positions"));
     }
 };
 

@@ -102,7 +102,7 @@ private Q_SLOTS:
         QCOMPARE(said({Filmed("Red 2", far).scaled(1, 1.5, 0.6), Filmed("Blue 1", near)}).front(),
                  std::string("partly hidden behind Blue 1 in view A (1.00 s to 1.50 s)"));
         QCOMPARE(said({Filmed("Red 2", far), Filmed("Blue 1", near).lost(1, 1.5)}),
-                 (std::vector<std::string>{"", "one outline with Red 2 in view A (1.00 s to 1.50 s)"}));
+                 (std::vector<std::string>{"", "outline merged with Red 2 in view A (1.00 s to 1.50 s)"}));
     }
 
     void ofSeveralTheNearestIsNamed()

@@ -70,7 +70,7 @@ private Q_SLOTS:
         QVERIFY(hasFlag(sample.flags, SampleFlag::ByHand));
         QVERIFY(hasFlag(sample.flags, SampleFlag::Interpolated));
         QVERIFY(profile.points[50].sigmaSpeedMps > analysed({}).points[50].sigmaSpeedMps);
-        QCOMPARE(profile.spikes.front().reason.english(), std::string("called a spike by hand"));
+        QCOMPARE(profile.spikes.front().reason.english(), std::string("marked as a spike by hand"));
         QCOMPARE(*sample.position, *analysed({}).samples[50].position);
     }
 

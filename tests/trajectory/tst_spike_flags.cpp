@@ -206,7 +206,7 @@ private Q_SLOTS:
             QVERIFY2(!refused || std::abs(toSeconds(sample.time) - 1) < 0.2, reasons(*limited).c_str());
         }
         QVERIFY2(flagged >= 3 && flagged <= 9, reasons(*limited).c_str());
-        QVERIFY2(reasons(*limited).find("harder than the limit of acceleration") != std::string::npos,
+        QVERIFY2(reasons(*limited).find("acceleration above the limit") != std::string::npos,
                  reasons(*limited).c_str());
         task.limits.maxAccelMps2 = 500;
         const auto free = analyse({a, b}, told, withTask({}, task));
@@ -226,7 +226,7 @@ private Q_SLOTS:
         const auto limited = analyse({a}, told, withTask({}, task));
         QVERIFY2(hasFlag(limited->samples[100].flags, SampleFlag::SpeedLimit), reasons(*limited).c_str());
         QCOMPARE(limited->spikes.size(), std::size_t(1));
-        QVERIFY(limited->spikes[0].reason.english().find("faster than the limit") != std::string::npos);
+        QVERIFY(limited->spikes[0].reason.english().find("speed above the limit") != std::string::npos);
     }
 
     void hampelsIdentifierIsAReasonOfItsOwn()
@@ -238,10 +238,9 @@ private Q_SLOTS:
         const auto profile = analyse({a}, told, {});
         QVERIFY(profile.has_value());
         QCOMPARE(profile->spikes.size(), std::size_t(2));
-        QVERIFY2(profile->spikes[0].reason.english().find("stands out in position and speed") !=
-                     std::string::npos,
+        QVERIFY2(profile->spikes[0].reason.english().find("spike in position and speed") != std::string::npos,
                  profile->spikes[0].reason.english().c_str());
-        QVERIFY2(profile->spikes[1].reason.english().find("stands out in ") != std::string::npos,
+        QVERIFY2(profile->spikes[1].reason.english().find("spike in ") != std::string::npos,
                  profile->spikes[1].reason.english().c_str());
         QVERIFY(flagNames(profile->spikes[1].flags).find("jump") == 0);
     }
@@ -264,7 +263,7 @@ private Q_SLOTS:
         QVERIFY(hasFlag(profile->spikes[0].flags, SampleFlag::SpeedLimit));
         QVERIFY(hasFlag(profile->spikes[0].flags, SampleFlag::AccelerationLimit));
         QCOMPARE(profile->spikes[1].reason.english(), std::string("the tracker was not sure (score 5 %)"));
-        QCOMPARE(profile->spikes[2].reason.english(), std::string("cut by the picture's edge"));
+        QCOMPARE(profile->spikes[2].reason.english(), std::string("cut by the frame's edge"));
         QVERIFY(hasFlag(profile->samples[250].flags, SampleFlag::DuplicateFrame));
         QVERIFY(hasFlag(profile->samples[270].flags, SampleFlag::Lost));
         for (const std::size_t i : {100u, 150u, 200u, 250u, 270u}) {

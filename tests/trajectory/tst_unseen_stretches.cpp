@@ -8,7 +8,7 @@
 using namespace odo;
 using namespace odo::test;
 
-/// A robot that leaves all views: the figures are of the part that was seen, and a sentence says so.
+/// A robot that leaves all views: the metrics cover only the part that was seen, and a sentence says so.
 class TestUnseenStretches : public QObject
 {
     Q_OBJECT
@@ -42,8 +42,8 @@ private Q_SLOTS:
         QCOMPARE(sentences(profile).size(), std::size_t(1));
         QCOMPARE(
             sentences(profile).front(),
-            std::string("no view sees it after 6.3 s (it was at X 0.26 m, Y 0.40 m); move or add a camera so "
-                        "that the whole task is seen; the figures are of the part that was seen"));
+            std::string("no view sees it after 6.3 s (it was at X 0.26 m, Y 0.40 m); move or add a camera "
+                        "to cover the whole task; the metrics cover only the part that was seen"));
         // What was seen is measured all the same.
         const auto pathLength =
             std::find_if(profile->metrics.begin(), profile->metrics.end(),

@@ -83,7 +83,8 @@ void TestImportInStep::findsAFlash()
     QCOMPARE((*views)[1].syncMethod, std::string("flash"));
     QCOMPARE((*views)[1].startOffsetS, trial->syncOffsetS);
     QCOMPARE((*views)[1].startOffsetSigmaS, trial->syncOffsetSigmaS);
-    QVERIFY2(job.warnings().front().english().find("'B': from a flash of light, to ") != std::string::npos,
+    QVERIFY2(job.warnings().front().english().find("'B': measured by a flash of light to only ±") !=
+                 std::string::npos,
              job.warnings().front().english().c_str());
 }
 

@@ -192,7 +192,7 @@ void TestLiveTracking::noRobotSeenAndNoneKnown()
         QVERIFY(analyseRun(runs.front(), {}, std::nullopt)
                     .error()
                     .why.english()
-                    .find("was not found in any picture") != std::string::npos);
+                    .find("was not found in any frame") != std::string::npos);
     }
     Drive none("circle");
     none.robots.clear();

@@ -138,7 +138,7 @@ private:
                 return failure(
                     ErrorCode::Undetermined,
                     ODO_TEXT("analysis.other_direction",
-                             "%1 drives the way in the other direction than %2")(quoted(run), quoted(0)),
+                             "%1 runs in the opposite direction to %2")(quoted(run), quoted(0)),
                     ODO_TEXT("analysis.choose_same_direction", "choose runs in the same direction"));
         if (!forward) {
             m_comparison.path = reversed(m_comparison.path);
@@ -149,14 +149,13 @@ private:
 
     tl::unexpected<Error> noCommonStretch(std::size_t run) const
     {
-        return failure(
-            ErrorCode::Undetermined,
-            m_comparison.isTasksPath
-                ? ODO_TEXT("analysis.not_on_tasks_path",
-                           "%1 has no stretch of the way in common with the task's path")(quoted(run))
-                : ODO_TEXT("analysis.nothing_in_common",
-                           "%1 has no stretch of the way in common with %2")(quoted(run), quoted(0)),
-            ODO_TEXT("analysis.choose_same_task", "choose runs of the same task"));
+        return failure(ErrorCode::Undetermined,
+                       m_comparison.isTasksPath
+                           ? ODO_TEXT("analysis.not_on_tasks_path",
+                                      "%1 shares no part of its path with the task's path")(quoted(run))
+                           : ODO_TEXT("analysis.nothing_in_common",
+                                      "%1 shares no part of its path with %2")(quoted(run), quoted(0)),
+                       ODO_TEXT("analysis.choose_same_task", "choose runs of the same task"));
     }
 
     /// The moments of all runs; the name of the first one without.
@@ -204,7 +203,7 @@ private:
                 return failure(
                     ErrorCode::Undetermined,
                     ODO_TEXT("analysis.no_onset",
-                             "the robot of %1 drives already when it is first seen")(quoted(*without)),
+                             "the robot of %1 is already moving when it is first seen")(quoted(*without)),
                     ODO_TEXT("analysis.align_by_distance", "align by distance"));
             if (without)
                 by = AlignBy::Distance;
@@ -218,8 +217,8 @@ private:
         if (m_options.handTimesS.size() != m_runs.size())
             return failure(
                 ErrorCode::InvalidInput,
-                ODO_TEXT("analysis.moments_missing", "a moment of each run is needed to align them by hand"),
-                ODO_TEXT("analysis.tell_moments", "tell one for each"));
+                ODO_TEXT("analysis.moments_missing", "aligning runs by hand needs a moment in each run"),
+                ODO_TEXT("analysis.tell_moments", "enter one for each run"));
         for (std::size_t run = 0; run < m_runs.size(); ++run) {
             const double timeS = m_options.handTimesS[run];
             if (!(timeS >= toSeconds(samples(run).front().time) &&
@@ -227,8 +226,8 @@ private:
                 return failure(
                     ErrorCode::InvalidInput,
                     ODO_TEXT("analysis.moment_outside",
-                             "the moment told for %1 lies outside of it")(quoted(run)),
-                    ODO_TEXT("analysis.tell_moment_inside", "tell one between its first and last frame"));
+                             "the moment entered for %1 is outside that run")(quoted(run)),
+                    ODO_TEXT("analysis.tell_moment_inside", "enter one between its first and last frame"));
             m_comparison.runs[run].aligned = handMoment(timeS, samples(run));
         }
         return {};
@@ -279,8 +278,8 @@ private:
                 return failure(
                     ErrorCode::Undetermined,
                     ODO_TEXT("analysis.not_seen_there",
-                             "%1 was not seen at the place to align by")(quoted(run)),
-                    ODO_TEXT("analysis.choose_common_place", "choose a place that both runs pass"));
+                             "%1 was not seen at the position used for alignment")(quoted(run)),
+                    ODO_TEXT("analysis.choose_common_place", "choose a position that both runs pass"));
             m_comparison.runs[run].aligned = {arrival->timeS, arrival->ownSigmaS, arrival->commonSigmaS};
         }
         return {};
@@ -393,7 +392,7 @@ Message comparisonSubject()
 tl::unexpected<Error> takesTwoRuns()
 {
     return fail(ErrorCode::InvalidInput, comparisonSubject(),
-                ODO_TEXT("analysis.takes_two_runs", "it takes two runs"),
+                ODO_TEXT("analysis.takes_two_runs", "it needs two runs"),
                 ODO_TEXT("analysis.choose_another_run", "choose another run as well"));
 }
 

@@ -323,35 +323,35 @@ Result<ClipOffset> estimateClipOffset(const std::vector<TimedPosition> &firstTra
 {
     if (firstTrack.size() < fewestPairs || secondTrack.size() < fewestPairs)
         return undeterminedOffset(ODO_TEXT("synchronisation.seldom_seen",
-                                           "one view saw the robot in fewer than %1 pictures")(fewestPairs));
+                                           "one view saw the robot in fewer than %1 frames")(fewestPairs));
     const std::vector<TimedPosition> first = thinned(firstTrack), second = thinned(secondTrack);
     const double frameS = std::max(medianStepS(first), 1e-3);
     const GridSearch grid = searchGrid(first, second, frameS, range);
     if (!grid.best)
-        return undeterminedOffset(ODO_TEXT("synchronisation.seldom_together",
-                                           "the views hardly ever saw the robot at the same time"));
+        return undeterminedOffset(
+            ODO_TEXT("synchronisation.seldom_together", "the views rarely saw the robot at the same time"));
 
     const Fit fit = refine(first, second, {grid.best->offsetS, 0}, false, frameS);
     const ClipOffset plain = offsetFrom(fit, frameS);
     if (plain.sigmaS > frameS)
         return undeterminedOffset(
             ODO_TEXT("synchronisation.every_offset_fits",
-                     "the robot stood still or ran straight at constant speed, so every offset fits"));
+                     "the robot stood still or ran straight at constant speed, so every time offset fits"));
     if (plain.score < 0.8)
         return undeterminedOffset(
             ODO_TEXT("synchronisation.tracks_differ", "the views' tracks do not resemble one another"));
     if (std::abs(plain.offsetS - range.middleS) > range.halfWidthS + frameS)
         return undeterminedOffset(ODO_TEXT("synchronisation.no_offset_fits",
-                                           "the views' tracks do not coincide at any offset looked at"));
+                                           "the views' tracks do not match at any time offset tried"));
     if (grid.rival) {
         const Fit rival = refine(first, second, {grid.rival->offsetS, 0}, false, frameS);
         if (std::abs(rival.clock.offsetS - plain.offsetS) > closestRivalS / 2 &&
             rival.agreement.variance < 2 * std::max(fit.agreement.variance, 1e-6))
-            return undeterminedOffset(
-                joined({ODO_TEXT("synchronisation.motion_repeats", "the motion repeats itself"),
-                        ODO_TEXT("synchronisation.offsets_fit_alike", "offsets of %1 and %2 fit alike")(
-                            quantity(plain.offsetS, 6, "s"), quantity(rival.clock.offsetS, 6, "s"))},
-                       Join::Colon));
+            return undeterminedOffset(joined(
+                {ODO_TEXT("synchronisation.motion_repeats", "the motion repeats itself"),
+                 ODO_TEXT("synchronisation.offsets_fit_alike", "time offsets of %1 and %2 fit equally well")(
+                     quantity(plain.offsetS, 6, "s"), quantity(rival.clock.offsetS, 6, "s"))},
+                Join::Colon));
     }
     return withRate(plain, fit, refine(first, second, fit.clock, true, frameS), frameS);
 }

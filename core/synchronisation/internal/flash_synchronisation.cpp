@@ -363,13 +363,14 @@ Result<ClipOffset> estimateFlashOffset(const LightCourse &first, const LightCour
             return a.likelihood() < b.likelihood();
         });
     if (best == proposals.end() || best->likelihood() <= 0)
-        return undeterminedOffset(ODO_TEXT("synchronisation.other_flashes",
-                                           "the flashes of light in the views do not belong together"));
+        return undeterminedOffset(
+            ODO_TEXT("synchronisation.other_flashes", "the flashes of light in the views do not match"));
     for (const Proposal &rival : proposals) {
         if (!isSame(*best, rival) && rival.likelihood() > best->likelihood() - clearLead)
-            return undeterminedOffset(ODO_TEXT("synchronisation.flashes_fit_alike",
-                                               "the flashes of light fit alike at offsets of %1 and %2")(
-                quantity(best->offsetS, 2, "s"), quantity(rival.offsetS, 2, "s")));
+            return undeterminedOffset(
+                ODO_TEXT("synchronisation.flashes_fit_alike",
+                         "the flashes of light fit equally well at time offsets of %1 and %2")(
+                    quantity(best->offsetS, 2, "s"), quantity(rival.offsetS, 2, "s")));
     }
     return flashOffset(*best, shutterSigma * std::hypot(first.frameS, second.frameS));
 }

@@ -328,16 +328,16 @@ namespace {
 Message standingOutWords(HampelSpike spike)
 {
     if (spike.byPosition && spike.bySpeed)
-        return ODO_TEXT("trajectory.stands_out_in_both", "stands out in position and speed");
-    return spike.byPosition ? ODO_TEXT("trajectory.stands_out_in_position", "stands out in position")
-                            : ODO_TEXT("trajectory.stands_out_in_speed", "stands out in speed");
+        return ODO_TEXT("trajectory.stands_out_in_both", "spike in position and speed");
+    return spike.byPosition ? ODO_TEXT("trajectory.stands_out_in_position", "spike in position")
+                            : ODO_TEXT("trajectory.stands_out_in_speed", "spike in speed");
 }
 
 Message reasonOf(const Sample &sample, const SampleEvidence &evidence, const ProfilePoint &point,
                  HampelSpike standsOut)
 {
     if (hasFlag(sample.flags, SampleFlag::ByHand) && isRejected(sample.flags))
-        return ODO_TEXT("trajectory.spike_by_hand", "called a spike by hand");
+        return ODO_TEXT("trajectory.spike_by_hand", "marked as a spike by hand");
     std::vector<Message> reasons;
     if (hasFlag(sample.flags, SampleFlag::ViewsDisagree)) {
         reasons.push_back(ODO_TEXT("trajectory.views_disagree", "views disagree by %1")(
@@ -354,12 +354,12 @@ Message reasonOf(const Sample &sample, const SampleEvidence &evidence, const Pro
             reasons.push_back(standingOutWords(standsOut));
     }
     if (hasFlag(sample.flags, SampleFlag::SpeedLimit))
-        reasons.push_back(ODO_TEXT("trajectory.faster_than_limit", "faster than the limit"));
+        reasons.push_back(ODO_TEXT("trajectory.faster_than_limit", "speed above the limit"));
     if (hasFlag(sample.flags, SampleFlag::AccelerationLimit))
-        reasons.push_back(ODO_TEXT("trajectory.harder_than_limit", "harder than the limit of acceleration"));
+        reasons.push_back(ODO_TEXT("trajectory.harder_than_limit", "acceleration above the limit"));
     if (hasFlag(sample.flags, SampleFlag::LowScore))
         reasons.push_back(evidence.cut
-                              ? ODO_TEXT("trajectory.cut_by_edge", "cut by the picture's edge")
+                              ? ODO_TEXT("trajectory.cut_by_edge", "cut by the frame's edge")
                               : ODO_TEXT("trajectory.tracker_unsure", "the tracker was not sure (score %1)")(
                                     quantity(100 * evidence.bestScore, 0, "%")));
     return joined(std::move(reasons), Join::Semicolon);

@@ -27,7 +27,7 @@ tl::unexpected<Error> notEnoughData(std::size_t frames, std::size_t used, Messag
     return fail(ErrorCode::Undetermined, cannotMeasurePath(),
                 joined({ODO_TEXT("trajectory.not_enough_data", "not enough data"),
                         ODO_TEXT("trajectory.frames_that_tell",
-                                 "of %1 frames %2 give a position that can be used")(frames, used)},
+                                 "only %2 of %1 frames give a usable position")(frames, used)},
                        Join::Colon),
                 std::move(advice));
 }

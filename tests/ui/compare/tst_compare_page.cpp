@@ -216,7 +216,7 @@ private Q_SLOTS:
         place->setValue(500); // nobody gets there
         QVERIFY(wait());
         QVERIFY(!shown.page->scene());
-        QVERIFY(emptyWords(*shown.page).contains(QStringLiteral("choose a place that both runs pass")));
+        QVERIFY(emptyWords(*shown.page).contains(QStringLiteral("choose a position that both runs pass")));
         place->setValue(0);
         QVERIFY(wait());
         QVERIFY(shown.page->scene());

@@ -100,7 +100,7 @@ private Q_SLOTS:
         QCOMPARE(canvas->box().size(), before.size());
         QVERIFY(!dialog.colour()); // at once: what was found is of another box
         QTRY_VERIFY_WITH_TIMEOUT(wordsOf(dialog).contains(QStringLiteral(
-                                     "it holds no colour that differs from the floor around it")),
+                                     "it contains no colour that differs from the floor around it")),
                                  20000);
         QVERIFY(!okOf(dialog)->isEnabled());
     }

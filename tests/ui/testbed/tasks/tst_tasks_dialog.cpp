@@ -169,9 +169,9 @@ void TestTasksDialog::zonesAreWrittenAndDragged()
     QCOMPARE(zone(1).corners, (std::vector<Eigen::Vector2d>{{0.5, 0.5}, {0.9, 0.5}, {0.9, 0.9005}}));
     QCOMPARE(table->item(1, 2)->text(), QStringLiteral("500 500; 900, 500; 900 900.5"));
     table->item(1, 2)->setText(QStringLiteral("500 500; 900; 900 900"));
-    QVERIFY(editor.problem().startsWith(QLatin1String("zone 'Pond': its corners are not on a floor")));
+    QVERIFY(editor.problem().startsWith(QLatin1String("zone 'Pond': its corners are not all on a floor")));
     table->item(1, 2)->setText(QStringLiteral("500 500; 900 500"));
-    QVERIFY(editor.problem().startsWith(QLatin1String("zone 'Pond': it has less than three corners")));
+    QVERIFY(editor.problem().startsWith(QLatin1String("zone 'Pond': it has fewer than three corners")));
     table->item(1, 2)->setText(QString());
     QVERIFY(!editor.problem().isEmpty());
     table->item(1, 0)->setText(QString());
@@ -234,10 +234,10 @@ void TestTasksDialog::saysWhatIsWrong()
     QVERIFY(save->isEnabled());
     auto *table = named<QTableWidget>(editor, "Gates in the order in which they are passed");
     table->item(0, 2)->setText(QStringLiteral("far"));
-    QVERIFY(editor.problem().startsWith(QLatin1String("gate 'Start': its ends are not on a floor")));
+    QVERIFY(editor.problem().startsWith(QLatin1String("gate 'Start': its ends are not both on a floor")));
     table->item(0, 2)->setText(QStringLiteral("100"));
     table->item(1, 0)->setText(QStringLiteral("Start"));
-    QVERIFY(editor.problem().startsWith(QLatin1String("gate 'Start': the name is there twice")));
+    QVERIFY(editor.problem().startsWith(QLatin1String("gate 'Start': the name is used twice")));
     table->item(1, 0)->setText(QString());
     QCOMPARE(editor.problem(), QStringLiteral("A gate has no name."));
 }
@@ -257,7 +257,7 @@ void TestTasksDialog::aScoringIsWritten()
                 ->text()
                 .contains(QString::fromUtf8("30 points at 4\u00a0s or less, none at 20\u00a0s or more")));
     table->item(0, 2)->setText(QStringLiteral("4"));
-    QVERIFY(editor.problem().startsWith(QLatin1String("line 1 of the scoring: all points and no points")));
+    QVERIFY(editor.problem().startsWith(QLatin1String("line 1 of the scoring: full points and no points")));
     button(*scoring, "Remove line")->click();
     QVERIFY(editor.problem().isEmpty() && editor.scoring().empty());
 }
