@@ -331,8 +331,8 @@ QString taskRemark(const Profile &profile)
     static constexpr std::array<std::pair<std::string_view, const char *>, 4> told{
         {{"gate_time", "gate time"},
          {"best_lap", "best lap"},
-         {"cross_track_rms", "distance from the path (RMS)"},
-         {"zone_time", "time in breach of zones"}}};
+         {"cross_track_rms", "off the path (RMS)"},
+         {"zone_time", "time beyond zones"}}};
     QString remark;
     for (const Metric &metric : profile.metrics) {
         for (const auto &[name, words] : told) {

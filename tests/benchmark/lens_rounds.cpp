@@ -115,8 +115,8 @@ std::vector<Figure> measureCalibration(int rounds)
                       {},
                       cvText + QStringLiteral(", here ") + milliseconds(own)};
     };
-    return {faster("cv::calibrateCamera / calibration, 60 pictures, lens model told", told, 5),
-            faster("cv::calibrateCamera / calibration, 60 pictures, lens model chosen", chosen, 5),
+    return {faster("cv::calibrateCamera / calibration, 60 images, lens model given", told, 5),
+            faster("cv::calibrateCamera / calibration, 60 images, lens model chosen", chosen, 5),
             faster("cv::calibrateCamera / calibrated again from 55 of them", again, {}),
             {QStringLiteral("RMS of the calibration less cv::calibrateCamera's"), ours->rmsPx - theirs, -1e-4,
              1e-4, QStringLiteral("px"), QStringLiteral("%1 px").arg(theirs, 0, 'f', 5)}};

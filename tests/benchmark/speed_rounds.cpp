@@ -155,7 +155,8 @@ void addMjpeg(const Rounds &rounds, std::size_t i, std::vector<Figure> &figures)
 
 void addCentres(const QString &name, const CentreErrors &errors, bool ours, std::vector<Figure> &figures)
 {
-    const QString detail = QStringLiteral("%1 places, %2 not found").arg(errors.places).arg(errors.notFound);
+    const QString detail =
+        QStringLiteral("%1 positions, %2 not found").arg(errors.places).arg(errors.notFound);
     const QString px = QStringLiteral(" px");
     figures.push_back({name + QStringLiteral(", mean"),
                        errors.meanPx,
@@ -190,7 +191,7 @@ std::vector<Figure> measureSpeed(const BenchmarkClips &clips, int rounds)
     const auto projection = [](const Round &r) { return r.opencv[0].backProjectionS; };
     const auto search = [](const Round &r) { return r.searchPerFrameS * double(r.h264.frames); };
     figures.push_back(
-        {QStringLiteral("calcBackProject / search of the whole picture"),
+        {QStringLiteral("calcBackProject / search of the whole frame"),
          all.median([&](const Round &r) { return projection(r) / search(r); }),
          10.0,
          {},
@@ -229,7 +230,7 @@ Figure measureColdSearch(const BenchmarkClip &clip)
             found +=
                 seen[robot].found && (seen[robot].ellipse.centrePx - clip.trueCentre(robot, i)).norm() < 3;
     }
-    return {QStringLiteral("robots found at once in a picture never seen before"),
+    return {QStringLiteral("robots found at once in a frame never seen before"),
             static_cast<double>(found) / std::max(looked, 1),
             1.0,
             {},

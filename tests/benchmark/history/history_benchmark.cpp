@@ -163,7 +163,7 @@ std::vector<test::Figure> measure(const std::filesystem::path &file, int trials)
     const std::vector<double> shown = trialMs(window, trials);
     if (shown.empty())
         return {};
-    figures.push_back(figure(QStringLiteral("a trial on screen, with its pictures"), shown, mostTrialMs));
+    figures.push_back(figure(QStringLiteral("a trial on screen, with its frames"), shown, mostTrialMs));
     endPhase(QStringLiteral("trials"));
     for (const auto &[mode, name] : {std::pair(MainWindow::Mode::Testbed, QStringLiteral("Testbed")),
                                      std::pair(MainWindow::Mode::Compare, QStringLiteral("Compare")),

@@ -130,14 +130,14 @@ std::vector<Figure> figuresOf(const QString &name, const LiveMeasurement &measur
         uncounted += static_cast<std::uint64_t>(std::abs(apart));
         wire << QStringLiteral("%1 of %2 made to be lost").arg(view.lostOnWire).arg(view.skipped);
     }
-    Figure *figure = add(QStringLiteral("pictures lost by us"), double(byUs), {},
+    Figure *figure = add(QStringLiteral("frames lost by us"), double(byUs), {},
                          QStringLiteral("%1 recorded in %2 s, %3 MB")
                              .arg(recorded)
                              .arg(measured.seconds, 0, 'f', 0)
                              .arg(double(measured.bytes) / 1e6, 0, 'f', 0));
     if (demands.complete)
         figure->atMost = 0;
-    figure = add(QStringLiteral("pictures lost and not counted"), double(uncounted), {},
+    figure = add(QStringLiteral("frames lost and not counted"), double(uncounted), {},
                  QStringLiteral("on the wire ") + wire.join(QStringLiteral(", ")));
     if (demands.complete)
         figure->atMost = 0;
