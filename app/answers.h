@@ -19,7 +19,7 @@ QJsonObject syncJson(const TrialRecord &trial);
 QJsonObject recordingJson(const RecordingRecord &recording);
 QJsonArray vectorJson(const Eigen::VectorXd &vector);
 QJsonArray metricsJson(const std::vector<Metric> &metrics);
-/// When it could not be told which robot it is: [{from_s, to_s, others[]}].
+/// When it is ambiguous which robot it is: [{from_s, to_s, others[]}].
 QJsonArray doubtsJson(const std::vector<DoubtfulName> &doubts);
 /// When which view did not measure the whole of it: [{from_s, to_s, view, cause, other, reason}].
 QJsonArray occlusionsJson(const std::vector<Occlusion> &occlusions);
@@ -50,8 +50,8 @@ QStringList taskLines(const Profile &profile);
 /// ", gate time 2.405 s ±0.002 s" and the like; empty without a task.
 QString taskRemark(const Profile &profile);
 
-/// One line for each view but the first: how it was put in step with the first one, and to how much:
-/// "View B: in step to 0.3 ms, found from the motion; begun 413.7 ms later". None for a single view.
+/// One line for each view but the first: how it was synchronised with the first one, and how well: "View B:
+/// synchronised to ±0.3 ms by the motion; started 413.7 ms later". None for a single view.
 QStringList stepSentences(const std::vector<RecordingRecord> &views);
 
 /// "1 page", "2 pages": for nouns whose plural ends in s.

@@ -185,13 +185,14 @@ QList<QCommandLineOption> outputOptions(const QString &description);
 Result<OutputTarget> outputOf(const CommandCall &call, const std::string &file, std::optional<FileKind> kind,
                               Project *project);
 
-/// --language, for commands that write what people read: reports, pictures, videos. What a command answers
+/// --language, for commands that write what people read: reports, images, videos. What a command answers
 /// stays English.
 QCommandLineOption languageOption();
 /// Installs it (language.h). WrongCall where it is not known.
 Result<void> applyLanguage(const CommandCall &call);
 
-/// --paper, --school, --logo, --remark, --method, --language: what all commands that write a report are told.
+/// --paper, --school, --logo, --remark, --method, --language: the options of all commands that write a
+/// report.
 QList<QCommandLineOption> reportOptionSyntax();
 /// Installs the language. WrongCall for a paper or language that is not known; Io for a logo that cannot be
 /// read.

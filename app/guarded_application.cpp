@@ -22,7 +22,7 @@ bool GuardedApplication::notify(QObject *receiver, QEvent *event)
         const MessageText *shortage = shortageBeingHandled();
         try {
             tell(errorLine(shortageNow(cannotDoThis())));
-        } catch (...) { // not even that can be told
+        } catch (...) { // not even that can be reported
             endForShortage(shortage ? *shortage
                                     : ODO_TEXT("app.unexpected", "something unexpected happened"));
         }
@@ -68,7 +68,7 @@ void dropSenselessScales()
 void keepPaintersReady()
 {
     using namespace std::chrono_literals;
-    // with those of threads, of which Qt tells in lines of its own
+    // including those of threads, about which Qt prints lines of its own
     constexpr std::size_t filesOfPainting = 40;
     needFiles(filesOfPainting);
     QThreadPool &pool = *QThreadPool::globalInstance();

@@ -5,7 +5,8 @@
 
 namespace odo {
 
-/// The window's application: an exception in an event ends that event, not the program, and is told in a box.
+/// The window's application: an exception in an event ends that event, not the program, and is shown in a
+/// box.
 class GuardedApplication : public QApplication
 {
 public:
@@ -22,9 +23,9 @@ private:
 /// because they are no numbers or beyond all sense, are dropped.
 void dropSenselessScales();
 
-/// Once there is an application that paints: Qt paints on threads of its pool, and waits for ever where one
-/// of them is not to be had. They are started now, and stay. Ends the program (endForShortage) where they are
-/// not to be had: Qt would wait for them in ending, too.
+/// Once there is an application that paints: Qt paints on threads of its pool, and waits for ever if one
+/// cannot be started. They are started now, and stay. Ends the program (endForShortage) if they cannot be
+/// started: Qt would wait for them at the end, too.
 void keepPaintersReady();
 
 } // namespace odo

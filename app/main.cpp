@@ -126,7 +126,7 @@ void keepNumbersPlain()
 /// Standard error belongs to our one line; Qt's remarks on platform plugins are for nobody there.
 void dropRemarks(QtMsgType type, const QMessageLogContext &, const QString &message)
 {
-    if ((type == QtCriticalMsg || type == QtFatalMsg) && !shortageNowOfSystem()) // which we tell ourselves
+    if ((type == QtCriticalMsg || type == QtFatalMsg) && !shortageNowOfSystem()) // which we report ourselves
         std::fprintf(stderr, "odograph: %s\n", plainLine(message.toStdString()).c_str());
 }
 
@@ -143,8 +143,7 @@ Result<void> printed()
                 ODO_TEXT("app.ask_again", "the command succeeded; free some disk space and repeat it"));
 }
 
-/// Where a command was stopped, what it was doing just then is of no interest, and would be taken for what
-/// went wrong.
+/// If a command was stopped, what it was doing just then does not matter, and would look like the cause.
 Result<void> ofCommand(const char *name, Result<void> failed)
 {
     const Error stopped = cancelled(nameAlone(std::string(name))).value();
@@ -168,7 +167,7 @@ int runCommand(const NamedCommand &command, int argc, char **argv)
     const bool paints =
         command.needsWindow || (command.run == runExport && (says("video") || says("--format=video")));
     if (paints) {
-        // A picture of the window needs no display, and must look the same with one.
+        // An image of the window needs no display, and must look the same with one.
         qputenv("QT_QPA_PLATFORM", "offscreen");
         application = std::make_unique<QApplication>(argc, argv);
     } else if (opensWindow) {

@@ -49,7 +49,7 @@ Result<void> paintWorkbench(const std::filesystem::path &project, const std::str
                     ODO_TEXT("app.end_in_png_or_jpg", "give it a name that ends in .png or .jpg"));
     MainWindow window;
     ODO_TRY(window.openProject(project));
-    // The window would tell what is wrong with it, and be painted nevertheless.
+    // The window would report the problem, and be painted all the same.
     ODO_TRY(loadTrialScene(*window.workspace().project(), trial));
     if (cancel.isCancelled())
         return cancelled(what);

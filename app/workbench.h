@@ -14,12 +14,12 @@
 namespace odo {
 
 /// Opens the window, with a project or with the welcome page, and returns when the user has closed it. What
-/// is wrong with the project is told there.
+/// is wrong with the project is shown there.
 void runWorkbench(const std::optional<std::filesystem::path> &project);
 
-/// The window as a user would see it with a trial in one of its modes, painted without a display into a
-/// picture file. WrongCall where its name is of no format, Cancelled, and those of opening the project and
-/// writing the picture.
+/// The window as a user would see it with a trial in one of its modes, painted without a display into an
+/// image file. Errors: WrongCall for an unknown format, Cancelled, and those of opening the project and
+/// writing the image.
 Result<void> paintWorkbench(const std::filesystem::path &project, const std::string &trial, WindowMode mode,
                             QSize size, const OutputTarget &picture, const CancelToken &cancel);
 

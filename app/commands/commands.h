@@ -8,8 +8,8 @@
 
 namespace odo {
 
-/// The subcommands of docs/cli.md; each takes the arguments after its name, prints its answer on
-/// standard output, and gives back what stood in its way.
+/// The subcommands of docs/cli.md; each takes the arguments after its name, prints its answer on standard
+/// output, and returns what prevented it.
 using Subcommand = Result<void> (*)(const QStringList &arguments, const CancelToken &cancel);
 
 Result<void> runNew(const QStringList &arguments, const CancelToken &cancel);

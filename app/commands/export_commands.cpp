@@ -179,7 +179,7 @@ Result<void> runExport(const QStringList &arguments, const CancelToken &cancel)
     if (formatName == "video")
         return exportVideo(call, call.value(option::output));
     const auto project = ODO_TRY(call.openProject(0, Project::Access::ReadOnly));
-    // the text tells its kind
+    // the text shows its kind
     const auto target =
         ODO_TRY(isPrinted ? Result<OutputTarget>()
                           : outputOf(call, call.value(option::output), std::nullopt, project.get()));

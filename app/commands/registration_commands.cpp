@@ -250,7 +250,7 @@ Result<void> runMoved(const QStringList &arguments, const CancelToken &cancel)
         return parsed.map([](bool) {});
     if (!call.isSet(option::camera) || !call.isSet(option::image))
         return call.wrongCall(ODO_TEXT("app.camera_and_image_needed", "--camera and --image are needed"));
-    // What was found is kept where it can be; where it cannot, it is told all the same.
+    // The outcome is stored if the project can be written to, and reported in any case.
     auto project = call.openProject(0, Project::Access::ReadWrite);
     const bool canKeep = project || project.error().code != ErrorCode::ReadOnly;
     if (!canKeep)

@@ -75,7 +75,8 @@ Result<void> runReport(const QStringList &arguments, const CancelToken &cancel)
 
 namespace {
 
-/// What --align tells: a word, or the seconds by which the second run's moment comes later in its recording.
+/// The value of --align: a word, or the seconds by which the second run's moment comes later in its
+/// recording.
 Result<void> readAlignment(const CommandCall &call, CompareSettings &settings, double &laterS)
 {
     const std::string word = call.value(option::align);
@@ -103,7 +104,7 @@ QJsonArray metricsJson(const std::vector<MetricDifference> &lines)
 {
     QJsonArray metrics;
     for (const MetricDifference &line : lines) {
-        if (!line.difference) // a figure that only one of them has cannot be compared
+        if (!line.difference) // a metric that only one of them has cannot be compared
             continue;
         metrics.append(QJsonObject{{QStringLiteral("name"), QString::fromStdString(line.name)},
                                    {QStringLiteral("unit"), QString::fromStdString(line.unit)},

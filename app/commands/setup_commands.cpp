@@ -27,14 +27,14 @@ Result<PixelRect> boxFrom(const CommandCall &call)
     for (std::size_t i = 0; good && i < numbers.size(); ++i)
         numbers[i] = texts[qsizetype(i)].trimmed().toInt(&good);
     const auto [x, y, width, height] = numbers;
-    constexpr int most = 1 << 20; // wider than any picture, and far from overflowing
+    constexpr int most = 1 << 20; // wider than any image, and far from overflowing
     if (!good || width <= 0 || height <= 0 || std::max({std::abs(x), std::abs(y), width, height}) > most)
         return call.wrongCall(ODO_TEXT("app.not_a_box", "--box '%1' is not of the form x,y,w,h in pixels")(
             call.value(option::box)));
     return PixelRect{x, y, x + width, y + height};
 }
 
-/// The colour of what is in a box of a picture.
+/// The colour of what is in a box of an image.
 Result<RgbColour> pickedColour(const CommandCall &call)
 {
     if (!call.isSet(option::box))

@@ -8,7 +8,7 @@
 
 namespace odo {
 
-/// How the errors of a curve at different times hang together: not at all (measurements), or as those of a
+/// How the errors of a curve at different times are correlated: not at all (measurements), or as those of a
 /// smoothed position and of its first and second derivative.
 enum class ErrorCourse { Independent, Position, Velocity, Acceleration };
 
@@ -27,7 +27,7 @@ double errorCorrelation(ErrorCourse course, double s);
 /// larger, and so its errors last longer; differences of raw positions have so the mean that they must have.
 double errorRate(double sigmaPosition, double sigmaVelocity);
 
-/// One time of a curve: value with its σ, and how its error hangs together with its neighbours'.
+/// One time of a curve: value with its σ, and how its error is correlated with its neighbours'.
 struct CurvePoint
 {
     double timeS = 0, value = 0, sigma = 0;
@@ -36,9 +36,9 @@ struct CurvePoint
 };
 
 /// Covariance of Σ fᵢeᵢ, e the errors of the points and fᵢ a row a point of weights: Σᵢⱼ fᵢfⱼᵀ σᵢσⱼ ρᵢⱼ with
-/// s = ∫ω₀dt between two points. An acceleration's error is taken as the difference of the velocity's next to
-/// it (its own is too rough for a sum in the place of an integral). Its time grows with the number of points,
-/// not with its square: ρ is a sum of exponentials. points in order of time.
+/// s = ∫ω₀dt between two points. The error of an acceleration is approximated by the difference of
+/// neighbouring velocity errors (its own is too rough to replace an integral by a sum). Its time grows with
+/// the number of points, not with its square: ρ is a sum of exponentials. points in order of time.
 Eigen::MatrixXd errorCovariance(std::span<const CurvePoint> points, ErrorCourse course,
                                 const Eigen::MatrixXd &weights);
 
@@ -62,7 +62,7 @@ struct CurveFit
     double expectedChiSquared = 0; ///< what the stated σ let expect of it: the degrees of freedom
     double independentCount = 0;   ///< as of independentCount
     double neighbourFactor =
-        1; ///< Independent: on the variances, for residuals that hang together after all; else 1
+        1; ///< Independent: on the variances, for residuals that are correlated after all; else 1
     std::size_t points = 0; ///< that were fitted
 
     double at(double timeS) const;
@@ -72,22 +72,22 @@ struct CurveFit
     double reducedChiSquared() const { return expectedChiSquared > 0 ? chiSquared / expectedChiSquared : 0; }
 };
 
-/// Whether the shape describes the curve within its errors.
+/// Whether the shape describes the curve within its uncertainty.
 enum class FitVerdict {
-    Describes, ///< the curve departs from it no more than its errors explain
+    Describes, ///< the curve departs from it no more than its σ explains
     Departs,   ///< by more than two standard deviations of χ² more: the shape is not that of the motion
     Closer,    ///< by as much less: the stated σ are larger than the scatter
 };
 FitVerdict verdictOf(const CurveFit &fit);
 
 /// The polynomial with the least Σ(residual/σ)² (Aitken 1935 for independent errors). Its covariance is that
-/// of this estimate under errors that hang together as told (errorCovariance), (GᵀG)⁻¹GᵀRG(GᵀG)⁻¹ with G the
-/// rows over σ and R the correlations: a smoothed curve's neighbours share their error, and counting each as
-/// independent would promise far too much. Independent errors: if the residuals hang together nevertheless
+/// of this estimate under correlated errors as given (errorCovariance), (GᵀG)⁻¹GᵀRG(GᵀG)⁻¹ with G the rows
+/// over σ and R the correlations: a smoothed curve's neighbours share their error, and counting each as
+/// independent would promise far too much. Independent errors: if the residuals are correlated nevertheless
 /// (outlines change slowly; the shape may be wrong), the variances are multiplied by 1 + 2Σρₖ of the
 /// residuals' autocorrelation up to its first change of sign, at least 1. What is common to all points
-/// (calibration) is not in it. Points whose σ is 0 are left out. all: in order of time. Errors:
-/// Undetermined when no more points, or no more independent times, are left than there are coefficients.
+/// (calibration) is not in it. Points whose σ is 0 are left out. all: in order of time. Errors: Undetermined
+/// when no more points, or no more independent times, are left than there are coefficients.
 Result<CurveFit> fitCurve(std::span<const CurvePoint> all, ErrorCourse course, FitShape shape);
 
 } // namespace odo

@@ -17,7 +17,7 @@ constexpr double leastDistanceM = 0.0005;
 /// One meeting of the track with the gate's line.
 struct Meeting
 {
-    std::size_t after = 0; ///< index of the place before it
+    std::size_t after = 0; ///< index of the position before it
     double timeS = 0, alongM = 0, rateMps = 0;
     double ownM = 0, commonM = 0; ///< σ across the gate
 };
@@ -35,7 +35,7 @@ public:
     {
         std::vector<GatePassage> found;
         const std::size_t nowhere = m_places.size();
-        std::size_t before = nowhere; // the last place that was surely before the line
+        std::size_t before = nowhere; // the last position that was surely before the line
         for (std::size_t i = 0; i < m_places.size(); ++i) {
             if (!m_places[i].joined)
                 before = nowhere;
@@ -56,7 +56,7 @@ public:
 private:
     double across(std::size_t i) const { return m_across.dot(m_places[i].point->position - m_gate.from); }
 
-    /// The distance from the line between a place and the next, with `more` added.
+    /// The distance from the line between a position and the next, with `more` added.
     CubicStep distanceAfter(std::size_t i, double more = 0) const
     {
         const MeasuredPlace &a = m_places[i], &b = m_places[i + 1];
@@ -64,9 +64,8 @@ private:
                 m_across.dot(b.point->velocity), b.timeS - a.timeS};
     }
 
-    /// The moment when a track that lies by `more` further on meets the line: searched from a place on, by
-    /// one step back or forth at a time, as far as the track has no gap. Where its σ grows that may be its
-    /// end.
+    /// The moment when a track shifted forward by `more` meets the line: searched from a position, one step
+    /// back or forth at a time, as far as the track has no gap. Where its σ grows that may be its end.
     double momentFrom(std::size_t i, int step, double more) const
     {
         while ((across(i) + more > 0) == (across(i + 1) + more > 0)) {
@@ -166,7 +165,7 @@ std::vector<GatePassage> findPassages(const std::vector<Gate> &gates, const std:
 std::vector<Lap> lapsOf(const std::vector<GatePassage> &passages)
 {
     std::vector<Lap> laps;
-    std::vector<const GatePassage *> way; // of the run that is under way
+    std::vector<const GatePassage *> way; // of the current run
     for (const GatePassage &passage : passages) {
         const bool ends = passage.role == GateRole::Finish || passage.role == GateRole::StartFinish;
         const bool begins = passage.role == GateRole::Start || passage.role == GateRole::StartFinish;

@@ -33,7 +33,7 @@ double sigmaOfLengthOf(const MotionStretch &motion, const std::vector<RunInstant
     return std::sqrt(variance);
 }
 
-/// Relative error of scale that the calibration leaves: its σ at two places over their distance.
+/// Relative scale uncertainty of the calibration: its σ at two positions over their distance.
 double sigmaScale(const std::vector<RunInstant> &instants)
 {
     Eigen::Vector2d low = instants.front().point->position, high = low;
@@ -106,7 +106,7 @@ void addCircle(std::vector<Metric> &metrics, const std::vector<RunInstant> &inst
                            std::hypot(circle->sigmaRadiusM, scale * circle->radiusM)});
 }
 
-/// The fastest turn beyond doubt: by its rate less twice its σ, as of a curve's largest value.
+/// The fastest significant turn: by its rate minus twice its σ, as of a curve's largest value.
 Figure fastestTurn(const std::vector<RunInstant> &instants, const std::vector<MotionStretch> &motions)
 {
     Figure fastest;
@@ -139,7 +139,8 @@ std::vector<Metric> measureRun(const std::vector<RunInstant> &instants)
     std::vector<Metric> course;
     addCourse(course, instants, motions, scale);
 
-    // A speed scales with lengths; next to its σ the calibration's error of scale is small, but it is there.
+    // A speed scales with lengths; compared with its σ the calibration's scale uncertainty is small, but not
+    // zero.
     const auto scaled = [&](const char *name, const char *unit, Figure figure) {
         return Metric{name, unit, figure.value, std::hypot(figure.sigma, scale * figure.value)};
     };
@@ -316,7 +317,7 @@ double weightedPercentile(std::vector<Weighted> &values, double share)
     double total = 0;
     for (const Weighted &one : values)
         total += one.seconds;
-    // Each value stands at the middle of its time; between two the curve is taken as straight.
+    // Each value is at the middle of its time; between two the curve is assumed straight.
     double reached = 0;
     for (std::size_t i = 0; i < values.size(); ++i) {
         const double middle = reached + values[i].seconds / 2;

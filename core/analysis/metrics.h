@@ -11,40 +11,40 @@
 
 namespace odo {
 
-/// Figures of a whole run, always in this order and with these names:
-/// duration (s, from the onset of motion to the last stop), path_length (m), mean_speed (m/s, path_length
-/// over duration), max_speed, rms_speed (m/s), max_accel, rms_accel (m/s²), straightness (1, end to end over
-/// path_length), moving_time (s), stops (1, pauses between onset and end), standing_time (s, in those
-/// pauses), median_speed, p95_speed (m/s), p95_accel (m/s²; half and 95 % of the moving time stay below
-/// them), max_turn_rate (rad/s, either way), and where the path is a circle circle_radius (m, fitCircle).
-/// Moving means faster than 20 mm/s and than three σ of the speed, for at least three valid points in a row;
-/// the moments between frames are interpolated. Only the speed while moving is integrated, so noise adds
-/// nothing to the path of a robot that stands. Gaps that are not bridged contribute their straight line. σ:
-/// from the profile's σ; the calibration's part as a common error of scale. A maximum is that of the smoothed
-/// curve (see largest). A robot that never moves has a duration of 0, and 0 for all that hangs on it.
+/// Metrics of a whole run, always in this order and with these names: duration (s, from the onset of motion
+/// to the last stop), path_length (m), mean_speed (m/s, path_length over duration), max_speed, rms_speed
+/// (m/s), max_accel, rms_accel (m/s²), straightness (1, end to end over path_length), moving_time (s), stops
+/// (1, pauses between onset and end), standing_time (s, in those pauses), median_speed, p95_speed (m/s),
+/// p95_accel (m/s²; half and 95 % of the moving time stay below them), max_turn_rate (rad/s, either way), and
+/// where the path is a circle circle_radius (m, fitCircle). Moving means faster than 20 mm/s and than three σ
+/// of the speed, for at least three valid points in a row; the moments between frames are interpolated. Only
+/// the speed while moving is integrated, so noise adds nothing to the path of a robot that stands still. Gaps
+/// that are not bridged contribute their straight line. σ: from the profile's σ; the calibration's part as a
+/// common scale uncertainty. A maximum is that of the smoothed curve (see largest). A robot that never moves
+/// has a duration of 0, and 0 for all that depends on it.
 std::vector<Metric> measureRun(const std::vector<Sample> &samples, const std::vector<ProfilePoint> &points);
 std::vector<Metric> measureRun(const std::vector<RunInstant> &instants);
 
-/// The calibration's error of scale, relative: in σ of each of those figures that is a length or a speed or
-/// an acceleration it is contained with its value times this. 0 without a valid point.
+/// The calibration's relative scale uncertainty: σ of each length, speed and acceleration among the metrics
+/// contains its value times this. 0 without a valid point.
 double sigmaOfScale(const std::vector<Sample> &samples, const std::vector<ProfilePoint> &points);
 
 struct CircleFit
 {
     Eigen::Vector2d centre = Eigen::Vector2d::Zero();
     double radiusM = 0;
-    double sigmaRadiusM = 0; ///< of the points' scatter alone; the calibration's error of scale is not in it
+    double sigmaRadiusM = 0; ///< of the points' scatter alone, without the calibration's scale uncertainty
     double rmsM = 0;         ///< of the points' distances from the circle
 };
 
 /// The circle with the least squared distances from points in order along a path (algebraic start: Kåsa 1976;
-/// then Gauss–Newton on the distances). σ from the scatter of the distances; neighbours' errors go together,
-/// so they count as fewer: by 1 + 2Σρₖ of the distances' autocorrelation up to its first change of sign.
-/// nullopt when the path is no circle: fewer than ten points, less than a third of a turn, or distances of
-/// more than 3 % of the radius.
+/// then Gauss–Newton on the distances). σ from the scatter of the distances; neighbours' errors are
+/// correlated, so they count as fewer: by 1 + 2Σρₖ of the distances' autocorrelation up to its first change
+/// of sign. nullopt when the path is no circle: fewer than ten points, less than a third of a turn, or
+/// distances of more than 3 % of the radius.
 std::optional<CircleFit> fitCircle(std::span<const Eigen::Vector2d> path);
 
-/// A figure of a curve with its standard deviation.
+/// A value of a curve with its standard deviation.
 struct Figure
 {
     double value = 0, sigma = 0;
@@ -60,7 +60,7 @@ struct Curve
 };
 extern const Curve speedCurve, accelCurve;
 
-/// Root mean square over the motions' instants; σ: the bound for errors that all go together. 0 for none.
+/// Root mean square over the motions' instants; σ: the bound for fully correlated errors. 0 for none.
 Figure rootMeanSquare(const std::vector<RunInstant> &instants, const std::vector<MotionStretch> &motions,
                       Curve curve);
 
@@ -73,9 +73,9 @@ inline constexpr double sigmasNearPercentile = 1.5;
 Figure percentile(const std::vector<RunInstant> &instants, const std::vector<MotionStretch> &motions,
                   Curve curve, double share);
 
-/// The instant where the curve is largest beyond doubt: by its value less twice its σ, so that a badly known
-/// point (at the ends, in a gap) does not win by its error. The maximum of noisy values is too large by about
-/// their σ; of a smoothed curve that is little, and σ is stated. instants must not be empty.
+/// The instant of the largest significant value: by value minus twice σ, so a badly known point (at the ends,
+/// in a gap) does not win because of its uncertainty. The maximum of noisy values is too large by about their
+/// σ; of a smoothed curve that is little, and σ is stated. instants must not be empty.
 const RunInstant &largest(const std::vector<RunInstant> &instants, Curve curve);
 
 } // namespace odo

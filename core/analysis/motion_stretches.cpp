@@ -132,7 +132,7 @@ std::vector<double> drivenWay(const std::vector<Sample> &samples, const std::vec
         const std::vector<double> own = waysOf(motion, instants);
         for (std::size_t i = motion.first; i <= motion.last; ++i) {
             const std::size_t sample = sampleOf(i);
-            // A point that is not valid has the way of the one before it.
+            // A point that is not valid has the distance of the one before it.
             std::fill(ways.begin() + static_cast<std::ptrdiff_t>(next),
                       ways.begin() + static_cast<std::ptrdiff_t>(sample),
                       i > motion.first ? before + own[i - 1 - motion.first] : before);

@@ -52,16 +52,17 @@ double correlationTimeS(const RunInstant &instant);
 /// σ of the position, mean of both axes, the calibration's part included.
 double sigmaOfPosition(const ProfilePoint &point);
 
-/// The way driven from the start of a stretch of motion to each of its instants, metres: the integral of the
-/// speed by the trapezoidal rule, with the ramp from the threshold to the first instant. As long as the
-/// stretch.
+/// The distance travelled from the start of a stretch of motion to each of its instants, metres: the integral
+/// of the speed by the trapezoidal rule, with the ramp from the threshold to the first instant. As long as
+/// the stretch.
 std::vector<double> waysOf(const MotionStretch &motion, const std::vector<RunInstant> &instants);
 
 /// The length of a stretch of motion: waysOf and the ramp at its end, metres.
 double lengthOf(const MotionStretch &motion, const std::vector<RunInstant> &instants);
 
-/// The way that was driven up to each sample, metres; it never falls, and ends with the metric path_length.
-/// While the robot stands, and where its points are not valid, it stays. As long as samples.
+/// The distance travelled up to each sample, metres; it never decreases, and ends with the metric
+/// path_length. It is constant while the robot stands still and where its points are not valid. As long as
+/// samples.
 std::vector<double> drivenWay(const std::vector<Sample> &samples, const std::vector<ProfilePoint> &points);
 
 /// One valid point of a profile with the covariance of its position in its two parts: the track's own, which
@@ -74,8 +75,8 @@ struct MeasuredPlace
     bool joined = false; ///< the point before it is valid too: no gap between
 };
 
-/// The valid points in order of time, as validInstants gives them. A profile keeps σ of x and y alone: how
-/// their errors go together is taken from the measurement at the same time.
+/// The valid points in order of time, as validInstants gives them. A profile keeps σ of x and y alone: their
+/// correlation comes from the measurement at the same time.
 std::vector<MeasuredPlace> measuredPlaces(const std::vector<Sample> &samples,
                                           const std::vector<ProfilePoint> &points);
 

@@ -19,14 +19,14 @@ enum class SampleFlag : std::uint32_t {
     Jump = 1u << 0,              ///< too far from where the neighbours put it
     SpeedLimit = 1u << 1,        ///< faster than the task's or robot's limit
     AccelerationLimit = 1u << 2, ///< harder than the limit
-    ViewsDisagree = 1u << 3,  ///< the views put it at different places. Alone: those at fault were left out,
-                              ///< the rest is used, or all are, with a covariance that holds what they are
-                              ///< apart; with Jump: none could be trusted
+    ViewsDisagree = 1u << 3,  ///< the views' floor positions differ. Alone: the wrong ones were left out and
+                              ///< the rest is used, or all are, with a covariance that covers their
+                              ///< distance; with Jump: none could be trusted
     LowScore = 1u << 4,       ///< the tracker was not sure
     Lost = 1u << 5,           ///< no view found the robot
-    DuplicateFrame = 1u << 6, ///< the camera repeated a picture
+    DuplicateFrame = 1u << 6, ///< the camera repeated a frame
     Interpolated = 1u << 7,   ///< the profile bridges a gap here
-    ByHand = 1u << 8,         ///< a person judged it: with Jump a spike, else valid
+    ByHand = 1u << 8,         ///< a manual override: with Jump a spike, else valid
 };
 using SampleFlags = std::uint32_t;
 
@@ -84,7 +84,7 @@ struct ProfilePoint
     bool valid = false; ///< false in long gaps and before the first or after the last sighting
 };
 
-/// A named figure with its uncertainty. Unit of the value: as named ("s", "m", "m/s", "m/s²", "rad/s", "mm",
+/// A named metric with its uncertainty. Unit of the value: as named ("s", "m", "m/s", "m/s²", "rad/s", "mm",
 /// "1").
 struct Metric
 {
@@ -94,7 +94,7 @@ struct Metric
     std::optional<double> sigma;
 };
 
-/// A spike, told to a person.
+/// A spike, described for a person.
 struct Spike
 {
     std::int64_t sampleIndex = 0;
@@ -113,8 +113,8 @@ struct GatePassage
     double commonSigmaS = 0; ///< the calibration's part: the same at each passage of a gate at one speed
 };
 
-/// Height of the plane a robot's silhouette is laid on: its centre is, to first order, the picture of the
-/// robot's centre, at half its height.
+/// Height of the plane onto which a robot's silhouette is projected: its centre is, to first order, the image
+/// of the body's centre, at half its height.
 constexpr double silhouettePlaneM(double heightM)
 {
     return heightM / 2;

@@ -23,15 +23,15 @@ constexpr double coverage95 = 1.959964;
 
 /// The smoothed values of a quantity at all points of a profile, as many as there are points; nullopt where
 /// it has none. World frame, SI. Speed: |v|. Acceleration: along the path, a·v/|v|, so that braking is
-/// negative; |a| while it stands. Heading: of the motion, without steps of a whole turn, while it stands the
-/// last one with a σ of 0. Turn rate: none while it stands. Position: σ with the calibration's part. Pure.
+/// negative; |a| while it stands still. Heading: of the motion, without steps of a whole turn; at standstill
+/// the last one with a σ of 0. Turn rate: none at standstill. Position: σ with the calibration's part. Pure.
 std::vector<std::optional<CurveValue>> quantityValues(const Profile &profile, Quantity quantity);
 
 /// The same out of the positions before smoothing, by the differences that Tracker uses: speed and heading of
 /// (x₊₁ − x₋₁)/2Δt, acceleration of (2x₊₂ − x₊₁ − 2x − x₋₁ + 2x₋₂)/7Δt² along the smoothed path, a position
 /// as it was measured. nullopt where one of the samples that it takes is rejected or missing, for a heading
-/// while the robot stands, and everywhere for the turn rate, which is nothing but noise. No σ (0) but for
-/// positions, whose σ is the measurement's own, without the calibration's part.
+/// at standstill, and everywhere for the turn rate, which is nothing but noise. No σ (0) but for positions,
+/// whose σ is the measurement's own, without the calibration's part.
 std::vector<std::optional<CurveValue>> measuredValues(const Profile &profile, Quantity quantity);
 
 /// As the speed of measuredValues for one sample, whether it is rejected or not.
@@ -59,9 +59,8 @@ struct Heading
 };
 
 /// The headings of a profile's points, unwrapped: of all headings that are the same direction the one next to
-/// the last. While the robot stands the last one is kept, before it first moves that of its start. nullopt
-/// where the point is not valid, and everywhere for a robot that never moves. The result is as long as
-/// points.
+/// the last. At standstill the last one is kept; before it first moves, that of its start. nullopt where the
+/// point is not valid, and everywhere for a robot that never moves. The result is as long as points.
 std::vector<std::optional<Heading>> headingsOf(const std::vector<ProfilePoint> &points);
 
 /// What of a curve a chart of some width can show: the points themselves, or, where there are more of them
@@ -71,7 +70,7 @@ std::vector<std::optional<Heading>> headingsOf(const std::vector<ProfilePoint> &
 struct BandPoint
 {
     BandPoint(double place, const CurveValue &curveValue);
-    double x; ///< the place on the axis below
+    double x; ///< the position on the axis below
     float value, reach;
     double low() const { return double(value) - double(reach); }
     double high() const { return double(value) + double(reach); }
@@ -94,7 +93,7 @@ std::vector<CurveRun> curveRuns(const std::vector<std::optional<CurveValue>> &va
 /// Points must be sorted by x.
 std::span<const BandPoint> visiblePoints(std::span<const BandPoint> points, double low, double high);
 
-/// How many points of these runs visiblePoints gives all together.
+/// How many points of these runs visiblePoints gives in total.
 std::size_t visibleCount(std::span<const CurveRun> runs, double low, double high);
 
 /// What a curve does within one pixel column.

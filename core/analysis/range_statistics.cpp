@@ -76,7 +76,7 @@ double medianOf(const std::vector<CurvePoint> &points, const std::vector<double>
     std::iota(order.begin(), order.end(), std::size_t(0));
     std::sort(order.begin(), order.end(),
               [&](std::size_t a, std::size_t b) { return points[a].value < points[b].value; });
-    // Each value stands at the middle of its time; between two the curve is taken as straight.
+    // Each value is at the middle of its time; between two the curve is assumed straight.
     double reached = 0;
     for (std::size_t i = 0; i < order.size(); ++i) {
         const double middle = reached + shares[order[i]] / 2;

@@ -76,7 +76,7 @@ Difference timeBetween(const Arrival &from, const Arrival &to)
     return {to.timeS - from.timeS, std::hypot(from.sigmaS(), to.sigmaS())};
 }
 
-/// How much longer b takes than a; at each end a displacement of the place counts once where it is shared.
+/// How much longer b takes than a; at each end a displacement of the position counts once if it is shared.
 Difference longer(const Arrival &fromA, const Arrival &toA, const Arrival &fromB, const Arrival &toB,
                   bool isShared)
 {
@@ -183,7 +183,7 @@ bool isOfTask(const std::string &name)
            std::ranges::find(names, name) != names.end();
 }
 
-/// Whether a calibration's error of scale is part of its σ.
+/// Whether a calibration's scale uncertainty is part of its σ.
 bool hasScale(const std::string &unit)
 {
     return unit == "m" || unit == "m/s" || unit == "m/s²";

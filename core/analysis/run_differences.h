@@ -9,7 +9,7 @@
 
 namespace odo {
 
-/// A gate as a place of the common path: the line across it there. On a closed path it comes again in each
+/// A gate as a position on the common path: the line across it there. On a closed path it comes again in each
 /// lap.
 struct PathGate
 {
@@ -31,8 +31,8 @@ struct PathPoint
 };
 PathPoint pointAt(const ReferencePath &path, double wayM);
 
-/// A stretch of the way between two neighbouring gates, or from where all have begun, or to where the last of
-/// them got.
+/// A stretch of the path between two neighbouring gates, or from where all have started, or to where the last
+/// of them got.
 struct SectorTimes
 {
     std::string from, to; ///< gates; empty: the beginning or the end of what the runs have in common
@@ -44,11 +44,11 @@ struct SectorTimes
 };
 
 /// The time that each run takes from gate to gate, by first arrival: the sectors' differences add up to the
-/// time difference at the end. σ as of compareRuns: displacements at two places count as independent. Sectors
-/// of less than 10 mm are left out. Pure; any thread.
+/// time difference at the end. σ as of compareRuns: displacements at two positions count as independent.
+/// Sectors of less than 10 mm are left out. Pure; any thread.
 std::vector<SectorTimes> sectorTimes(const RunComparison &comparison, const std::vector<PathGate> &gates);
 
-/// A figure of two runs; nullopt where a run has none.
+/// A metric of two runs; nullopt where a run has none.
 struct MetricDifference
 {
     std::string name, unit;
@@ -57,12 +57,12 @@ struct MetricDifference
     std::optional<Difference> difference; ///< b − a, where both have one
 };
 
-/// The figures of two runs side by side, in the order of the first, then those of the second alone. σ of a
-/// difference: both σ as independent (JCGM 100:2008, 5.1.2). Where the runs share their calibration, its
-/// error of scale (sigmaOfScale), which all lengths, speeds and accelerations contain, is the same for both
-/// and leaves only its part of the difference; what else they share counts as independent, which makes σ
-/// rather too large. Counts are exact; path_completed is known to its resolution. sameTask: the figures of
-/// the task mean the same in both; else they are left out. Pure; any thread.
+/// The metrics of two runs side by side, in the order of the first, then those of the second alone. σ of a
+/// difference: both σ as independent (JCGM 100:2008, 5.1.2). If the runs share their calibration, its scale
+/// uncertainty (sigmaOfScale), which all lengths, speeds and accelerations contain, is the same for both and
+/// leaves only its part of the difference; everything else they share counts as independent, which makes σ
+/// rather too large. Counts are exact; path_completed is known to its resolution. sameTask: the task's
+/// metrics mean the same in both; otherwise they are left out. Pure; any thread.
 std::vector<MetricDifference> metricDifferences(const Profile &a, const Profile &b, bool shareCalibration,
                                                 bool sameTask);
 

@@ -38,7 +38,7 @@ struct Score
     std::vector<CriterionScore> lines;
     double points = 0; ///< the sum of the lines
     double most = 0;   ///< that can be had: the sum of the points above zero
-    double sigma = 0;  ///< root of the sum of the squares: the lines' errors are taken as independent
+    double sigma = 0;  ///< root of the sum of the squares: the lines' errors are assumed independent
 };
 
 /// The counts that a rubric can use beside the metrics, always all three: spikes (1, flagged samples),
@@ -48,7 +48,7 @@ std::vector<Metric> scoringMetrics(const std::vector<Spike> &spikes,
 
 Score scoreOf(const std::vector<Criterion> &criteria, const std::vector<Metric> &metrics);
 
-/// Whether a task has anything that figures depend on: gates, a path, limits or zones.
+/// Whether a task has anything that metrics depend on: gates, a path, limits or zones.
 bool hasCourse(const Task &task);
 
 /// Whether a rubric can be computed, InvalidInput where not: numbers that are none, bounds that are equal, no

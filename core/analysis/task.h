@@ -11,7 +11,7 @@
 
 namespace odo {
 
-/// What a zone asks of a robot's centre.
+/// What a zone requires of a robot's reference point.
 enum class ZoneRule { StayInside, StayOutside };
 
 /// A part of the floor within which a robot must stay, or out of which it must keep: a polygon by its
@@ -24,7 +24,7 @@ struct Zone
     std::vector<Eigen::Vector2d> corners;
 };
 
-/// Whether a place can be one of a floor: finite, and within a kilometre of the world's axes.
+/// Whether a position can be on a floor: finite, and within a kilometre of the world's axes.
 bool isOnFloor(const Eigen::Vector2d &point);
 
 /// "stay_inside", "stay_outside"; NotFound, with the words there are, for another.
@@ -48,8 +48,8 @@ enum class TaskTemplate { Free, StraightLine, Circle, FigureEight, Slalom };
 /// What passing a gate means. StartFinish: one gate that is both, so that a run has laps.
 enum class GateRole { Start, Finish, StartFinish, Split };
 
-/// A line on the floor that a robot's centre passes, from the left side of the segment to its right as seen
-/// from `from` to `to`. World frame, metres.
+/// A line on the floor that a robot's reference point passes, from the left side of the segment to its right
+/// as seen from `from` to `to`. World frame, metres.
 struct Gate
 {
     std::string name;
@@ -112,7 +112,7 @@ Gate gateAcross(const std::string &name, GateRole role, const Eigen::Vector2d &c
 /// Reference paths of the templates, sampled so finely that no chord leaves the curve by more than 0.05 mm;
 /// closed but for the slalom. Driven anticlockwise, the eight from its centre towards +x and +y as
 /// x = a·sin φ, y = b·sin 2φ. The slalom is a sine along from → to that crosses the line once between two
-/// poles, which stand at equal distances, and swings to the left of the first one.
+/// equally spaced poles and swings to the left of the first one.
 ReferencePath circlePath(const Eigen::Vector2d &centre, double radiusM);
 ReferencePath figureEightPath(const Eigen::Vector2d &centre, double halfWidthM, double halfHeightM);
 ReferencePath slalomPath(const Eigen::Vector2d &from, const Eigen::Vector2d &to, int poles, double swingM);

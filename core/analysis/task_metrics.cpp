@@ -15,12 +15,12 @@ namespace odo {
 
 namespace {
 
-/// A distance from the path with its σ, and the way driven that it stands for.
+/// A distance from the path with its σ, and the distance travelled that it represents.
 struct Offset
 {
     double valueM = 0, ownM = 0, commonM = 0;
     double wayM = 0;
-    double togetherM = 0; ///< way along which the errors go together, at least its own
+    double togetherM = 0; ///< distance over which the errors are correlated, at least its own
 };
 
 std::vector<Offset> offsetsOf(const std::vector<RunInstant> &instants, const std::vector<PathPlace> &followed,
@@ -43,7 +43,7 @@ std::vector<Offset> offsetsOf(const std::vector<RunInstant> &instants, const std
     return offsets;
 }
 
-/// σ of a figure that changes by slope(offset) · way / whole for a change of one offset.
+/// σ of a metric that changes by slope(offset) · distance / whole for a change of one offset.
 template <class Slope>
 double sigmaOfFigure(const std::vector<Offset> &offsets, double wholeM, const Slope &slope)
 {
@@ -199,7 +199,7 @@ bool isWithin(const Zone &zone, const Vector2d &point)
     return within;
 }
 
-/// Where a place of the track stands to a zone's rule.
+/// How a position of the track relates to a zone's rule.
 struct Standing
 {
     double timeS = 0;

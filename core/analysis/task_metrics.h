@@ -9,7 +9,7 @@
 
 namespace odo {
 
-/// What a task adds to a run's figures.
+/// What a task adds to a run's metrics.
 struct TaskFigures
 {
     std::vector<GatePassage> passages;
@@ -20,16 +20,16 @@ struct TaskFigures
 /// gave. Metrics, in this order: with a start and a finish apart gate_time (s, the first whole run); with one
 /// gate for both laps (1), best_lap and mean_lap (s); with a path cross_track_mean, cross_track_rms,
 /// cross_track_max (mm, of the distance without its sign), cross_track_bias (mm, its mean with it, to the
-/// left positive) and path_completed (1); with zones those of measureZones. Distances are weighted by the way
-/// driven, while the robot moves and is not beyond an end of the path; the maximum is the largest beyond
-/// doubt. σ of a distance figure: the track's own noise by first order with its correlation along the run,
-/// what that noise alone adds to a mean of magnitudes and by choice to a maximum, and the calibration's part
-/// as if it went together everywhere.
+/// left positive) and path_completed (1); with zones those of measureZones. Distances are weighted by the
+/// distance travelled, while the robot moves and is not beyond an end of the path; the maximum is the largest
+/// significant one. σ of a distance metric: the track's own noise to first order with its correlation along
+/// the run, what that noise alone adds to a mean of magnitudes and by selection to a maximum, and the
+/// calibration's part as if it were fully correlated.
 TaskFigures measureTask(const Task &task, const std::vector<Sample> &samples,
                         const std::vector<ProfilePoint> &points);
 
-/// A stretch in which the robot's centre was where a zone's rule does not want it: outside of a zone to stay
-/// in, inside of one to keep out of.
+/// A stretch in which the robot's reference point broke a zone's rule: outside a zone to stay in, or inside
+/// one to keep out of.
 struct ZoneBreach
 {
     std::string zone;           ///< its name
@@ -39,17 +39,16 @@ struct ZoneBreach
     double sigmaDepthM = 0;     ///< all of it
 };
 
-/// Breaches of all zones by the smoothed track, in order of their beginnings. A breach is beyond doubt:
-/// somewhere in it the centre is beyond the edge by more than three σ of the track's own noise (and 0.5 mm).
-/// Where the profile has a gap nothing is judged: a breach ends before it.
+/// Breaches of all zones by the smoothed track, in order of their beginnings. A breach is significant:
+/// somewhere in it the point is beyond the edge by more than three σ of the track's own noise (and 0.5 mm). A
+/// gap of the profile is not judged: a breach ends before it.
 std::vector<ZoneBreach> findZoneBreaches(const std::vector<Zone> &zones, const std::vector<Sample> &samples,
                                          const std::vector<ProfilePoint> &points);
 
-/// Figures of the zones, all three where there is any zone: zone_breaches (1), zone_time (s, in breaches; in
+/// Metrics of the zones, all three if the task has a zone: zone_breaches (1), zone_time (s, in breaches; in
 /// two zones at once it counts twice) and zone_depth (mm, of the deepest one, 0 without any). σ of the time:
-/// half of what it differs by when all edges lie by the calibration's σ further in or out, and at each end of
-/// a breach the track's own noise over the speed across the edge, as independent. σ of a depth of 0 is not
-/// known.
+/// half of its difference when all edges move in or out by the calibration's σ, and at each end of a breach
+/// the track's own noise over the speed across the edge, as independent. σ of a depth of 0 is not known.
 std::vector<Metric> measureZones(const std::vector<Zone> &zones, const std::vector<Sample> &samples,
                                  const std::vector<ProfilePoint> &points);
 

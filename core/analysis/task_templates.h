@@ -23,8 +23,8 @@ struct TemplateSizes
 /// poles, or what checkTask refuses.
 Result<Task> taskFromTemplate(TaskTemplate kind, const TemplateSizes &sizes);
 
-/// The sizes that a task's gates and path suggest, so that it can be made anew; those of a task without any
-/// are the usual ones about the place.
+/// The sizes that a task's gates and path suggest, to rebuild it; for a task without any, the usual ones
+/// about the position.
 TemplateSizes suggestedSizes(const Task &task, const Eigen::Vector2d &place);
 
 } // namespace odo

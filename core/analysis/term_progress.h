@@ -9,14 +9,14 @@
 
 namespace odo {
 
-/// A figure of one run in the course of a term.
+/// A metric of one run in the course of a term.
 struct TermFigure
 {
     double day = 0; ///< when, in days since any moment
     double value = 0;
 };
 
-/// How a figure went through a term. Pure values.
+/// How a metric changed over a term. Pure values.
 struct TermProgress
 {
     int count = 0;
@@ -50,17 +50,18 @@ struct TeamFigures
     std::vector<double> values; ///< of its runs
     double median = 0;          ///< of them; rank
     double sigma = 0;           ///< of the median
-    int rank = 1;               ///< one more than the number of teams that are better beyond doubt
+    int rank = 1;               ///< one more than the number of teams that are significantly better
 };
 
-/// Fills median, sigma and rank of each team. The spread of one run is taken to be the same for all teams and
-/// pooled over them (JCGM 100:2008, 4.2.4), so that a team with one run has a σ too; σ of a median of n runs
-/// is that spread times √(π/2n), of one or two runs (where it is the mean) the spread over √n. A team is
-/// better beyond doubt where the medians differ by more than 1.96 σ of their difference. Where no team has
-/// two runs there is no spread: σ is 0, and each difference counts. Empty teams have rank 0.
+/// Fills median, sigma and rank of each team. The spread of one run is assumed the same for all teams and
+/// pooled over them (JCGM 100:2008, 4.2.4), so a team with one run has a σ too; σ of a median of n runs is
+/// that spread times √(π/2n), of one or two runs (where it is the mean) the spread over √n. A team is
+/// significantly better if the medians differ by more than 1.96 σ of their difference. If no team has two
+/// runs there is no spread: σ is 0, and each difference counts. Empty teams have rank 0.
 void rankTeams(std::vector<TeamFigures> &teams, bool isLessBetter);
 
-/// Whether less of a figure is better, by its name: times, and being off the path; of speeds more is.
+/// Whether a smaller value of a metric is better, by its name: for times and distances from the path; for
+/// speeds larger is.
 bool isLessBetter(const std::string &metric);
 
 } // namespace odo

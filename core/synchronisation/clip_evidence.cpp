@@ -11,7 +11,7 @@ namespace odo {
 
 namespace {
 
-constexpr double leastEvidenceScore = 0.5; // of an observation; doubtful ones only blur the answer
+constexpr double leastEvidenceScore = 0.5; // of an observation; uncertain ones only blur the answer
 constexpr double disagreementSigmas = 4;
 constexpr double nearFlashSigmas = 5;
 constexpr double rarely = 0.05;              // of the frames
@@ -100,7 +100,7 @@ bool disagree(const ClipOffset &a, const ClipOffset &b)
            std::max(leastDisagreementS, disagreementSigmas * std::hypot(a.sigmaS, b.sigmaS));
 }
 
-/// The offset that the track tells best which tells best; the reason of the first where none tells.
+/// The offset of the track that determines it best; if none does, the reason of the first.
 Result<ClipOffset> fromMotion(const ClipEvidence &first, const ClipEvidence &second, const OffsetRange &range,
                               std::vector<Message> &remarks)
 {

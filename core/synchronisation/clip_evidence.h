@@ -10,14 +10,14 @@
 namespace odo {
 
 /// Where one robot was on the floor, as one view saw it; or the middle of several robots that the view cannot
-/// tell apart.
+/// distinguish.
 struct MotionTrack
 {
     std::vector<std::string> robots; ///< their names
     std::vector<TimedPosition> positions;
 };
 
-/// What one view tells of the moment at which it was begun.
+/// What one view offers to find when it started.
 struct ClipEvidence
 {
     std::vector<MotionTrack> tracks; ///< as many and of the same robots as the other views'
@@ -42,10 +42,10 @@ struct FoundOffset
     std::vector<Message> remarks; ///< on what does not fit
 };
 
-/// From the motion of the robots where it tells (of several that which tells best), for that is the finest;
-/// where a flash of light is known, and the motion alone fits at several offsets, or lies further apart than
-/// is searched, from the motion near the flash. Else from the flash. What disagrees is remarked. Pure; any
-/// thread. Undetermined: neither tells.
+/// From the motion of the robots if it determines the offset (of several robots the one that does so best),
+/// because that is the most precise; if the motion alone fits at several offsets, or the offset is beyond the
+/// searched range, from the motion near a flash of light. Otherwise from the flash. Disagreement is reported
+/// as a remark. Pure; any thread. Undetermined: neither determines it.
 Result<FoundOffset> findClipOffset(const ClipEvidence &first, const ClipEvidence &second,
                                    const OffsetRange &range);
 

@@ -192,9 +192,9 @@ double completedShare(const ReferencePath &path, const std::vector<PathPlace> &f
 
 namespace {
 
-constexpr double slowestMps = 1e-3; // a place that hardly moves says nothing of its time
+constexpr double slowestMps = 1e-3; // a position that hardly moves does not determine its time
 
-/// A place with respect to the path, which goes on straight beyond the ends of an open one.
+/// A position with respect to the path, which continues straight beyond the ends of an open one.
 struct Foot
 {
     double stationM = 0, offsetM = 0;
@@ -228,7 +228,7 @@ std::vector<PathProgress> progressAlong(const ReferencePath &path, const std::ve
     const std::vector<PathPlace> followed = followPath(path, places);
     const double lengthM = lengthOf(path);
     std::vector<PathProgress> progress;
-    double stationM = 0, wayM = 0; // of the place before
+    double stationM = 0, wayM = 0; // of the position before
     bool joined = false;
     for (std::size_t i = 0; i < places.size(); ++i) {
         const ProfilePoint &point = *places[i].point;
@@ -283,7 +283,7 @@ const FirstArrivals::Step *FirstArrivals::stepAt(double wayM) const
 double FirstArrivals::partAt(const Step &step, double wayM)
 {
     const double stepS = step.after.timeS - step.before.timeS;
-    if (step.before.wayM >= wayM || step.after.wayM <= wayM) // at one of the two places
+    if (step.before.wayM >= wayM || step.after.wayM <= wayM) // at one of the two positions
         return step.before.wayM >= wayM ? 0 : 1;
     return CubicStep{step.before.wayM - wayM, step.after.wayM - wayM, step.before.rateMps, step.after.rateMps,
                      stepS}

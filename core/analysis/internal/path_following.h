@@ -23,10 +23,11 @@ struct PathPlace
 
 double lengthOf(const ReferencePath &path);
 
-/// The place on the path of each position of a run. Of several feet (a path may cross itself) the one is
-/// taken that makes the whole run likeliest: the sum over the run of offset² · way driven is least, where
-/// going on at a station that the way driven since does not explain costs as much as half a metre at an
-/// offset of 100 mm (dynamic programming: Viterbi 1967). One place for each position; path must have points.
+/// The position along the path of each sample of a run. Of several feet (a path may cross itself) the one is
+/// taken that makes the whole run likeliest: the sum over the run of offset² · distance travelled is least,
+/// where continuing at a station that the distance travelled since does not explain costs as much as half a
+/// metre at an offset of 100 mm (dynamic programming: Viterbi 1967). One result for each sample; path must
+/// have points.
 std::vector<PathPlace> followPath(const ReferencePath &path, const std::vector<MeasuredPlace> &places);
 
 /// The part of the path that was driven along, 0 to 1, counted in thousandths.
@@ -42,31 +43,31 @@ struct PathProgress
     double ownSigmaM = 0, commonSigmaM = 0; ///< along the path: the track's own, and the calibration's
     double speedMps = 0, sigmaSpeedMps = 0;
     double offsetM = 0;  ///< from the path, to the left of it positive
-    bool joined = false; ///< it drove here along the path from the place before, without a gap
+    bool joined = false; ///< it drove here along the path from the position before, without a gap
 };
 
-/// The progress of a run, place by place; places further than reachM from the path are left out. path must
-/// have points.
+/// The progress of a run, position by position; positions further than reachM from the path are left out.
+/// path must have points.
 std::vector<PathProgress> progressAlong(const ReferencePath &path, const std::vector<Sample> &samples,
                                         const std::vector<ProfilePoint> &points, double reachM);
 
-/// When a run is first at a place of the path.
+/// When a run is first at a position of the path.
 struct Arrival
 {
     double timeS = 0;
     double ownSigmaS =
-        0; ///< half the time between the arrivals at one σ before the place and at one σ past it
+        0; ///< half the time between the arrivals at one σ before the position and at one σ past it
     double commonSigmaS =
-        0; ///< the calibration's part likewise: how much later if it puts all places back by its σ
+        0; ///< the calibration's part likewise: how much later if it shifts all positions back by its σ
     double speedMps = 0, sigmaSpeedMps = 0;
     double offsetM = 0;
 
     double sigmaS() const;
 };
 
-/// The first arrivals of one run. A run that waits has arrived before it waits, so that waiting is a step in
-/// the times of what comes after; one that goes back and comes again has arrived the first time. Between two
-/// places the way is the cubic through both and their rates. Immutable; any thread.
+/// The first arrivals of one run. A run that waits has arrived before it waits, so waiting is a step in all
+/// later times; a run that goes back and returns has arrived the first time. Between two positions the
+/// progress is the cubic through both and their rates. Immutable; any thread.
 class FirstArrivals
 {
 public:
@@ -81,7 +82,7 @@ public:
     double lastM() const { return m_steps.back().toM; }
 
 private:
-    /// A step between two places in which the run gets further than ever before: from fromM to toM.
+    /// A step between two positions in which the run gets further than ever before: from fromM to toM.
     struct Step
     {
         double fromM = 0, toM = 0;
@@ -99,14 +100,14 @@ private:
 enum class AlignBy {
     StartGate,   ///< the first passing of the task's start
     MotionOnset, ///< the robot begins to move
-    Distance,    ///< the first arrival at one place of the way
-    ByHand,      ///< moments that a person told
+    Distance,    ///< the first arrival at one position on the path
+    ByHand,      ///< moments that a person entered
 };
 
 /// "start_gate", "motion_onset", "distance", "hand".
 std::string_view alignByWord(AlignBy by);
 
-/// A run's moment that is taken as time 0, with its σ in two parts as of an Arrival.
+/// A run's moment that counts as time 0, with its σ in two parts as of an Arrival.
 struct AlignedMoment
 {
     double timeS = 0;
@@ -122,18 +123,18 @@ std::optional<AlignedMoment> startGateMoment(const Task &task, const std::vector
 std::optional<AlignedMoment> onsetMoment(const std::vector<Sample> &samples,
                                          const std::vector<ProfilePoint> &points);
 
-/// A moment that a person chose by the pictures: known to a frame, evenly spread over its interval (JCGM
-/// 100:2008, 4.3.7).
+/// A moment that a person chose by looking at the frames: known to one frame, evenly spread over its interval
+/// (JCGM 100:2008, 4.3.7).
 AlignedMoment handMoment(double timeS, const std::vector<Sample> &samples);
 
 /// When the run proper begins: the onset of its first motion, seen or not; nullopt: it never moves.
 std::optional<double> firstMotionS(const std::vector<Sample> &samples,
                                    const std::vector<ProfilePoint> &points);
 
-/// The way that a run took, as a reference path for others: its smoothed places from the onset of motion to
-/// the last stop, at least 5 mm apart, straight across gaps. A run that comes back to where it began, in the
-/// same direction, has driven a closed path, of which the first lap is taken. Without points when the robot
-/// never moves by as much.
+/// The path of a run, as a reference path for others: its smoothed positions from the onset of motion to the
+/// last stop, at least 5 mm apart, straight across gaps. A run that comes back to where it began, in the same
+/// direction, has driven a closed path, of which the first lap is taken. Without points when the robot never
+/// moves by as much.
 ReferencePath pathOfRun(const std::vector<Sample> &samples, const std::vector<ProfilePoint> &points);
 
 /// The path driven the other way; a closed one begins at the same point.

@@ -30,7 +30,7 @@ StationTime stationTime(const Arrival &arrival, const AlignedMoment &aligned)
             arrival.sigmaSpeedMps,         arrival.offsetM};
 }
 
-/// What displaced places add to the σ of a difference of two times.
+/// What displaced positions add to the σ of a difference of two times.
 double commonSigma(double a, double b, bool isShared)
 {
     return isShared ? b - a : std::hypot(a, b);
@@ -264,7 +264,7 @@ private:
         return m_comparison.path.closed ? beginM : std::max(0.0, beginM);
     }
 
-    /// Times the runs from their arrival at one place.
+    /// Times the runs from their arrival at one position.
     Result<void> alignByPlace()
     {
         double placeM = m_options.placeM.value_or(m_comparison.originM + pastBeginM);

@@ -23,7 +23,7 @@ struct ComparisonOptions
         alignBy; ///< empty: by the first of start gate, motion onset and distance that all runs give
     std::vector<double> handTimesS; ///< by hand: one of each run, as Sample::time
     std::optional<double>
-        placeM; ///< by distance: the way along the path; empty: 50 mm past where both have begun
+        placeM; ///< by distance: the position along the path; empty: 50 mm past where both have started
     /// The registrations and the robot's solid were the same for all runs, so that calibration displaces them
     /// alike.
     bool shareCalibration = false;
@@ -48,8 +48,8 @@ struct RunOnPath
     FirstArrivals arrivals;
     std::vector<std::optional<StationTime>> stations; ///< one for each of RunComparison::waysM
 
-    /// The way at a time of the run's own, straight between places; that of the first or last one outside of
-    /// them.
+    /// The distance along the path at a time of the run's own, linear between positions; the first or last
+    /// one outside them.
     double wayAt(double timeS) const;
 };
 
@@ -67,30 +67,29 @@ struct RunComparison
 {
     AlignBy alignedBy = AlignBy::StartGate;
     ReferencePath path;       ///< in the direction that was driven
-    bool isTasksPath = false; ///< else the way of the first run
+    bool isTasksPath = false; ///< else the path of the first run
     bool shareCalibration = false;
-    double originM = 0; ///< way of distance 0: the start gate, the place told, else where all have begun
+    double originM = 0; ///< of distance 0: the start gate, the given position, else where all have started
     std::vector<double> waysM;   ///< of the stations, at equal steps of 10 mm or more
     std::vector<RunOnPath> runs; ///< as they were given
 
     double distanceM(std::size_t station) const { return waysM[station] - originM; }
     /// How much later a run is at a station than the first one, both timed from their aligned moments;
-    /// nullopt where one of them never arrived. σ: the places' along the path over the speed (see Arrival)
-    /// and the aligned moments'.
+    /// nullopt where one of them never arrived. σ: that of the positions along the path over the speed (see
+    /// Arrival) and the aligned moments'.
     std::optional<Difference> timeDifference(std::size_t run, std::size_t station) const;
-    /// The same at any place of the way.
+    /// The same at any position along the path.
     std::optional<Difference> timeDifferenceAt(std::size_t run, double wayM) const;
 };
 
-/// Compares runs at the same places of one path: the task's, or else the way of the first run. Each run's
-/// place is followed along it (followPath), and its first arrival at each station is timed from the moment
+/// Compares runs at the same positions of one path: the task's, or else the path of the first run. Each run's
+/// position is followed along it (followPath), and its first arrival at each station is timed from the moment
 /// that counts as the same. σ of a difference: the tracks' own errors are independent; the calibration's
-/// displaces places. Where the runs share it, the displacement of one place is the same for both, and what
-/// remains of it is its time at one run's speed less that at the other's; where they do not, both count in
-/// full. Displacements at two places (the gate and the station) count as independent. Pure; any thread.
-/// Errors, in one line: InvalidInput for fewer than two runs or a moment told outside of a run; Undetermined
-/// for a run without motion, without the moment asked for, in the other direction, or without a stretch in
-/// common.
+/// displaces positions. If the runs share it, the displacement at one position is the same for both, and what
+/// remains is its time at one run's speed minus that at the other's; otherwise both count in full.
+/// Displacements at two positions (the gate and the station) count as independent. Pure; any thread. Errors,
+/// in one line: InvalidInput for fewer than two runs or a given moment outside a run; Undetermined for a run
+/// without motion, without the moment asked for, in the other direction, or without a common stretch.
 Result<RunComparison> compareRuns(const std::vector<ComparedRun> &runs, const ComparisonOptions &options);
 
 /// What errors are about before the runs are known, and the InvalidInput of fewer than two.

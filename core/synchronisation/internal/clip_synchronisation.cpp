@@ -14,9 +14,9 @@ constexpr double halfWindowS = 0.2;      // of the smoothing: robots do not turn
 constexpr double longestBridgeS = 0.15;  // positions further apart are not joined
 constexpr double restCorrelationS = 0.5; // of what is left when the tracks lie on one another
 constexpr std::size_t fewestPairs = 30;
-constexpr double scaleSigma = 0.01;         // 6 cm of height told wrong, seen from cameras at 2 and at 3 m
-constexpr double largestScale = 0.05;       // more is no height: a motion in the opposite direction, say
-constexpr double closestRivalS = 0.5;       // nearer ones are the same
+constexpr double scaleSigma = 0.01;   // a given height that is 6 cm wrong, seen from cameras at 2 and at 3 m
+constexpr double largestScale = 0.05; // more is no height: a motion in the opposite direction, say
+constexpr double closestRivalS = 0.5; // nearer ones are the same
 constexpr std::size_t searchedPairs = 1000; // on the grid
 constexpr double finestStepS = 1.0 / 60;    // robots move evenly within it
 
@@ -31,8 +31,8 @@ double medianStepS(const std::vector<TimedPosition> &track)
     return steps[steps.size() / 2];
 }
 
-/// The means of neighbouring positions of a fast camera: they tell the same, and the time that the search
-/// takes falls with the square of how many they are. A group ends at a gap.
+/// The means of neighbouring positions of a fast camera: they carry the same information, and the search time
+/// falls with the square of their number. A group ends at a gap.
 std::vector<TimedPosition> thinned(const std::vector<TimedPosition> &track)
 {
     const double stepS = medianStepS(track);
@@ -140,7 +140,7 @@ Pairs pairsAt(const std::vector<TimedPosition> &first, const std::vector<TimedPo
     return pairs;
 }
 
-/// How well the tracks lie on one another under a guess, and how to better it.
+/// How well the tracks match under a guess, and how to improve it.
 struct Agreement
 {
     double variance = 0;                                   ///< m², of what shift and scale leave
@@ -285,7 +285,7 @@ ClipOffset offsetFrom(const Fit &fit, double frameS)
     return result;
 }
 
-/// Takes the rate as well, where the motion tells it.
+/// Fits the rate as well, if the motion determines it.
 ClipOffset withRate(const ClipOffset &plain, const Fit &plainFit, const Fit &fit, double frameS)
 {
     const Eigen::Matrix2d &told = fit.agreement.information;

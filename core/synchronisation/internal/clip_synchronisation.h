@@ -9,22 +9,22 @@
 
 namespace odo {
 
-/// A place on the floor at a time of the view's own clock, zero at its first frame.
+/// A floor position at a time of the view's own clock, zero at its first frame.
 struct TimedPosition
 {
     double timeS = 0;
     Eigen::Vector2d pointInWorld;
 };
 
-/// How the second view's clock lies against the first view's: what the second view stamps u was taken at
-/// offset + u / (1 + rate) of the first view's clock (core/trajectory/analyser.h).
+/// Offset and rate of the second view's clock against the first view's: what the second view stamps u was
+/// taken at offset + u / (1 + rate) of the first view's clock (core/trajectory/analyser.h).
 struct ClipOffset
 {
     double offsetS = 0; ///< how much later the second view's first frame was taken than the first view's
     double sigmaS = 0;
     double score = 0;     ///< 0 to 1: part of the motion's variance that both views share at this offset
     double rate = 0;      ///< by how much the second clock runs faster; 0 where it is not significant
-    double rateSigma = 0; ///< also where the rate is 0: what the motion can tell
+    double rateSigma = 0; ///< also if the rate is 0: how well the motion determines it
 };
 
 /// No camera's clock is wrong by more.
@@ -33,7 +33,7 @@ inline constexpr double largestClockRate = 0.005;
 /// "synchronisation of the clips", as the subject of errors.
 Message clipsSubject();
 
-/// Why no offset is found, with the advice that holds for each way of looking for it.
+/// Why no offset is found, with the advice common to all searches.
 tl::unexpected<Error> undeterminedOffset(Message why);
 
 /// The offsets to look at.

@@ -13,21 +13,22 @@ namespace odo {
 
 namespace {
 
-/// of the logarithm, from picture to picture: less is no part of an edge
+/// of the logarithm, from frame to frame: less is no part of an edge
 constexpr double leastStep = 0.006;
 constexpr double leastChange = 0.06; ///< of a whole edge
 constexpr double stepSigmas = 5;     ///< times the usual step
 constexpr double changeSigmas = 10;
-constexpr double leastShare = 1.0 / 3; ///< of the picture
+constexpr double leastShare = 1.0 / 3; ///< of the frame
 constexpr std::size_t mostSteps = 3;
 constexpr double longestEdgeS = 0.12;
 constexpr std::size_t plateauFrames = 3; ///< from which the level beside an edge is taken
-/// fewer between two edges show the light between them in no picture whole
+/// fewer between two edges show the light between them in no complete frame
 constexpr std::size_t peakFrames = 3;
 constexpr double gamma = 2.2;
-constexpr double meanExposure = 2.0 / 3, exposureSigma = 0.24; ///< in frame intervals, of a half-done picture
+constexpr double meanExposure = 2.0 / 3,
+                 exposureSigma = 0.24; ///< in frame intervals, of a frame taken during the change
 
-/// Steps from picture first − 1 to picture last, all of one direction.
+/// Steps from frame first − 1 to frame last, all of one direction.
 struct Run
 {
     std::size_t first = 0, last = 0;
@@ -99,7 +100,7 @@ private:
         return quick && large && wide;
     }
 
-    /// Median level of the pictures from `from` on, towards the clip's end or its start, no further than the
+    /// Median level of the frames from `from` on, towards the clip's end or its start, no further than the
     /// next run.
     double plateau(std::size_t from, std::size_t until) const
     {
@@ -118,7 +119,7 @@ private:
                           end = r + 1 < m_runs.size() ? m_runs[r + 1].first - 1 : m_levels.size() - 1;
         const double from = plateau(before, std::min(start, before)), to = plateau(run.last, end);
         LightEdge edge{0, 0, run.change > 0, run.change};
-        // The pictures that show it half done, the frame intervals about them, and how far each is.
+        // The frames that show it half done, the frame intervals about them, and how far each is.
         double behindS = 0, uncertainS = 0, intervalS = timeS(run.last) - timeS(before);
         const std::size_t halfDone = run.last - run.first;
         for (std::size_t i = run.first; i < run.last; ++i) {
@@ -175,7 +176,7 @@ constexpr double toleranceSigmas = 4;
 constexpr double usualRate = 2e-4; ///< by which clocks may differ while edges are paired
 constexpr double shortestRateSpanS = 20;
 constexpr std::size_t fewestForRate = 3;
-constexpr std::size_t mostEdges = 200; ///< more is a lamp that flickers, and tells nothing
+constexpr std::size_t mostEdges = 200; ///< more is a flickering lamp, which gives no offset
 
 struct Pair
 {
