@@ -27,7 +27,7 @@ std::size_t bytesOf(const Frame &frame)
            2 * std::size_t(frame.u.width) * std::size_t(frame.u.height);
 }
 
-/// In memory of its own: that of a camera's or decoder's frames is wanted back soon.
+/// In memory of its own: the camera or decoder needs that of its frames back soon.
 Frame copied(const Frame &frame)
 {
     auto buffer = std::make_shared<FrameBuffer>(frame.format);
@@ -41,7 +41,7 @@ Frame copied(const Frame &frame)
     return FrameBuffer::toFrame(std::move(buffer), frame.index, frame.time);
 }
 
-/// The same place of all frames: one row of bytes a frame.
+/// The same block of all frames: one row of bytes a frame.
 using Samples = std::array<std::array<std::uint8_t, block>, mostFrames>;
 
 /// Puts the lesser of two rows' samples into the one and the greater into the other, column by column.
@@ -133,7 +133,7 @@ Background::Plane medianOf(const std::vector<PlaneView> &planes, const std::vect
     return result;
 }
 
-/// Samples of a lattice over the picture that differ by more than noise and light.
+/// Samples of a lattice over the frame that differ by more than noise and light.
 int movedSamples(const Frame &frame, const Frame &before)
 {
     const auto table = LightGain::between(frame.y, before.y, frame.format.fullRange).toReference();
@@ -146,7 +146,7 @@ int movedSamples(const Frame &frame, const Frame &before)
     return moved;
 }
 
-/// Frames evenly spread over what has moved: of a robot that starts slowly, few show where it stood.
+/// Frames evenly spread over what has moved: of a robot that starts slowly, few show where it was.
 std::vector<Frame> spreadOverMotion(const std::vector<Frame> &frames)
 {
     std::vector<int> moved{0}; // up to each frame
@@ -213,7 +213,7 @@ std::optional<Background> BackgroundLearner::learned() const
 
 namespace {
 
-constexpr Nanoseconds interval = std::chrono::milliseconds(100); // of the frames that are looked at
+constexpr Nanoseconds interval = std::chrono::milliseconds(100); // of the frames used
 // moving frames from one learning to the next
 constexpr std::int64_t mostBetween = 50;
 
@@ -235,10 +235,10 @@ namespace {
 
 constexpr double wantedSamples = 4000, fewestSamples = 400;
 constexpr int noticeable = 4; ///< code values: beyond the noise of most samples
-constexpr int darkOffset = 8; ///< code values added, so that a dark picture's noise is no change of light
+constexpr int darkOffset = 8; ///< code values added, so that noise of a dark frame is no change of light
 constexpr int limitedBlack = 16;
 
-/// What two pictures have in common.
+/// The common part of two frames.
 PixelRect commonPart(const Frame &a, const Frame &b)
 {
     const PixelRect picture{0, 0, b.y.width, b.y.height};

@@ -9,8 +9,8 @@
 
 namespace odo {
 
-/// What a camera that stands still sees of the place when no robot is there: of each sample of the three
-/// planes its value and how much it varies. Code values, as in the frames that it was learned from.
+/// What a fixed camera sees when no robot is there: of each sample of the three planes its value and how much
+/// it varies. Code values, as in the frames that it was learned from.
 struct Background
 {
     struct Plane
@@ -28,20 +28,20 @@ struct Background
     FrameFormat format;
     Plane y, u, v;
     /// The least share of its luma above black that the floor keeps in a shadow. Lamps, sun and walls decide
-    /// it; one view of the empty place does not show it.
+    /// it; one view of the empty floor does not show it.
     float darkestShadow = usualDarkestShadow;
 };
 
 /// Learns a background from the frames of one view, given in any number and in order: it keeps a few of them,
-/// spread over what moves rather than over time, so that a robot that stands for most of a recording is not
-/// taken for a part of the floor, and takes the median of each sample. Holds at most some 64 MB of frames.
-/// One thread at a time.
+/// spread over what moves rather than over time, so a robot that stands still for most of a recording does
+/// not become background, and takes the median of each sample. Holds at most some 64 MB of frames. One thread
+/// at a time.
 class BackgroundLearner
 {
 public:
-    /// Whole frames of one format; one of another format starts anew.
+    /// Whole frames of one format; one of another format restarts the learning.
     void add(const Frame &frame);
-    /// Nothing before the first frame. Light that changes as a whole is taken out before the median.
+    /// Nothing before the first frame. Changes of the light as a whole are compensated before the median.
     std::optional<Background> learned() const;
     /// Frames in which something moved, of those that were given.
     std::int64_t movingFrames() const { return m_moving; }
@@ -56,8 +56,8 @@ private:
     std::int64_t m_moving = 0;
 };
 
-/// The background of a camera that is running: learned anew whenever about half as much again has moved
-/// before it. One thread at a time.
+/// The background of a camera that is running: relearned after every further half of the motion before. One
+/// thread at a time.
 class LiveBackground
 {
 public:
@@ -66,29 +66,28 @@ public:
 
 private:
     BackgroundLearner m_learner;
-    /// moving frames at which it is learned: after fewer the robot's first place is a part of it
+    /// moving frames at which it is learned: after fewer the robot's first position is part of it
     std::int64_t m_next = 20;
     Nanoseconds m_lastLook{Nanoseconds::min()};
 };
 
-/// How light one picture of a view is.
+/// How light one frame of a view is.
 struct LightLevel
 {
     Nanoseconds time{0};
-    double level = 1; ///< mean luma against that of the view's first picture
-    /// of the picture: brighter than in the picture before, less what is darker; −1 to 1
+    double level = 1; ///< mean luma against that of the view's first frame
+    /// share of the frame that is brighter than before, minus the share that is darker; −1 to 1
     double changedShare = 0;
 };
 
 /// Follows the light of one view from frame to frame, on some thousand luma samples of each: a lamp switched
-/// on or off changes the level at once, and most of the picture with it. Of frames that hold a part of their
-/// picture the part that they have in common with the one before is compared, so that where that part lies
-/// makes no difference. Costs some hundredths of a millisecond a frame. Keeps a share in the last frame. One
-/// a view; one thread at a time.
+/// on or off changes the level at once, and with it most of the frame. Of frames that were decoded in part,
+/// the part in common with the frame before is compared, so its position makes no difference. Costs some
+/// hundredths of a millisecond a frame. Keeps a share in the last frame. One a view; one thread at a time.
 class LightMeter
 {
 public:
-    /// Every frame in order. A frame of another size, or without a part in common, is taken as light as the
+    /// Every frame in order. A frame of another size, or without a part in common, is assumed as light as the
     /// last.
     LightLevel measure(const Frame &frame);
 
@@ -97,7 +96,7 @@ private:
     double m_level = 1;
 };
 
-/// By what factor one luma plane is lighter than another of the same place, as lamps and automatic exposure
+/// By what factor one luma plane is lighter than another of the same scene, as lamps and automatic exposure
 /// make it: robust against what only one of them shows.
 struct LightGain
 {

@@ -95,7 +95,7 @@ ChromaDensity densityOf(const ChromaGrid &grid, const ChromaRect &area)
     return density;
 }
 
-/// What lies in a frame around the box; nothing where the box fills the picture.
+/// What lies in a frame around the box; nothing if the box fills the frame.
 ChromaDensity densityAround(const ChromaGrid &grid, const ChromaRect &box)
 {
     const int margin = std::max({leastSamples, box.width() / 2, box.height() / 2});
@@ -107,11 +107,11 @@ ChromaDensity densityAround(const ChromaGrid &grid, const ChromaRect &box)
     return density;
 }
 
-/// Which bins stand out from the surroundings, and which of them are one colour.
+/// Which bins differ from the surroundings, and which of them are one colour.
 struct Standing
 {
     std::vector<bool> own;         ///< bins of the colour
-    double coloured = 0, grey = 0; ///< parts of the box that stand out in it, and in grey
+    double coloured = 0, grey = 0; ///< shares of the box with such a colour, and of grey
 };
 
 Standing findStanding(const ChromaDensity &inside, const ChromaDensity &around)

@@ -12,7 +12,7 @@ namespace odo {
 namespace {
 
 constexpr double leastSaturation =
-    8.0;                      ///< code values of 128; paler than that a robot cannot be told from its floor
+    8.0;                      ///< code values of 128; a paler robot cannot be distinguished from the floor
 constexpr double alike = 0.6; ///< overlap of two robots' colours above which colour does not tell them apart
 
 } // namespace
@@ -30,9 +30,9 @@ struct ColourTracker::Impl
     std::vector<Observation> last;
     DuplicateDetector duplicates;
     FrameFormat format{.width = -1};
-    std::vector<double> sharesAlike; ///< of the first picture
+    std::vector<double> sharesAlike; ///< of the first frame
     std::vector<std::uint8_t>
-        alikes; ///< robots × robots: whether colour does not tell samples of the two apart
+        alikes; ///< robots × robots: whether colour cannot distinguish samples of the two
 
     bool areAlike(std::size_t a, std::size_t b) const { return alikes[a * followers.size() + b] != 0; }
     void compareColours(std::size_t robot);
@@ -61,7 +61,7 @@ void ColourTracker::Impl::compareColours(std::size_t robot)
         if (other == robot)
             continue;
         const ColourModel &theirs = followers[other].model();
-        // What was learned of one says nothing against what was only told of the other.
+        // A learned colour cannot be compared with one that was only given.
         const bool learned = own.isLearned() && theirs.isLearned();
         const double overlap =
             learned ? ownNow.overlap(theirs.density()) : own.toldDensity().overlap(theirs.toldDensity());
@@ -76,7 +76,7 @@ void ColourTracker::Impl::measureShares(TrackedFrame &frame)
         sharesAlike.push_back(follower.model().shareAlike(picture));
 }
 
-/// What there is in the picture but the robot, which takes up the rectangle; and the other robots' colours.
+/// What the frame shows besides the robot, which fills the rectangle; and the other robots' colours.
 ChromaDensity ColourTracker::Impl::backgroundOf(std::size_t robot, TrackedFrame &frame,
                                                 const ChromaRect &rect) const
 {
@@ -226,7 +226,7 @@ std::optional<PixelRect> ColourTracker::Impl::neededRegion(double timeS) const
     return needed;
 }
 
-/// Whether following can begin on the part of the picture that there is.
+/// Whether following can start on the decoded part of the frame.
 bool ColourTracker::Impl::holdsNeeded(const Frame &frame) const
 {
     if (!frame.validRegion)

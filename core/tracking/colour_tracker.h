@@ -17,18 +17,18 @@ struct TrackTarget
 {
     std::string name;
     std::optional<RgbColour> colour; ///< none: of any look
-    /// measured by its silhouette; where it has a colour, that tells which silhouette is its own
+    /// measured by its silhouette; its colour, if it has one, shows which silhouette is its own
     bool wholeOutline = false;
 };
 
-/// Whether a colour was told that has chroma: black, grey and white have none, and robots of them are found
-/// as those of any look are.
+/// Whether a colour with chroma is given: black, grey and white have none, and such robots are found like
+/// those of any look.
 bool isFoundByColour(const TrackTarget &target);
 
-/// Follows one or more coloured robots through the frames of one view, on the chroma planes as decoded.
-/// The told colour only has to be near what the camera shows: each robot's own look is learned when it is
-/// first found, told apart from the background and the other robots, and followed through changes of light.
-/// Feed every frame in order. Not thread-safe; one tracker a view.
+/// Follows one or more coloured robots through the frames of one view, on the chroma planes as decoded. The
+/// given colour only has to be near what the camera shows: each robot's own look is learned when it is first
+/// found, as distinct from the background and the other robots, and followed through changes of light. Feed
+/// every frame in order. Not thread-safe; one tracker a view.
 class ColourTracker
 {
 public:
@@ -39,19 +39,19 @@ public:
     ColourTracker(const ColourTracker &) = delete;
     ColourTracker &operator=(const ColourTracker &) = delete;
 
-    /// The part of the next frame, if it is shown at this time, that track() expects to look at; nullopt for
-    /// all of it (while a robot is searched, and now and then to learn the background). It may reach beyond
-    /// the picture.
+    /// The part of the next frame, if it is shown at this time, that track() expects to read; nullopt for all
+    /// of it (while a robot is searched, and now and then to learn the background). It may reach beyond the
+    /// frame.
     std::optional<PixelRect> neededRegion(Nanoseconds time) const;
 
-    /// One observation a target, in the order given. Of a frame that holds only a part of its picture the
-    /// rest is decoded when it is needed, so that the observations are those of the whole frame. A frame that
-    /// repeats the one before it gives the same observations again, marked as such. A frame of another size
-    /// or format than the one before it starts anew.
+    /// One observation a target, in the order given. The rest of a frame that was decoded in part is decoded
+    /// when it is needed, so that the observations are those of the whole frame. A frame that repeats the one
+    /// before it gives the same observations again, marked as such. A frame of another size or format than
+    /// the one before it restarts the search.
     std::vector<Observation> track(const Frame &frame);
 
-    /// Of each target, the part of the first frame's picture that looks like its told colour, 0 to 1: where
-    /// it is larger than any robot could be, the floor has that colour too. Empty before that.
+    /// Of each target, the share of the first frame that looks like its given colour, 0 to 1: where it is
+    /// larger than any robot could be, the floor has that colour too. Empty before that.
     const std::vector<double> &sharesAlike() const;
 
 private:

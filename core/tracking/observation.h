@@ -15,7 +15,7 @@ struct Ellipse
 {
     Eigen::Vector2d centrePx = Eigen::Vector2d::Zero();
     double semiMajorPx = 0, semiMinorPx = 0;
-    double angleRad = 0; ///< of the major axis from the picture's x axis towards y (down)
+    double angleRad = 0; ///< of the major axis from the image's x axis towards y (down)
 };
 
 /// What one view saw of one robot in one frame. Never edited once stored.
@@ -24,21 +24,21 @@ struct Observation
     std::int64_t frame = 0;      ///< index in the recording
     Nanoseconds time{0};         ///< of the recording, since its first frame
     bool found = false;          ///< when false the rest is meaningless
-    bool duplicateFrame = false; ///< the picture repeats the one before it
+    bool duplicateFrame = false; ///< the frame repeats the one before it
     Ellipse ellipse;
     Eigen::Matrix2d centreCovariancePx2 = Eigen::Matrix2d::Zero();
     double areaPx = 0;
     double score = 0;           ///< 0 to 1: how well colour, size and shape agree with what is expected
-    bool touchesBorder = false; ///< cut by the picture's edge: the centre is biased
-    /// Mean (Cb − 128, Cr − 128) of the region; zero where it was not measured. Tells robots of like colours
-    /// apart right after the tracking; it is not stored.
+    bool touchesBorder = false; ///< cut by the frame's edge: the centre is biased
+    /// Mean (Cb − 128, Cr − 128) of the region; zero where it was not measured. Distinguishes robots of
+    /// similar colours right after the tracking; it is not stored.
     Eigen::Vector2d meanChroma = Eigen::Vector2d::Zero();
     /// Something thin that reaches out of it was left out: a cable, a mast. Not stored either.
     bool isTrimmed = false;
     /// Share of its pixels that would be floor in shadow if shadows were darker than was assumed
     /// (Background::darkestShadow). Not stored.
     float deepShare = 0;
-    /// How far the outline's convex hull reaches from the centre in each direction of the picture
+    /// How far the outline's convex hull reaches from the centre in each direction of the image
     /// (core/geometry/silhouette.h), px; empty where only its ellipse was measured.
     std::vector<float> supportPx = {};
 };

@@ -11,9 +11,9 @@
 
 namespace odo {
 
-/// Follows all robots of a project through the frames of one view: those of which a colour with chroma was
-/// told by it (ColourTracker), the others, and those of which the whole outline is wanted, by their
-/// silhouettes (SilhouetteTracker). Feed every frame in order. Not thread-safe; one tracker a view.
+/// Follows all robots of a project through the frames of one view: those with a given chromatic colour by it
+/// (ColourTracker), the others, and those whose whole outline is requested, by their silhouettes
+/// (SilhouetteTracker). Feed every frame in order. Not thread-safe; one tracker a view.
 class RobotTracker
 {
 public:
@@ -26,7 +26,7 @@ public:
                                                         const std::optional<FloorView> &floor = {},
                                                         std::size_t others = 0);
 
-    /// A first or a newer background of the same place.
+    /// A first or a newer background of the same scene.
     void setBackground(Background background);
 
     /// As of ColourTracker; all of the frame where a robot of any look is followed.
@@ -43,8 +43,9 @@ private:
 
     std::unique_ptr<ColourTracker> m_byColour;
     std::unique_ptr<SilhouetteTracker> m_bySilhouette;
-    std::vector<std::size_t> m_coloured, m_whole; ///< targets; one whose whole outline is wanted may be both
-    std::size_t m_besides = 0;                    ///< other things to follow
+    std::vector<std::size_t> m_coloured,
+        m_whole;               ///< targets; one whose whole outline is requested may be both
+    std::size_t m_besides = 0; ///< other things to follow
     std::vector<Observation> m_seenBesides;
     std::vector<TrackTarget> m_targets;
     std::optional<FloorView> m_floor;

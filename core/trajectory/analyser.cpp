@@ -82,7 +82,7 @@ Result<void> checkViews(const std::vector<ViewTrack> &views)
     return {};
 }
 
-/// What all views saw, laid at the robot's height.
+/// What all views saw, projected at the robot's height.
 struct PlacedRobot
 {
     std::vector<std::vector<Sighting>> views;
@@ -93,8 +93,8 @@ struct PlacedRobot
 };
 
 /// Sightings on one plane. Where the views show that the point strays from it (a person's head, a wrong
-/// height told), each ray is trusted less along its own direction: two views then fix the place by their
-/// bearings.
+/// height given), each ray is trusted less along its own direction: two views then determine the position by
+/// their bearings.
 std::vector<std::vector<Sighting>> lookAtPlane(const std::vector<ViewTrack> &views,
                                                const std::vector<Nanoseconds> &times, double planeM)
 {
@@ -112,7 +112,7 @@ std::vector<std::vector<Sighting>> lookAtPlane(const std::vector<ViewTrack> &vie
     return sightings;
 }
 
-/// The outlines are a solid's silhouettes: each is laid where that solid must stand.
+/// The outlines are a solid's silhouettes: each gives the floor position of that solid.
 std::optional<PlacedRobot> placeSolid(const std::vector<ViewTrack> &views,
                                       const std::vector<Nanoseconds> &times, const RobotShape &told)
 {
@@ -135,7 +135,7 @@ std::optional<PlacedRobot> placeSolid(const std::vector<ViewTrack> &views,
 }
 
 /// Whole silhouettes that no solid explains show now one part of the robot and now another (it looks like the
-/// floor, or like its shadow): the place in them is hardly better known than they are large.
+/// floor, or like its shadow): the position in them is hardly better known than they are large.
 void doubtUnexplained(const std::vector<ViewTrack> &views, std::vector<std::vector<Sighting>> &sightings)
 {
     constexpr double shareOfRadius = 0.7;
@@ -158,7 +158,7 @@ void doubtUnexplained(const std::vector<ViewTrack> &views, std::vector<std::vect
     }
 }
 
-/// One height for the whole run: told, or estimated from the views, or (from one view alone) unknown.
+/// One height for the whole run: given, or estimated from the views, or (from one view alone) unknown.
 Result<PlacedRobot> placeAtOneHeight(const std::vector<ViewTrack> &views,
                                      const std::vector<Nanoseconds> &times, const RobotShape &shape)
 {
@@ -242,7 +242,7 @@ AnalysisOptions withTask(AnalysisOptions options, const Task &task)
 
 namespace {
 
-/// The views joined, before spikes are looked for.
+/// The views joined, before the search for spikes.
 struct MeasuredRobot
 {
     FusedTrack track;

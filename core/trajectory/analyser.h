@@ -44,12 +44,12 @@ struct RobotShape
     /// Height of the robot's top; empty: estimated from the views' disagreement (one view alone: taken as 0).
     std::optional<double> heightM;
     std::optional<double> lengthM, widthM;
-    bool heightVaries = false; ///< on a ramp: triangulated in every frame; heightM is not looked at
+    bool heightVaries = false; ///< on a ramp: triangulated in every frame; heightM is ignored
     /// forward and left from the footprint's centre: the point whose path is measured
     Eigen::Vector2d referenceM = Eigen::Vector2d::Zero();
 };
 
-/// A person's word on one sample, over that of the analysis. The raw measurement is kept in either case.
+/// A manual override of one sample. The raw measurement is kept in either case.
 struct Overrule
 {
     std::int64_t frame = 0; ///< of the first view
@@ -68,13 +68,13 @@ struct AnalysisOptions
     std::optional<Task> task = {}; ///< its gates and path are measured (withTask)
 };
 
-/// The options for a task: its limits, where it tells any, take the place of those there were.
+/// The options for a task: its limits, if it sets any, replace the previous ones.
 AnalysisOptions withTask(AnalysisOptions options, const Task &task);
 
 /// Observations of all views → samples → spikes → profile → metrics. Times of the samples are the first
 /// view's frame times; other views are interpolated to them. Pure and thread-safe. Errors: no view
-/// registered, robot never found, a reference point beside the centre of a robot whose outlines tell no
-/// heading.
+/// registered, robot never found, a reference point other than the footprint's centre, with outlines
+/// that show no heading.
 Result<Profile> analyse(const std::vector<ViewTrack> &views, const RobotShape &shape,
                         const AnalysisOptions &options);
 
@@ -89,7 +89,8 @@ std::vector<Overrule> withOverrule(std::vector<Overrule> overrules, Overrule add
 /// The list without any word on a frame.
 std::vector<Overrule> withoutOverrule(std::vector<Overrule> overrules, std::int64_t frame);
 
-/// How a view's own clock (zero at its first frame) lies against the first view's, on which all is told.
+/// Offset and rate of a view's own clock (zero at its first frame) against the first view's, in which all
+/// times are given.
 struct ViewClock
 {
     Nanoseconds startOffset{0}; ///< how much later this view's first frame was taken than the first view's

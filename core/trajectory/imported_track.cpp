@@ -45,8 +45,7 @@ std::size_t startOfStretch(std::size_t stretch, std::size_t count)
     return stretch * (count - learntLength) / (learntStretches - 1);
 }
 
-/// A part of a long track, with what is looked at on both sides of it: no smoother and no search reaches
-/// further.
+/// A part of a long track, with what is read on both sides of it: no smoother and no search reaches further.
 constexpr std::size_t partLength = 16'384, margin = 1024;
 
 Message chooseLonger()

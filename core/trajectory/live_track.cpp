@@ -16,14 +16,14 @@ using namespace std::chrono_literals;
 
 constexpr Nanoseconds stalledAfter = 200ms, lostAfter = 1s;
 constexpr double stalledIntervals = 2.5; // of a camera that is slower than that
-constexpr double worstSigmaM = 0.1;      // beyond it a place is a guess
+constexpr double worstSigmaM = 0.1;      // beyond it a position is a guess
 constexpr std::size_t keptObservations = 60, keptTimes = 60, keptNodes = 90;
 constexpr std::size_t observationsForInterpolation = 8;
-constexpr double leastStepShare = 0.75; // of an interval: one position a picture, not one for each view's
+constexpr double leastStepShare = 0.75; // of an interval: one position a frame, not one for each view's
 constexpr std::int64_t planeEach = 15, noiseEach = 30;
 constexpr std::size_t leastNodesForNoise = 30;
 constexpr int refusedInARow = 4; // then it is the robot, and the filter was wrong
-// The centre of a body's silhouette is only to first order the picture of its centre (docs/accuracy.md).
+// The centre of a body's silhouette is only to first order the image of its centre (docs/accuracy.md).
 constexpr double silhouetteSigmaM = 0.004;
 
 template <class T>
@@ -91,7 +91,7 @@ std::optional<Nanoseconds> LiveTrack::commonTime() const
                                                                             : std::nullopt;
 }
 
-/// Between the pictures of the view that has the most of them.
+/// Between the frames of the view that has the most of them.
 Nanoseconds LiveTrack::usualInterval() const
 {
     Nanoseconds shortest = Nanoseconds::max();
@@ -142,7 +142,7 @@ void LiveTrack::fitNoiseAgain()
     if (m_nodes.size() < leastNodesForNoise || m_next % noiseEach != 0)
         return;
     m_noise = estimateMotionNoise({m_nodes}, true);
-    // The filter goes on with the new noise from where it was: the last second tells it all there is to know.
+    // The filter goes on with the new noise from where it was: the last second has all the information.
     m_filter = MotionFilter(m_noise);
     for (const TrackNode &node : m_nodes) {
         m_filter.predict(node);
@@ -195,7 +195,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr Nanoseconds window = 5s; // a robot that stands before a gate for longer has not passed it yet
+constexpr Nanoseconds window = 5s; // a robot that stops before a gate for longer has not passed it yet
 constexpr Nanoseconds samePassage = 50ms;
 
 } // namespace

@@ -15,7 +15,7 @@ namespace odo {
 struct LiveView
 {
     std::string camera;
-    std::optional<FloorView> floorView; ///< empty: it is shown, but does not help to find the place
+    std::optional<FloorView> floorView; ///< empty: it is shown, but does not help to find the position
 };
 
 /// Where a robot is, as far as it can be known at once. World frame, SI.
@@ -30,15 +30,15 @@ struct LivePosition
     bool isSpike = false; ///< there is a position that the filter did not take
 };
 
-/// One robot's way, measured while it drives, with what the analysis of a recording uses too: each view's
-/// observation is laid on the plane of the robot's height, all views are interpolated to a common time, and
-/// fused; a Kalman filter of the same model as the smoother's, its noise fitted to the last seconds, gives
-/// position and velocity without looking ahead.
+/// One robot's path, measured while it drives, with what the analysis of a recording uses too: each view's
+/// observation is projected onto the plane of the robot's height, all views are interpolated to a common
+/// time, and fused; a Kalman filter of the same model as the smoother's, its noise fitted to the last
+/// seconds, gives position and velocity without looking ahead.
 ///
 /// The common time is the newest one that every view has reached; a view that lags by more than a fifth of a
-/// second, or two and a half intervals, has stalled and is waited for no longer. What the solid's form tells
-/// (core/trajectory/solid_choice.h) is left to the analysis: beside it a live position of a body of 60 mm
-/// differs by some millimetres. Not thread-safe.
+/// second, or two and a half intervals, has stalled, and the others go on without it. What the solid's form
+/// shows (core/trajectory/solid_choice.h) is left to the analysis: beside it a live position of a body of 60
+/// mm differs by some millimetres. Not thread-safe.
 class LiveTrack
 {
 public:
@@ -75,7 +75,7 @@ private:
     double m_travelM = 0;
 };
 
-/// Tells while a robot drives when it passes the gates of its task, by the same rule as the analysis
+/// Reports while a robot drives when it passes the gates of its task, by the same rule as the analysis
 /// (findPassages), with what is known a moment later. Not thread-safe.
 class LiveGates
 {

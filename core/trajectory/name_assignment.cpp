@@ -80,8 +80,8 @@ void dropUnconnected(const std::vector<Observation> &observations, const std::ve
         names[i] = isConnected[i] ? names[i] : noName;
 }
 
-/// Names of all slots of a frame: those of tracklets stand, the others take what they wish for while it is
-/// free. Where there are no more slots than robots they then take what is left.
+/// Names of all slots of a frame: those of tracklets stay, the others take the name they prefer while it is
+/// free. If there are no more slots than robots they then take what is left.
 std::vector<int> completed(const std::vector<int> &sure, const std::vector<int> &wished, std::size_t robots)
 {
     std::vector<int> names = sure;
@@ -171,7 +171,7 @@ void keepContradicting(const NameEvidence &evidence, std::size_t robots, std::ve
     }
 }
 
-/// What the first round tells for the second.
+/// What the first round gives to the second.
 class Lessons
 {
 public:
@@ -277,7 +277,7 @@ FoundNames decideNames(const NameEvidence &evidence, std::size_t views, std::opt
     return searchNames(evidence, views, knowledge);
 }
 
-/// Half the mean of the told heights, where all are told.
+/// Half the mean of the given heights, if all are given.
 std::optional<double> toldPlane(const std::vector<NamedRobot> &robots,
                                 const std::vector<std::size_t> &considered)
 {
@@ -290,7 +290,7 @@ std::optional<double> toldPlane(const std::vector<NamedRobot> &robots,
     return sum / static_cast<double>(considered.size());
 }
 
-/// The times of doubtful links, joined where they overlap.
+/// The times of ambiguous links, joined where they overlap.
 std::vector<NameDoubt> doubtsOf(const FoundNames &found, const NameEvidence &evidence,
                                 const std::vector<std::size_t> &considered)
 {

@@ -11,10 +11,10 @@
 
 namespace odo {
 
-/// A robot as far as it helps to tell who is who.
+/// The properties of a robot that help to distinguish it.
 struct NamedRobot
 {
-    std::optional<RgbColour> colour; ///< told
+    std::optional<RgbColour> colour; ///< given
     std::optional<double> heightM;   ///< of its top; empty: estimated
 };
 
@@ -33,13 +33,13 @@ struct NamedView
     Nanoseconds startOffset{0};         ///< how much later its first frame was taken than the first view's
     std::vector<std::vector<Observation>>
         robots; ///< for each robot its observations; equally many, of equal frames
-    /// likewise of what else was followed, which may be robots without a told colour
+    /// likewise of the other followed things, which may be robots without a given colour
     std::vector<std::vector<Observation>> others = {};
     double clockRate = 0;                    ///< by how much its clock runs faster than the first view's
-    std::vector<PointedOut> pointedOut = {}; ///< robots without a told colour
+    std::vector<PointedOut> pointedOut = {}; ///< robots without a given colour
 };
 
-/// A stretch of time at which it cannot be told from what came before it which robot is which.
+/// An interval after which it is ambiguous which robot is which.
 struct NameDoubt
 {
     std::size_t robot = 0;
@@ -56,29 +56,29 @@ struct NameOutcome
     std::vector<std::pair<std::size_t, std::size_t>> nothingThere;
 };
 
-/// The robots in groups whose told colours might be taken for one another, and those without a colour; a
+/// The robots in groups whose given colours might be mistaken for one another, and those without a colour; a
 /// robot of a colour of its own is a group.
 std::vector<std::vector<std::size_t>> robotsOfLikeColours(const std::vector<NamedRobot> &robots);
 
-/// Decides which robot is which, in all views at once, where colours alone may not have: robots that overlap
-/// in one picture are usually apart in another one, and the floor tells.
+/// Decides which robot is which, in all views at once, where colours alone may fail: robots that overlap in
+/// one view are usually apart in another, so their floor positions distinguish them.
 ///
 /// The tracker follows each view by itself, from frame to frame. Its observations are cut into tracklets
-/// wherever a robot was lost or was one with another in the picture (score below 0.2). Each tracklet then
+/// wherever a robot was lost or had merged with another in the frame (score below 0.2). Each tracklet then
 /// gets the name under which all of it is cheapest (or none, where a view followed more than the robots): the
 /// views agree on the floor, each name's motion goes on from tracklet to tracklet, and the tracklets' mean
-/// hues fit the told colours (but for a shift common to the view's robots). Solved by dynamic programming
+/// hues fit the given colours (but for a shift common to the view's robots). Solved by dynamic programming
 /// along time over the views' naming, kept to the best few hundred (exact for two or three robots). A second
-/// round knows the robots' height and their looks in each view from the first one.
+/// round knows each robot's height and appearance from the first one, for each view.
 ///
-/// Only robots whose told hues are within 40° of each other are ever renamed, at most eight of them; of equal
-/// colours no one can say which is which, but the names stay the same throughout and in all views.
+/// Only robots whose given hues are within 40° of each other are ever renamed, at most eight of them; of
+/// equal colours no one can say which is which, but the names stay the same throughout and in all views.
 ///
 /// Made before the observations are stored: the share-out of observations among names is a decision of the
 /// tracking, needs the tracker's mean chroma, which is not kept, and all who read the project later must see
 /// the same names. Observations themselves are not changed, only moved between robots, all of a frame's
 /// staying in their frame. Where another way to name the tracklets explains them nearly as well, the time
-/// between the two that it would not join is doubtful. Pure and thread-safe.
+/// between the two that it would not join is ambiguous. Pure and thread-safe.
 NameOutcome assignNames(std::vector<NamedView> &views, const std::vector<NamedRobot> &robots);
 
 } // namespace odo

@@ -118,14 +118,14 @@ private:
                      distanceM};
     }
 
-    /// What it was looked for in; one entry a frame, found or not.
+    /// Where it was searched; one entry a frame, found or not.
     std::span<const Observation> observationsOf(std::size_t robot) const
     {
         return m_number < m_robots[robot].observations.size() ? m_robots[robot].observations[m_number]
                                                               : std::span<const Observation>();
     }
 
-    /// A view that began later or ended earlier hid nothing then.
+    /// A view that started later or ended earlier hid nothing then.
     bool isRecordedAt(std::size_t robot, Nanoseconds time) const
     {
         const std::span<const Observation> all = observationsOf(robot);

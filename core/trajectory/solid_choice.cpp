@@ -20,8 +20,8 @@ namespace {
 constexpr double worstLevelMisfit = 3;         // beyond it the outlines are not those of one solid
 constexpr double taper = 0.1, topShift = 0.15; // of guesses whose upper part sits to the front or to the rear
 
-// What the same errors of all outlines (shadows at the foot, sides that look like the floor) leave of the
-// place in a solid that is fitted to them, as a share of its length: known robots come back so
+// What the same errors of all outlines (shadows at the foot, sides that look like the floor) leave in the
+// position of a solid that is fitted to them, as a share of its length: measured with known robots
 // (tests/workflow/tst_any_look). Across the heading most robots are alike on both sides.
 constexpr double placeAlong = 0.008, placeAcross = 0.005;
 
@@ -40,8 +40,8 @@ PlacedSolid placedSolid(const std::vector<ViewTrack> &views, const ShapeEstimate
     return {{estimate.shape, estimate.sigmaMiddleM, placeBody(views, estimate.shape, axes)}, std::move(axes)};
 }
 
-/// Lays a box or cylinder by another point of it, for which its front must be known: of a cylinder only its
-/// motion tells it.
+/// Positions a box or cylinder by another point of it, for which its front must be known: of a cylinder only
+/// its motion shows it.
 void moveToReference(const std::vector<ViewTrack> &views, const Eigen::Vector2d &referenceM,
                      PlacedSolid &placed)
 {
@@ -80,7 +80,7 @@ std::optional<LevelFit> bestLevels(const std::vector<CommonOutlines> &times,
                                    const std::vector<ViewTrack> &views, const RobotShape &told,
                                    const PlacedSolid &box)
 {
-    // A body that is nearly square does not tell its axis, but mostly moves along it.
+    // A body that is nearly square does not show its axis, but mostly moves along it.
     const Axes directed = directedAxes(views, box.solid.seen, box.axes),
                moved = directionsOfMotion(views, box.solid.seen, box.axes);
     const std::pair<const Axes *, LevelStart> starts[] = {
@@ -173,13 +173,13 @@ constexpr double guessM = 0.2, guessHeightM = 0.1;
 // A simpler solid is taken unless another explains the outlines so much better.
 constexpr double clearlyBetter = 0.7;
 constexpr double firstBaseShare = 0.1; // where the search for a clearance begins
-// of most classroom robots; it matters only where one view alone saw the robot, whose size was not told
+// of most classroom robots; it matters only where one view alone saw the robot, whose size is not given
 constexpr double likelyClearanceM = 0.015;
 constexpr double clearBaseGain = 2; // of χ²/2, by which a clearance of two of its σ is better than none
 constexpr double leastKnownSigmaM = 0.02; // of the top: else the solid is one of many that look alike
 constexpr double leastSizeM = 0.01, mostSizeM = 3;
 constexpr int startAngles = 18;
-constexpr double roundEnough = 1.1; // length over width of a told size up to which it may be a cylinder's
+constexpr double roundEnough = 1.1; // length over width of a given size up to which it may be a cylinder's
 
 using Pose = std::array<double, 3>; // x, y, angle
 
@@ -246,7 +246,7 @@ struct ShapeFit
     SolidShape solid;
     Form form{};
     double misfit = HUGE_VAL, sigmaTopM = 0, sigmaMiddleM = 0;
-    double cost = HUGE_VAL; ///< χ²/2 of what the outlines tell independently
+    double cost = HUGE_VAL; ///< χ²/2 of the independent information of the outlines
 };
 
 /// The size a solid of the guessed height must have for its silhouette's area to be the one seen.
@@ -360,7 +360,7 @@ std::optional<ShapeFit> fitSolid(const std::vector<CommonOutlines> &times, const
     return fit;
 }
 
-/// The solids that what was told allows: first those that stand on the floor, which most robots are.
+/// The solids that the given sizes allow: first those on the floor, which most robots are.
 std::vector<ShapeCandidate> candidatesFor(const std::vector<CommonOutlines> &times, const RobotShape &told)
 {
     const bool sizeTold = told.lengthM && told.widthM;
@@ -392,8 +392,8 @@ std::vector<ShapeCandidate> candidatesFor(const std::vector<CommonOutlines> &tim
     return candidates;
 }
 
-/// A solid that stands on the floor, fitted once more with an unknown clearance. Where the outlines do not
-/// show one clearly, the solid stays, and by how much the clearance would put its middle elsewhere is doubt.
+/// A solid on the floor, fitted once more with an unknown clearance. If the outlines do not show one clearly,
+/// the solid stays, and the shift of its middle by that clearance is added to the uncertainty.
 void findClearance(ShapeFit &standing, const std::vector<CommonOutlines> &times, ShapeCandidate candidate)
 {
     candidate.form = standing.form;

@@ -19,7 +19,7 @@ struct FoundSolid
 };
 
 /// The simplest solid that explains the outlines of all views: a box or a cylinder (estimateShape), or, where
-/// outlines were measured by their support, one of several levels (fitLevels), with what they tell beyond
+/// outlines were measured by their support, one of several levels (fitLevels), with what they show beyond
 /// that (learnReach). nullopt: none explains them. Pure.
 std::optional<FoundSolid> findSolid(const std::vector<ViewTrack> &views, const RobotShape &told);
 
@@ -27,8 +27,8 @@ std::optional<FoundSolid> findSolid(const std::vector<ViewTrack> &views, const R
 /// nullopt: they were not measured by their support, or too few of them show all of a robot. Pure.
 std::optional<double> misfitOfOutlines(const std::vector<ViewTrack> &views, const RobotShape &told);
 
-/// The share of the outlines, but for those that the picture's edge cuts, that are the solid's; 0 where no
-/// solid was found, 1 for a mark on top of a robot of a told height.
+/// The share of the outlines, without those cut by the frame's edge, that are the solid's; 0 where no solid
+/// was found, 1 for a mark on top of a robot of a given height.
 double explainedShare(const std::vector<ViewTrack> &views, const RobotShape &told);
 
 struct ShapeEstimate
@@ -38,18 +38,18 @@ struct ShapeEstimate
     double sigmaMiddleM = 0; ///< of the height of its middle: the unknown clearance below it is in it
     bool heightEstimated = false;
     double misfit =
-        0; ///< how well the outlines agree with the solid's, in units of their doubt: about 1 is good
+        0; ///< how well the outlines agree with the solid's, in units of their uncertainty: about 1 is good
 };
 
 /// Which solid the outlines of all views are silhouettes of: a box or a cylinder, standing on the floor, or
-/// only a plate at the robot's top, or what lies between. One that stands on the floor may do so on wheels:
-/// its clearance is estimated where the outlines show it clearly, and doubted otherwise. What was told of its
-/// height and size is kept; the rest is estimated, together with a pose for each of some forty times spread
-/// over the run, by weighted least squares of the outlines' centroids, areas and second moments over all
-/// views (Ceres, Cauchy's loss against outlines that are hidden in part). The views' disagreement about the
-/// place tells the height, the outlines' forms tell height and size. σ takes the errors of the outlines as
-/// shared by all frames of a quarter of the run. nullopt: fewer than five clear outlines. Pure. Beyond this
-/// misfit no such solid explains the outlines.
+/// only a plate at the robot's top, or what lies between. One on the floor may have wheels: its clearance is
+/// estimated if the outlines show it clearly, and adds to the uncertainty otherwise. A given height and size
+/// are kept; the rest is estimated, together with a pose for each of some forty times spread over the run, by
+/// weighted least squares of the outlines' centroids, areas and second moments over all views (Ceres,
+/// Cauchy's loss against outlines that are hidden in part). The disagreement of the views' positions
+/// determines the height, the outlines' forms height and size. σ assumes that all frames of a quarter of the
+/// run share the errors of the outlines. nullopt: fewer than five clear outlines. Pure. Beyond this misfit no
+/// such solid explains the outlines.
 constexpr double worstShapeMisfit = 4;
 
 std::optional<ShapeEstimate> estimateShape(const std::vector<ViewTrack> &views, const RobotShape &told);

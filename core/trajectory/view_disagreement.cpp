@@ -89,12 +89,12 @@ ViewDisagreement disagreementOf(const Profile &profile, const std::vector<ViewTr
 namespace {
 
 constexpr Nanoseconds reach = std::chrono::seconds(1); // to both sides of a time
-constexpr std::size_t fewestTimes = 10;                // in it, that tell anything
+constexpr std::size_t fewestTimes = 10;                // in it, for a result
 constexpr double leastContradiction = 13.82;           // of χ²(2): 99.9 %
 // (4.303 / 1.960)²: what lasts is one draw, of two degrees of freedom
 constexpr double studentFactor2 = 4.82;
 
-/// Two views' places at a time of both.
+/// Two views' positions at a common time.
 struct Difference
 {
     std::size_t index = 0; ///< of the time

@@ -59,7 +59,7 @@ void BitMask::setRow(int y, const std::uint8_t *values, int x0, int x1)
     for (; x + atOnce <= x1; x += atOnce) {
         Word bytes = 0;
         std::memcpy(&bytes, values + (x - x0), atOnce);
-        // each byte's bit is shifted to a place of its own in the top byte
+        // each byte's bit is shifted to its own position in the top byte
         const Word bits = (bytes * 0x0102040810204080U) >> 56;
         const int shift = x % wordBits;
         words[x / wordBits] |= bits << shift;
@@ -398,8 +398,8 @@ bool contains(const ConnectedPart &part, int x, int y)
 
 bool enclosesAny(const ConnectedPart &part)
 {
-    // Where nothing is enclosed, the runs that touch those of the next row hang together as a tree: there is
-    // one such link less than runs.
+    // Where nothing is enclosed, the runs that touch those of the next row form a tree: there is one such
+    // link less than runs.
     std::size_t links = 0, above = 0;
     for (const PixelRun &run : part) {
         const auto isPassed = [&](const PixelRun &one) {
@@ -415,8 +415,7 @@ bool enclosesAny(const ConnectedPart &part)
 
 BitMask withoutHoles(const BitMask &set)
 {
-    // What encloses pixels even where it only touches at a corner: around it the rest hangs together by
-    // sides.
+    // What encloses pixels even where it only touches at a corner: around it the rest is connected by sides.
     const ConnectedParts rest = LinkedRuns(set.padded(1).complement(), 0).parts();
     if (rest.size() == 1)
         return set;

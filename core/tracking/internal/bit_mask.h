@@ -141,7 +141,7 @@ struct PixelRun
     int y = 0, x0 = 0, x1 = 0;
 };
 
-/// Pixels that hang together: their runs from top to bottom, each row's from left to right.
+/// Connected pixels: their runs from top to bottom, each row's from left to right.
 using ConnectedPart = std::span<const PixelRun>;
 
 /// The parts of a set, the one with the topmost pixel first. Holds their runs.
@@ -167,7 +167,7 @@ private:
     std::vector<ConnectedPart> m_parts; ///< of the runs
 };
 
-/// Pixels that only touch at a corner hang together. Pure.
+/// Pixels that only touch at a corner are connected. Pure.
 ConnectedParts connectedParts(const BitMask &set);
 PixelRect boundsOf(const ConnectedPart &part);
 bool contains(const ConnectedPart &part, int x, int y);

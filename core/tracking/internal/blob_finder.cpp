@@ -67,7 +67,7 @@ int BlobFinder::joinWithRowAbove(const Run &run, std::size_t &above, std::size_t
     return label;
 }
 
-/// The runs of one row. One sample that noise took out does not break a run.
+/// The runs of one row. One sample missing because of noise does not break a run.
 void BlobFinder::findRunsInRow(const ChromaGrid &grid, const ChromaTable &table, const ChromaRect &area,
                                int y, int step)
 {

@@ -13,7 +13,7 @@ struct Blob
 {
     double count = 0; ///< of visited samples; times step² it is the area
     double sumX = 0, sumY = 0, sumXX = 0, sumXY = 0, sumYY = 0;
-    double visited = 0;        ///< count without the samples that noise took out of a run
+    double visited = 0;        ///< count without the samples of a run that are missing because of noise
     double weight = 0;         ///< sum of the table's weights, each 0 to 255
     double sumU = 0, sumV = 0; ///< of the code values
     ChromaRect box;
@@ -56,7 +56,7 @@ public:
     void find(const ChromaGrid &grid, const ChromaTable &table, const ChromaRect &area, int step);
     const std::vector<Blob> &blobs() const { return m_blobs; }
     /// Marks the samples of one blob of the last find() with step 1; the mask covers the blob's box grown by
-    /// a margin, not clipped to the picture.
+    /// a margin, not clipped to the frame.
     void paint(const Blob &blob, int margin, RegionMask &mask) const;
 
 private:
@@ -96,19 +96,19 @@ struct RegionShape
 /// nearest samples that are wholly inside and b that of the nearest wholly outside, along the normal of the
 /// region's ellipse. So neither a second, darker side of the robot nor a background of several colours biases
 /// it (references from the whole region do: 0.1 px and more). Alpha is stretched from 0.1..0.9 to 0..1, which
-/// takes out noise on both sides of the edge; a stronger stretch costs sub-pixel precision where the edge is
+/// removes noise on both sides of the edge; a stronger stretch costs sub-pixel precision where the edge is
 /// sharp. Samples wholly inside count one. Keeps its memory: no allocation once it is warm.
 class RegionMeasure
 {
 public:
     static constexpr int margin = 4; ///< that the mask must have around the blob
-    /// Samples around the blob's box that are looked at: edge samples lie up to 2 outside of it, and their
+    /// Samples around the blob's box that are read: edge samples are up to 2 outside of it, and their
     /// reference up to 7 from there.
     static constexpr int reach = 10;
 
     /// Colour and noise only, with the moments of the mask's samples, which are right to a sample: half of
     /// the work, for a region whose outline is fitted otherwise. The mask must have been painted from the
-    /// blob. `expected` stands in where the region is too small to have a sample that is wholly inside.
+    /// blob. `expected` is used if the region is too small to have a sample that is wholly inside.
     RegionShape look(const ChromaGrid &grid, const Blob &blob, const RegionMask &mask,
                      const Chroma &expected);
     /// All of it.

@@ -93,7 +93,7 @@ void ChromaDensity::blur(int times)
 }
 
 /// Where interpolation may give more than zero, in bins. A robot's density fills a small corner of the plane,
-/// and most of the cost of looking into it is saved by not looking where there is nothing.
+/// and skipping the empty rest saves most of the cost.
 ChromaDensity::Support ChromaDensity::support() const
 {
     int firstU = binsPerAxis, lastU = -1, firstV = binsPerAxis, lastV = -1;

@@ -33,7 +33,7 @@ public:
     double sum() const;
     /// Scales to sum one; an empty density stays empty.
     void normalise();
-    /// Convolves with the binomial kernel (1 2 1)/4 along both axes, as often as told.
+    /// Convolves with the binomial kernel (1 2 1)/4 along both axes, the given number of times.
     void blur(int times);
     /// The density as dimmer or brighter light would show it: at each chroma the highest value that the
     /// density has along the same ray between 1/high and 1/low times as far out; extreme light counts for
@@ -69,20 +69,20 @@ private:
     std::array<float, binCount> m_bins{};
 };
 
-/// 1 at the told chroma, falling with the angle between the hues and, outside 0.6 to 1.5 times its
-/// saturation, with the saturation: how well what is seen may be a told colour seen by a camera under some
-/// light.
+/// 1 at the given chroma, falling with the angle between the hues and, outside 0.6 to 1.5 times its
+/// saturation, with the saturation: how well the observed colour may be the given one under some light and
+/// camera.
 double likeness(const Chroma &seen, const Chroma &told);
 
 /// The likeness as a density.
 ChromaDensity densityOfToldColour(const Chroma &told);
 
 /// For each chroma bin the probability (0 to 255) that a sample of it is the robot's, the robot and the rest
-/// being equally likely beforehand. What the hot loops look into.
+/// being equally likely beforehand. What the inner loops read.
 class ChromaTable
 {
 public:
-    static constexpr std::uint8_t threshold = 128; ///< at least this is taken as the robot's
+    static constexpr std::uint8_t threshold = 128; ///< at least this counts as the robot's
 
     ChromaTable() = default;
     /// Weight = F/(F + B + doubt): robot and background as densities that sum to about one; doubt is what a

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double dimmer = 0.6, brighter = 1.35; ///< smear of the table about the present colour
 constexpr double learnedDoubt = 2e-3, toldDoubt = 1e-4;
-constexpr double leastLikeness = 0.4; ///< to the told colour, without regard to the background
+constexpr double leastLikeness = 0.4; ///< to the given colour, without regard to the background
 constexpr double followGain = 0.25;
 constexpr double scaleStep = 0.06, turnStepRad = 0.035; ///< before the table is built again
 constexpr double leastScale = 0.35, mostScale = 2.5, mostTurnRad = 0.4;
@@ -42,7 +42,7 @@ ChromaDensity ColourModel::densityUnderOtherLight() const
     return m_learned ? m_smeared.transformed(m_scale, m_turnRad) : m_density;
 }
 
-/// Of the told density: what is no longer like the told colour.
+/// The part of the given density that no longer resembles the given colour.
 float ColourModel::leastAlike() const
 {
     float highest = 0;
@@ -109,8 +109,8 @@ void ColourModel::buildTable(const ChromaDensity &background)
 
 namespace {
 
-/// A stranger is looked for so soon after the loss that the robot cannot be so far from where it was (in
-/// radii).
+/// The search for a stranger comes so soon after the loss that the robot cannot be so far from where it was
+/// (in radii).
 constexpr double soonAfterLossS = 0.2, fartherThanRobotRadii = 4.0;
 constexpr double shiftRadii = 0.25, areaSpan = 0.3; ///< of one that stands still; the latter in ln
 constexpr double leastArea = 0.25;                  ///< of the robot's

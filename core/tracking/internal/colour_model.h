@@ -8,8 +8,8 @@
 
 namespace odo {
 
-/// What is known of a robot's colour: first what was told, then what was seen of it, followed through changes
-/// of light.
+/// What is known of a robot's colour: first what was given, then what was seen of it, followed through
+/// changes of light.
 class ColourModel
 {
 public:
@@ -21,20 +21,19 @@ public:
     bool isLearned() const { return m_learned; }
     /// The chroma the robot is expected to show now.
     Chroma expected() const;
-    /// The robot's density now, of sum one (told, or as learned); what others have to tell themselves apart
-    /// from.
+    /// The robot's density now, of sum one (given, or as learned); what others must differ from.
     ChromaDensity density() const;
 
     /// The same, once learned, with what dimmer and brighter light makes of it: not of sum one.
     ChromaDensity densityUnderOtherLight() const;
 
-    /// The part of a picture, given as its density, that looks like the told colour: 0 to 1.
+    /// The share of a frame (passed as its density) that looks like the given colour: 0 to 1.
     double shareAlike(const ChromaDensity &picture) const;
 
-    /// A table from the told colour. Without regard to the background it finds more, and more that is wrong.
+    /// A table from the given colour. Without regard to the background it finds more, and more that is wrong.
     ChromaTable toldTable(const ChromaDensity *background) const;
 
-    /// Learns the colour from the samples of a mask that lie in the picture.
+    /// Learns the colour from the samples of a mask that are in the frame.
     void learn(const ChromaGrid &grid, const RegionMask &mask, const Chroma &mean);
     /// Follows the light. True when the colour has moved so far from what the table was built for that it
     /// should be built again.
@@ -66,8 +65,7 @@ struct LostRobot
     bool justLost = false; ///< this is the first frame without it
 };
 
-/// What has a robot's colour elsewhere at the moment of its loss is not the robot, as long as it stands
-/// there.
+/// What has a robot's colour elsewhere at the moment of its loss is not the robot, as long as it stays there.
 class Strangers
 {
 public:

@@ -12,7 +12,7 @@ namespace odo {
 
 namespace {
 
-// between samples: their places are multiples of an eighth in every format
+// between samples: their positions are multiples of an eighth in every format
 constexpr int partBits = 3, parts = 1 << partBits;
 
 std::int16_t between(std::int16_t value, std::int16_t next, std::int16_t beyond)
@@ -90,7 +90,7 @@ constexpr float darkestFloor = 12;
 using Fixed = std::int16_t;
 constexpr int lumaUnit = 8, chromaUnit = ChromaEnlarger::unit, shareUnit = 32;
 constexpr Fixed mostLumaStep = 255 * lumaUnit, mostChromaStep = 255 * chromaUnit;
-constexpr Fixed mostShare = 144; // beyond what differs by itself; three squares of it fit in 16 bits
+constexpr Fixed mostShare = 144; // beyond the usual variation; three squares of it fit in 16 bits
 static_assert(mostShare * mostShare > shareUnit * shareUnit * differsInSigmas2 &&
               3 * mostShare * mostShare < (1 << 16));
 
@@ -232,7 +232,7 @@ void ComparedRow::markDarkened(int first, int last, std::uint8_t *__restrict dar
 
 namespace {
 
-constexpr int marginPx = 8;        // around what differs: as far as an edge's surroundings are looked at
+constexpr int marginPx = 8;        // around the foreground: as far as the surroundings of an edge are read
 constexpr int windowRowsAhead = 6; // that are fetched before they are read
 
 /// Samples of a chroma plane about neutral in another light, as far as chroma is coded.
@@ -351,7 +351,7 @@ void ComparedWindow::compareRow(const DifferenceWindow &part, int y, ChromaEnlar
     m_darkened.setRow(y, m_darkMarks.data() + first - band.begin, first, last + 1);
 }
 
-/// Makes the window of what differs in the part.
+/// Makes the window of the foreground in the part.
 void ComparedWindow::placeAround(const PixelRect &found, const PixelRect &part)
 {
     const PixelRect within = found.isEmpty() ? PixelRect()

@@ -14,9 +14,9 @@
 
 namespace odo {
 
-/// Brings what is known of the chroma samples of a part of a picture to the luma's resolution, row by row and
-/// bilinearly: each sample where its siting has it; beyond the picture's outermost samples lie their copies.
-/// One thread at a time.
+/// Scales the results for the chroma samples of a part of a frame to the luma's resolution, row by row and
+/// bilinearly: each sample at its siting; the outermost samples are repeated beyond the frame. One thread at
+/// a time.
 class ChromaEnlarger
 {
 public:
@@ -79,8 +79,8 @@ struct ComparedRow
     /// of the noise (core/tracking/internal/difference_windows.h)
     const std::int16_t *lumaInverse = nullptr, *chromaInverse = nullptr;
 
-    /// Where luma or chroma differ by more than the place varies, and where by so much that even a few pixels
-    /// are no noise: bytes of 0 or 1.
+    /// Where luma or chroma differ by more than the background varies, and where by so much that even a few
+    /// pixels are no noise: bytes of 0 or 1.
     void markDifferences(std::uint8_t *__restrict differs, std::uint8_t *__restrict plain) const;
     /// Where the floor would look so in a shadow: darker by a factor, the chroma alike. Bytes of 0 or 1 of
     /// columns first up to, not including, last, and perhaps of others.
@@ -93,8 +93,8 @@ struct PixelColour
     float luma = 0, u = 0, v = 0;
 };
 
-/// A frame beside the background in the frame's light, around what differs in a part of the picture. Keeps
-/// its memory. One thread at a time.
+/// A frame and the background in the frame's light, around the foreground in a part of the frame. Keeps its
+/// memory. One thread at a time.
 class ComparedWindow
 {
 public:
@@ -105,16 +105,16 @@ public:
     /// was found.
     void compare(const Frame &frame, const LightGain &gain, const DifferenceWindow &part);
 
-    /// The window, around what differs; empty where nothing does. All else is in its pixels, and known only
-    /// near what differs.
+    /// The window around the foreground; empty if there is none. Everything else is in its pixels, and known
+    /// only near the foreground.
     const PixelRect &rect() const { return m_rect; }
     int width() const { return m_rect.width(); }
     int height() const { return m_rect.height(); }
-    /// Where luma or chroma differ by more than the place varies.
+    /// Where luma or chroma differ by more than the background varies.
     const BitMask &differs() const { return m_differs; }
     /// Where they do by so much that even a few pixels are no noise.
     const BitMask &plain() const { return m_plain; }
-    /// Where the floor would look so in a shadow, of what differs.
+    /// The part of the foreground that may be floor in shadow.
     const BitMask &darkened() const { return m_darkened; }
 
     PixelColour seen(int x, int y) const

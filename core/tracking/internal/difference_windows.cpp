@@ -92,7 +92,7 @@ std::vector<std::vector<DifferenceWindow>> windowsAround(const BitMask &differen
 
 namespace {
 
-// of the lattice: of a picture just decoded the rows are far, and too far apart for the processor to expect
+// of the lattice: the rows of a frame just decoded are far, and too far apart for the processor to expect
 // the next
 constexpr int rowsAhead = 6;
 
@@ -185,7 +185,7 @@ void DifferenceLattice::compare(const Frame &frame, const Background &background
             fetchEarly(frame.y.row(pictureRow(j + rowsAhead)), frame.y.width);
         takeRow(frame.y.row(pictureRow(j)), 0, m_columns, m_luma.data() + std::ptrdiff_t(j) * m_columns);
     }
-    // all of it: samples in step with a codec's blocks tell the gain less well
+    // all of it: samples aligned with a codec's blocks give a less exact gain
     const Background::Plane &behind = background.y;
     m_gain = LightGain::between(frame.y, {behind.values.data(), behind.width, behind.height, behind.width},
                                 frame.format.fullRange);
@@ -227,7 +227,7 @@ void DifferenceLattice::adaptToLight()
         m_litBehind[i] = table[m_behind.y[i]];
 }
 
-/// Whether a step is larger than the noise. inPicture, inRow: the sample's number in the picture and in its
+/// Whether a step is larger than the noise. inPicture, inRow: the sample's number in the frame and in its
 /// row.
 bool DifferenceLattice::differs(std::size_t inPicture, std::size_t inRow) const
 {

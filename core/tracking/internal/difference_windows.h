@@ -25,7 +25,7 @@ struct DifferenceWindow
     std::vector<Band> bands; ///< of DifferenceLattice::step rows each, from the top
 };
 
-/// Windows around what differs on a lattice (core/tracking/internal/difference_windows.h), which do not
+/// Windows around the foreground on a lattice (core/tracking/internal/difference_windows.h), which do not
 /// overlap; in groups of those that are near one another, as a robot and its shadow may be. Single samples
 /// are noise and get none. Pure.
 std::vector<std::vector<DifferenceWindow>> windowsAround(const BitMask &differences,
@@ -36,7 +36,7 @@ std::vector<std::vector<DifferenceWindow>> windowsAround(const BitMask &differen
 class DifferenceLattice
 {
 public:
-    /// luma pixels between samples, the first of which is half as far from the picture's edge
+    /// luma pixels between samples, the first of which is half as far from the frame's edge
     static constexpr int step = 4;
 
     DifferenceLattice() = default;
@@ -46,11 +46,11 @@ public:
     void compare(const Frame &frame, const Background &background);
     /// How much lighter the frame is than the background.
     const LightGain &gain() const { return m_gain; }
-    /// Where luma or chroma differ by more than the place varies.
+    /// Where luma or chroma differ by more than the background varies.
     const BitMask &differences() const { return m_differences; }
 
 private:
-    /// One sample of each plane for every place of the lattice, row by row.
+    /// One sample of each plane for every point of the lattice, row by row.
     struct Samples
     {
         std::vector<std::uint8_t> y, u, v;
@@ -73,7 +73,7 @@ private:
 };
 
 /// The noise of a background as pixels are compared with it, by its inverse: unit / sigma, sigma in code
-/// values. For luma with what coding and a lens that breathes move of the picture's slopes. Of the
+/// values. For luma including what coding and a breathing lens move at the image's slopes. In the
 /// background's own light. Pure.
 class BackgroundNoise
 {

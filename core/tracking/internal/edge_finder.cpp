@@ -13,15 +13,15 @@ constexpr float leastContrast = 6; ///< code values
 constexpr int chromaReach = 8;     ///< luma pixels on both sides of the start
 constexpr float farthest = 4;      ///< of the edge from the start
 constexpr float mostLag = 1.5f;    ///< of the luma's edge from the chroma's
-constexpr float mostReach = 8;     ///< of the luma on both sides of the place
+constexpr float mostReach = 8;     ///< of the luma on both sides of the position
 constexpr int searchesPerSharpness = 3, leastSharpnesses = 6;
 constexpr float chromaHalfWidth = 2; ///< luma pixels: what its filter and its samples blur
 constexpr float sharpHalfWidth = 0.75f, sharpReference = 0.75f;
 constexpr float slopeWidth = 0.4f; ///< more half width for an edge at 45°, which is the most
 constexpr float exposureShare =
-    0.05f; ///< of the time between two frames: much of the blur is symmetric and needs no room
+    0.05f; ///< of the time between two frames: much of the blur is symmetric and needs no margin
 constexpr double colourLength = 256; ///< of a whole-numbered vector along the robot's colour
-constexpr float mostMotion = 2;      ///< luma pixels of room for it
+constexpr float mostMotion = 2;      ///< luma pixels of margin for it
 
 /// Without the call that the library's costs.
 int floorOf(float value)
@@ -98,7 +98,7 @@ EdgeFinder::Lines EdgeFinder::gather(const ScanLine *lines, int count) const
     return all;
 }
 
-/// The samples of both chroma planes as one figure: along the robot's colour. Gives which edges were found.
+/// The samples of both chroma planes as one value: along the robot's colour. Returns which edges were found.
 Int4 EdgeFinder::findInChroma(const Lines &lines, Float4 &places) const
 {
     EdgeProfiles chroma;
@@ -131,7 +131,7 @@ Int4 EdgeFinder::findInChroma(const Lines &lines, Float4 &places) const
     return contrasts >= leastContrast;
 }
 
-/// Sets the places to the luma's edges near them. Gives which were found: none without contrast.
+/// Moves the positions to the luma's edges near them. Returns which were found: none without contrast.
 Int4 EdgeFinder::findInLuma(const Lines &lines, Float4 &places)
 {
     const Float4 motion =
@@ -196,7 +196,7 @@ void EdgeFinder::find(const ScanLine *lines, int count, LineEdge *edges)
     const Lines all = gather(lines, count);
     Float4 places = all.start;
     const Int4 found = findInChroma(all, places);
-    // The chroma's row may lie beside the luma's: along a slanted edge that is a shift.
+    // The chroma's row may differ from the luma's: along a slanted edge that is a shift.
     places += all.each([](const ScanLine &line, const Direction &direction) {
         return direction.lagAlong + line.slope * (direction.shift - direction.lagAcross);
     });

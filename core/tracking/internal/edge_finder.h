@@ -5,7 +5,7 @@
 
 namespace odo {
 
-/// What is known of a region before its edge is looked for.
+/// What is known of a region before its edge is searched.
 struct OutlineHint
 {
     Chroma colour = Chroma::Zero();                     ///< of the robot
@@ -16,28 +16,28 @@ struct OutlineHint
 struct LineEdge
 {
     float outward = 0; ///< from the line's start, luma pixels
-    float lag = 0;     ///< luma's place less chroma's, along the line; 0 without luma's
+    float lag = 0;     ///< luma's position minus chroma's, along the line; 0 without luma's
     bool good = false, byLuma = false;
 };
 
 /// Finds where scan lines cross the edge of a region on the full-resolution planes, so that nothing is
 /// interpolated. On each line the chroma says where the edge is to a pixel, and then the luma where it must
 /// be for the samples about it to be the sum of inside and outside. That is exact for a straight edge of any
-/// symmetric blur, so that neither motion nor subsampling moves or widens the outline. The references are
-/// taken as close to the edge as the picture's sharpness (measured as well, and followed) allows: an edge
-/// between two faces of the robot farther in is not reached, and of a shadow at its foot only the slope
-/// matters, which is led on to the edge. Where the luma has no contrast, or disagrees by more than a pixel
-/// and a half, the chroma's edge stands.
+/// symmetric blur, so that neither motion nor subsampling moves or widens the outline. The references are as
+/// close to the edge as the image's sharpness (measured as well, and followed) allows: an edge between two
+/// faces of the robot farther in is not reached, and of a shadow at its foot only the slope matters, which is
+/// led on to the edge. Where the luma has no contrast, or disagrees by more than a pixel and a half, the
+/// chroma's edge counts.
 class EdgeFinder
 {
 public:
     /// For the lines of one region of one frame, which must outlive their search. `lagPx`: by which the
-    /// chroma's places are corrected.
+    /// chroma's positions are corrected.
     void begin(const Frame &frame, const ChromaGrid &grid, const OutlineHint &hint,
                const Eigen::Vector2d &lagPx);
     /// Of `count` lines, at most EdgeProfiles::lines: so many at once cost hardly more than one.
     void find(const ScanLine *lines, int count, LineEdge *edges);
-    /// After the lines of a region that is a robot: follows the picture's sharpness.
+    /// After the lines of a region that is a robot: follows the image's sharpness.
     void learnSharpness();
 
 private:
@@ -86,8 +86,8 @@ private:
     Direction m_rows, m_columns;
     int m_colourU = 0, m_colourV = 0; ///< the robot's, of length colourLength
     float m_sharpness = 1;            ///< share of the contrast that the closest references show
-    float m_blur = 0;                 ///< luma pixels of room for the picture's own
-    int m_lumaCount = 0;              ///< samples of the luma that are looked at on a line
+    float m_blur = 0;                 ///< luma pixels of margin for the image's own blur
+    int m_lumaCount = 0;              ///< samples of the luma that are read on a line
     float m_sharpnessSum = 0;
     int m_sharpnessCount = 0;
     int m_searches = 0; ///< of four lines each

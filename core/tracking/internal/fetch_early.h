@@ -15,8 +15,8 @@ inline void fetchEarly(const std::uint8_t *bytes, int count)
 }
 
 /// Asks for a part of a plane (in its own samples, inside of it) to be brought near the processor. A decoder
-/// leaves most of a picture in far memory, and the rows of a part of it are too short for the processor to
-/// foresee: waiting for one after the other costs as much as all the work on them.
+/// leaves most of a frame in far memory, and the rows of a part of it are too short for the processor to
+/// predict: waiting for one after the other costs as much as all the work on them.
 inline void fetchEarly(const PlaneView &plane, const PixelRect &part)
 {
     for (int y = part.y0; y < part.y1; ++y)

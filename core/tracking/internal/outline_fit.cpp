@@ -55,8 +55,8 @@ constexpr float leastWidth = 13; ///< luma pixels: of a smaller region the two s
 constexpr float leastShareOfLines = 0.4f;       ///< of lines that found an edge
 constexpr float stray = 2.5f;                   ///< of an edge from the median of its neighbours
 constexpr int reach = 3;                        ///< lines on both sides that are a line's neighbours
-constexpr int least = 6;                        ///< scatters to tell a variance from
-constexpr double unknownVariance = 0.15 * 0.15; ///< of an edge, where there are too few to tell
+constexpr int least = 6;                        ///< scatters needed for a variance
+constexpr double unknownVariance = 0.15 * 0.15; ///< of an edge, if there are too few
 constexpr double outlineModelVariance = 0.01 * 0.01;
 
 /// A polygon through points of a smooth curve cuts off a little of it at each chord: moved outwards by a
@@ -170,8 +170,8 @@ void OutlineFit::fillGaps()
     }
 }
 
-/// Median of what is left of the places when a cubic through their neighbours, which are so many steps away,
-/// is taken from them, so that neither slope nor curvature counts. Below 0 when there are too few.
+/// Median of the residuals of the positions from a cubic through their neighbours, which are so many steps
+/// away, so that neither slope nor curvature counts. Below 0 when there are too few.
 float OutlineFit::scatter(const std::vector<float> &places, const std::vector<std::int8_t> &sides, int step,
                           std::vector<float> &leftOver)
 {
@@ -192,7 +192,7 @@ float OutlineFit::scatter(const std::vector<float> &places, const std::vector<st
     return count < least ? -1 : medianOf(leftOver);
 }
 
-/// Variance of one line's edge, for lines taken as independent.
+/// Variance of one line's edge, for lines assumed independent.
 double OutlineFit::varianceOfEdges(const std::vector<ScanLine> &lines)
 {
     constexpr int beyond = 4;

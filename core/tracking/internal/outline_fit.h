@@ -8,13 +8,13 @@
 
 namespace odo {
 
-/// Tells from the edges of a robot whether the chroma's samples lie elsewhere than the stream says: then its
-/// edges keep away from the luma's, everywhere in the same direction. A siting is wrong by half a pixel or
-/// not at all; less is shading. Learns from the first hundred outlines.
+/// Finds from the edges of a robot whether the chroma samples have another siting than the stream says: then
+/// its edges are shifted from the luma's, everywhere in the same direction. A siting is wrong by half a pixel
+/// or not at all; less is shading. Learns from the first hundred outlines.
 class SitingCheck
 {
 public:
-    /// What all outlines up to this one say is put right in this one's edges already.
+    /// This one's edges are already corrected by what all outlines so far show.
     void learn(const std::vector<ScanLine> &lines, std::vector<LineEdge> &edges);
     /// By how much the chroma planes must be shifted to lie on the luma plane: luma pixels.
     const Eigen::Vector2d &lagPx() const { return m_lag; }
@@ -31,7 +31,7 @@ private:
 struct Outline
 {
     std::vector<Eigen::Vector2d> points; ///< in order, clockwise on the screen
-    std::vector<std::uint8_t> found;     ///< 1 where an edge was found, 0 where the hull stands in
+    std::vector<std::uint8_t> found;     ///< 1 where an edge was found, 0 where the hull replaces it
     RegionMoments moments;
     Eigen::Matrix2d centreCovariance = Eigen::Matrix2d::Zero();
     double solidity = 1;  ///< share of its hull that the region fills

@@ -221,9 +221,9 @@ void EdgePixels::findCovered() // plainly, so that several are computed at once
 
 namespace {
 
-// to both sides of the edge, and inside where only its hue tells it
+// to both sides of the edge, and inside if only the hue shows it
 constexpr int edgePx = 2, softEdgePx = 4;
-constexpr int edgeReach = 4, hueReach = 6; // pixels around one on the edge, in which both sides are looked at
+constexpr int edgeReach = 4, hueReach = 6; // pixels around one on the edge, in which both sides are read
 static_assert(RegionEdge::marginPx >= edgePx + hueReach);
 constexpr float half = 0.5F;
 
@@ -270,7 +270,7 @@ void RegionEdge::addEdge(const Surroundings &all, const BitMask &edge, int reach
     const Summed summed{all.core & around, outside - all.shaded, outside & all.shaded};
     const PixelRect box = edge.bounds();
     m_columns.assign(std::size_t(edge.width() + 2 * reach), {});
-    // the sums are as far ahead as is looked at
+    // the sums are as far ahead as is read
     for (int y = std::max(0, box.y0 - reach); y < box.y1 + reach; ++y) {
         if (y < edge.height())
             sumUp(all, summed, y, reach, [](std::int32_t &sum, int value) { sum += value; });

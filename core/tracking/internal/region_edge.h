@@ -11,7 +11,7 @@
 
 namespace odo {
 
-/// Tells which of the pixels that differ may be floor in shadow: darker by a factor, with the floor's chroma
+/// Finds which foreground pixels may be floor in shadow: darker by a factor, with the floor's chroma
 /// darkened alike. A flat surface of the floor's own hue looks the same; where the floor behind has texture
 /// and the surface has none, it is no shadow. Keeps its memory. One thread at a time.
 class FloorShade
@@ -21,8 +21,8 @@ public:
 
     /// Pixels of the window that may be floor in shadow.
     const BitMask &shade() const { return m_shade; }
-    /// Those that only the mean hue of the pixels around tells from a shadow: where such a surface ends is
-    /// known to some pixels.
+    /// Those that only the mean hue of the pixels around distinguishes from a shadow: where such a surface
+    /// ends is known to some pixels.
     const BitMask &byHue() const { return m_byHue; }
 
 private:
@@ -95,7 +95,7 @@ public:
 
     /// Where the part of a pixel that the region covers crosses one half along the rows and the columns, from
     /// both ends of each, without those that lie inside: the corners of the region's hull are among these
-    /// points. Luma pixels of the picture.
+    /// points. Luma pixels of the frame.
     const std::vector<Eigen::Vector2d> &points() const { return m_points; }
     /// Mean of the region without its edge; zero where it is all edge.
     const Chroma &meanChroma() const { return m_meanChroma; }
@@ -120,7 +120,7 @@ private:
     void cover(const BitMask &region);
     void findPoints(const BitMask &near, const Eigen::Vector2d &origin);
 
-    /// of the rows around one, with as many more at both ends as is looked at
+    /// of the rows around one, with as many more at both ends as is read
     std::vector<EdgePixels::Sums> m_columns;
     EdgePixels m_edge;
     cv::Mat1f m_covered; ///< part of each pixel

@@ -9,7 +9,7 @@ namespace odo {
 ///
 /// A robot that turns or comes nearer changes smoothly, at a rate that is followed; what changes at once has
 /// merged with something or is partly hidden, and is believed only when it has stayed so for some frames. At
-/// the border only growth tells of the whole.
+/// the border only growth is informative.
 class AreaExpectation
 {
 public:
@@ -70,7 +70,7 @@ double bellOf(double x);
 /// less; tape is too long.
 double compactness(const Eigen::Matrix2d &covariance, double area);
 
-/// 0 to 1: how plausible it is that a robot takes this fraction of the picture.
+/// 0 to 1: how plausible it is that a robot fills this fraction of the frame.
 double sizeLikelihood(double fractionOfPicture);
 
 } // namespace odo

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int framesPerTable = 64;
 constexpr int missesUntilLost = 1, missesWhileHidden = 30;
-constexpr double relearnAfterS = 1.5; ///< lost for so long, the told colour is believed again
+constexpr double relearnAfterS = 1.5; ///< lost for so long, the given colour is believed again
 constexpr int missesPerRelearning = 8;
 constexpr double leastRankInWindow = 0.02, leastRankInPicture = 0.15, leastFirstScore = 0.25;
 constexpr double sizeSigma = 0.2;      ///< of the logarithm of the area, from one frame to the next
@@ -22,11 +22,11 @@ constexpr double mostSizeNoise = 0.12; ///< of the area of a small robot, from f
 constexpr std::size_t mostCandidates = 6;
 constexpr double leastColourSigma = 3.0, relativeColourSigma = 0.06; ///< of a region's mean, in code values
 constexpr double mostSizeCost = 12.0, mostColourCost = 16.0;
-constexpr double doubtPerFrameTogether = 0.04; ///< of the place, in radii
+constexpr double doubtPerFrameTogether = 0.04; ///< of the position, in radii
 constexpr double scoreTogether = 0.1;          ///< below what is used where another view is surer
-constexpr double sigmaTogether = 0.3;          ///< of the place, in radii
-/// Of a touched robot's area: what may always be hidden unnoticed, and what may be without a doubt of its
-/// place.
+constexpr double sigmaTogether = 0.3;          ///< of the position, in radii
+/// Of a touched robot's area: what may always be hidden unnoticed, and what may be hidden without making its
+/// position uncertain.
 constexpr double leastPartHidden = 0.02, mostPartHidden = 0.08;
 
 } // namespace
@@ -42,7 +42,7 @@ void RobotFollower::reset(const FrameFormat &format)
     m_strangers.clear();
 }
 
-/// Luma pixels in which the robot is looked for at this time.
+/// Luma pixels in which the robot is searched at this time.
 Eigen::AlignedBox2d RobotFollower::expectedBox(double timeS) const
 {
     const double sinceS = std::max(0.0, timeS - m_predictor.lastTimeS());
@@ -174,8 +174,7 @@ void RobotFollower::search(const TrackedFrame &frame, const ChromaDensity &backg
             return;
         }
     }
-    // A robot that fills much of the picture is much of the background as well: so once more without regard
-    // to it.
+    // A robot that fills much of the frame is also much of the background, so once more without regard to it.
     m_finder.find(frame.grid(), m_model.toldTable(&background), picture, frame.searchStep());
     collect(frame, Candidate::By::ToldColour, leastRankInPicture, &RobotFollower::rankUnseen);
     m_finder.find(frame.grid(), m_model.toldTable(nullptr), picture, frame.searchStep());
@@ -197,8 +196,8 @@ bool RobotFollower::lookAgain(const TrackedFrame &frame, const Candidate &candid
     return true;
 }
 
-/// Found by the told colour: learns the colour, first from what that shows, then from what was learned, which
-/// gathers sides and shades that were missed.
+/// Found by the given colour: learns the colour, first from what that shows, then from what was learned,
+/// which gathers sides and shades that were missed.
 bool RobotFollower::learnFrom(const TrackedFrame &frame, const Candidate &candidate,
                               const ChromaDensity &background, Blob &blob)
 {
@@ -298,7 +297,7 @@ bool RobotFollower::acceptFound(const TrackedFrame &frame, const Candidate &cand
     return true;
 }
 
-/// The edges will be looked for on the luma plane soon.
+/// The edges will soon be searched on the luma plane.
 void RobotFollower::fetchLuma(const TrackedFrame &frame, const Blob &blob)
 {
     const FrameFormat &format = frame.frame().format;
@@ -335,8 +334,8 @@ void RobotFollower::observe(const TrackedFrame &frame, const Blob &blob, Observa
     update(frame, blob, shape, observation);
 }
 
-/// Moments alone cannot tell a cover or a merge from the robot: an area that is not the expected one has
-/// moved the centre by as much of the radius, at most.
+/// Moments alone cannot distinguish a cover or a merge from the robot: an area that is not the expected one
+/// has moved the centre by as much of the radius, at most.
 void RobotFollower::doubtSize(Observation &observation) const
 {
     const double off = std::abs(1 - observation.areaPx / m_area.px());

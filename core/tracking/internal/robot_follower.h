@@ -22,7 +22,7 @@ struct Candidate
     } by = By::LearnedColour; ///< Alone: whatever the background
 };
 
-/// Finds one robot in the whole picture, and once found follows it from frame to frame in a window. The
+/// Finds one robot in the whole frame, and once found follows it from frame to frame in a window. The
 /// decision which candidate is whose is the caller's, who sees all robots.
 class RobotFollower
 {
@@ -32,15 +32,15 @@ public:
     bool isFollowing() const { return m_phase == Phase::Following; }
     const ColourModel &model() const { return m_model; }
 
-    /// Begins anew for frames of this format.
+    /// Restarts for frames of this format.
     void reset(const FrameFormat &format);
 
-    /// Where in the frame the robot is looked for while it is followed, in chroma samples.
+    /// Where in the frame the robot is searched while it is followed, in chroma samples.
     ChromaRect windowOf(const TrackedFrame &frame) const;
-    /// Following: all that propose() and accept() may look at in a frame of this format and time, and perhaps
-    /// some beyond the picture; nullopt when the whole picture will be needed.
+    /// Following: all that propose() and accept() may read of a frame of this format and time, perhaps with
+    /// some margin beyond the frame; nullopt when the whole frame is needed.
     std::optional<PixelRect> neededRegion(const FrameFormat &format, double timeS) const;
-    /// Following: looks for candidates in the window about the predicted place, best first.
+    /// Following: searches candidates in the window about the predicted position, best first.
     void propose(const TrackedFrame &frame);
     /// Following, near robots of a like colour: finds the regions of a window and a table that they share.
     /// Equal windows and tables give equal regions, in the same order, to each of them.
@@ -53,8 +53,7 @@ public:
     /// What speaks against a region being this robot alone: half the squared standard deviations in place,
     /// size and colour.
     double costOf(const TrackedFrame &frame, const Blob &region) const;
-    /// Not following: looks for candidates in the whole picture, best first. `background` is what else there
-    /// is.
+    /// Not following: searches candidates in the whole frame, best first. `background` is everything else.
     void search(const TrackedFrame &frame, const ChromaDensity &background);
     const std::vector<Candidate> &candidates() const { return m_candidates; }
 
@@ -64,12 +63,12 @@ public:
     /// is what else there is beside the candidate.
     bool acceptFound(const TrackedFrame &frame, const Candidate &candidate, const ChromaDensity &background,
                      Observation &observation);
-    /// Takes a place that was made out in a region which several robots share: a coarse one, of low score.
+    /// Takes a coarse position of low score, from a region that several robots share.
     void acceptTogether(const TrackedFrame &frame, const Eigen::Vector2d &centrePx, Observation &observation);
     /// None of the candidates is the robot. While another robot hides it, it is not yet given up.
     void miss(bool hidden);
 
-    /// Tells that another robot's region touches this one's: what is seen may be a part of it.
+    /// Notes that another robot's region touches this one's: what is seen may be a part of it.
     void setTouched(bool touched) { m_touched = touched; }
     Eigen::Vector2d predictedPx(const TrackedFrame &frame) const { return m_predictor.at(frame.timeS()); }
     double areaPx() const { return m_area.px(); }

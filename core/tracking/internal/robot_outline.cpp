@@ -90,8 +90,8 @@ double OutlineMemory::tolerance(double timeS) const
     return std::max(leastTolerancePx, tolerancePerRadius * m_meanRadius * frames);
 }
 
-/// Whether the outline need not be laid over the remembered one at all: centre upon centre it agrees already,
-/// as nearly every one does.
+/// Whether the outline need not be aligned with the remembered one at all: centre upon centre it agrees
+/// already, as nearly every one does.
 bool OutlineMemory::agrees(const Radii &radii, double tolerancePx) const
 {
     const auto most = static_cast<float>(tolerancePx);
@@ -134,7 +134,7 @@ OutlineMemory::Overlay OutlineMemory::lay(const Outline &outline, double timeS) 
                 squares += stray * stray;
             }
             const double bi = 1 - stray * stray / (width * width);
-            // Laid over by normal = ray plus its turn: the derivatives of the stray.
+            // Aligned by normal = ray plus its turn: the derivatives of the stray.
             const Eigen::Vector2d across(-ray.y(), ray.x());
             const Eigen::Vector2d outward = cosine * (ray - slope / perStep * across);
             const Eigen::Vector4d row(outward.x(), outward.y(), remembered * cosine, -slope * cosine);
@@ -218,7 +218,7 @@ OutlineVerdict OutlineMemory::judge(const Outline &outline, double timeS, double
 
 namespace {
 
-constexpr double leastSolidity = 0.96, solidityGain = 0.1; ///< of a robot that is taken as convex
+constexpr double leastSolidity = 0.96, solidityGain = 0.1; ///< of a robot that counts as convex
 
 } // namespace
 

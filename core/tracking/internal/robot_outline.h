@@ -15,7 +15,7 @@ struct OutlineVerdict
 {
     enum class As {
         Seen,      ///< it changed as a robot's does that moves, turns and comes nearer
-        Repaired,  ///< a part of it did not: the shape seen before, laid over the rest
+        Repaired,  ///< a part of it did not: the shape seen before, aligned with the rest
         Unreliable ///< too much of it did not
     } as = As::Seen;
     RegionMoments moments;
@@ -23,16 +23,16 @@ struct OutlineVerdict
     double trust = 1;                                ///< factor of the score
 };
 
-/// Remembers a robot's outline, as its distance from its centre in each direction, and tells a reflection
-/// that has grown together with it, or a thing that hides a part of it, from the robot's own motion.
+/// Remembers a robot's outline, as its distance from its centre in each direction, and distinguishes a
+/// reflection that has merged with it, or a thing that hides a part of it, from the robot's own motion.
 ///
-/// The new outline is laid over the remembered one by a shift, a turn and a scale, robustly (Tukey's
+/// The new outline is aligned with the remembered one by a shift, a turn and a scale, robustly (Tukey's
 /// biweight, iterated): where more than a small part of it keeps away from that, and draws the centre with
-/// it, it is no longer the robot's alone. Then the remembered shape, moved as the rest has moved, stands in
-/// its place, with less trust; or, when less than a good half agrees, the outline is called unreliable. A
-/// change that stays is believed in the end: growth after half a second, for a robot may have been partly
-/// hidden; loss only after two, for what hides it may stay. Growth back to a size that the robot had lately
-/// is believed at once: it comes out from behind something.
+/// it, it is no longer the robot's alone. Then the remembered shape, moved as the rest has moved, replaces
+/// it, with less trust; or, when less than a good half agrees, the outline is called unreliable. A change
+/// that stays is believed in the end: growth after half a second, for a robot may have been partly hidden;
+/// loss only after two, for what hides it may stay. Growth back to a size that the robot had lately is
+/// believed at once: it comes out from behind something.
 class OutlineMemory
 {
 public:
@@ -68,7 +68,7 @@ private:
     bool m_disturbed = false;
 };
 
-/// What is known of a robot before it is looked at.
+/// What is known of a robot before it is measured.
 struct ExpectedOutline
 {
     Eigen::Vector2d motionPx; ///< since the last frame
@@ -80,9 +80,9 @@ class RobotOutline
 {
 public:
     void reset();
-    /// Gives the shape the area, the place and the moments of the outline, and tells how far to trust it (0
-    /// to 1). The shape stays as it is, and nothing is told, where no outline can be fitted, or where the
-    /// robot is not convex as a rule: then its hull is not its outline.
+    /// Gives the shape the area, the position and the moments of the outline, and returns how far to trust it
+    /// (0 to 1). The shape stays as it is, and nothing is returned, if no outline can be fitted, or if the
+    /// robot is usually not convex: then its hull is not its outline.
     std::optional<double> refine(const TrackedFrame &frame, const RegionMask &mask,
                                  const ExpectedOutline &expected, RegionShape &shape);
 

@@ -16,12 +16,12 @@ struct ScanLine
     bool alongX = false;
     int line = 0;    ///< chroma row (along x) or chroma column
     int inward = 1;  ///< sign of the direction to the inside
-    float start = 0; ///< place along the line where the hull crosses it
-    float slope = 0; ///< of the hull: change of the place for one luma pixel across the lines
+    float start = 0; ///< position along the line where the hull crosses it
+    float slope = 0; ///< of the hull: change of the position for one luma pixel across the lines
     float room = 0;  ///< length of the hull along the line
 };
 
-/// Lays scan lines all round the convex hull of a mask, in order, clockwise on the screen: along rows where
+/// Draws scan lines all round the convex hull of a mask, in order, clockwise on the screen: along rows where
 /// the outline is steep, along columns where it is flat, so that none meets it at less than 45°. Keeps its
 /// memory: no allocation once it is warm.
 class ScanLines
@@ -46,8 +46,8 @@ private:
     double m_solidity = 1;
 };
 
-/// Four figures, of four scan lines, in one register of the processor. To find an edge is a long chain of
-/// steps of which each waits for the one before; four lines at once wait together.
+/// Four values, of four scan lines, in one register of the processor. Finding an edge is a long chain of
+/// steps, each of which waits for the one before; four lines at once wait together.
 using Float4 = float __attribute__((vector_size(16)));
 using Int4 = std::int32_t __attribute__((vector_size(16)));
 
@@ -69,7 +69,7 @@ inline Float4 magnitudeOf(Float4 values)
 }
 
 /// The samples of a plane along four scan lines, as running sums: the mean over any stretch of them costs
-/// nothing. Places are luma pixels along the line.
+/// nothing. Positions are luma pixels along the line.
 class EdgeProfiles // NOLINT(cppcoreguidelines-pro-type-member-init): each edge makes one, and sets what it
                    // reads
 {
@@ -103,7 +103,7 @@ public:
 
     Float4 mean(Float4 from, Float4 to) const;
 
-    /// Sum from the begin of each line up to a place on it.
+    /// Sum from the start of each line up to a position on it.
     Float4 upTo(Float4 places) const
     {
         const Float4 at = atMost(atLeast((places - m_begin) * m_perSpacing, Float4{}), m_last);
@@ -122,18 +122,18 @@ private:
         return m_samples[line][static_cast<std::size_t>(i)];
     }
 
-    /// Of each sample the sum of those before it (low half) and its own value, to be had in one look. Only
-    /// those that were set.
+    /// Of each sample the sum of those before it (low half) and its own value, read at once. Only those that
+    /// were set.
     std::array<std::array<std::uint64_t, mostSamples>, lines> m_samples;
     Float4 m_begin{}, m_perSpacing{};
     Float4 m_last{}; ///< the end, but for a trifle, in samples from the begin
     Float4 m_unit{}; ///< of the sums
 };
 
-/// How the edges of four lines are looked for about the places where they are expected.
+/// How to search the edges of four lines about their expected positions.
 struct EdgeSearch
 {
-    Float4 inward = same(1);    ///< +1: the inside is at larger places; −1: at smaller ones
+    Float4 inward = same(1);    ///< +1: the inside is at larger positions; −1: at smaller ones
     Float4 halfWidth = same(1); ///< of the stretch about the edge that must be made up of inside and outside
     float reference = 1;        ///< length of the stretches beside it that show what inside and outside are
     bool leadOn =
@@ -142,7 +142,7 @@ struct EdgeSearch
 
 /// Moves `places` to where the edges must be for the samples about them to be the sum of both sides: exact
 /// for a step of any symmetric blur once repeated until it stays. Returns the contrasts, inside less outside;
-/// where one is below the least its place stays.
+/// where one is below the least its position stays.
 Float4 moveToEdges(const EdgeProfiles &profiles, const EdgeSearch &search, float leastContrast,
                    Float4 &places);
 

@@ -16,7 +16,7 @@ namespace odo {
 namespace {
 
 constexpr int mostSilhouettes = 16;
-constexpr double mostShare = 0.4;      // of the picture that robots take up
+constexpr double mostShare = 0.4;      // of the frame that robots cover
 constexpr double leastFragmentPx = 12; // of a part that is taken with a body
 constexpr int speckRadius = 1, gapRadius = 2;
 
@@ -42,7 +42,7 @@ BitMask edgeOf(const BitMask &region)
     return region - region.eroded(1, false);
 }
 
-/// Whether the background has the edge of a region, and the picture has none: what was there while the
+/// Whether the background has the edge of a region, and the frame has none: what was there while the
 /// background was learned has gone.
 bool isGhost(const ComparedWindow &w, const BitMask &edge, const PixelRect &part)
 {
@@ -79,7 +79,7 @@ std::vector<Eigen::Vector2d> hullOf(const BitMask &set)
     return convexHull(std::move(ends));
 }
 
-/// Whether a place is farther than a distance from a convex polygon.
+/// Whether a point is farther than a distance from a convex polygon.
 bool isBeyond(const std::vector<Eigen::Vector2d> &hull, const Eigen::Vector2d &place, double distance)
 {
     bool isInside = true;
@@ -169,7 +169,7 @@ struct SilhouetteFinder::Impl
                  SeenSilhouette &silhouette);
 };
 
-/// Whether anything differs in a part of the picture.
+/// Whether anything differs in a part of the frame.
 bool SilhouetteFinder::Impl::look(const Frame &frame, const DifferenceWindow &part)
 {
     window.compare(frame, lattice.gain(), part);
@@ -338,7 +338,7 @@ void measureHull(SeenSilhouette &silhouette, std::vector<Eigen::Vector2d> edgePo
     silhouette.moments = polygonMoments(silhouette.hullPx);
     const RegionMoments &moments = silhouette.moments;
     silhouette.supportPx = supportOf(silhouette.hullPx, moments.centrePx);
-    // An edge is in doubt by some part of a pixel, alike over some pixels of it, and pulls the centre by its
+    // An edge is uncertain by some part of a pixel, alike over some pixels of it, and pulls the centre by its
     // distance from it.
     const double perimeter = 4 * std::sqrt(moments.areaPx2);
     silhouette.centreCovariancePx2 =

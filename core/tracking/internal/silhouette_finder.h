@@ -10,27 +10,27 @@
 
 namespace odo {
 
-/// What differs from the background in one connected place. Luma pixels of the whole picture.
+/// A connected region of the foreground. Luma pixels of the whole frame.
 struct SeenSilhouette
 {
     PixelRect box;
     std::vector<Eigen::Vector2d> hullPx;
     int regions = 1; ///< more where it was joined from others (core/tracking/internal/silhouette_finder.h)
-    RegionMoments moments; ///< of its convex hull, which is the picture of the convex hull of what is seen
+    RegionMoments moments;        ///< of its convex hull, which is the image of the body's convex hull
     std::vector<float> supportPx; ///< of the hull about the moments' centre
     Eigen::Matrix2d centreCovariancePx2 = Eigen::Matrix2d::Zero();
     Chroma meanChroma = Chroma::Zero();
-    int shadowPiece = 0;        ///< what differs in one piece, shadows and all, has one number
+    int shadowPiece = 0;        ///< one connected piece of the foreground, with its shadows, has one number
     double clearShare = 1;      ///< of its pixels: that cannot be a shadow on the floor
     float deepShare = 0;        ///< as of Observation
     bool isTrimmed = false;     ///< something thin that reaches out of it was left out: a cable
-    bool touchesBorder = false; ///< cut by the picture's edge
+    bool touchesBorder = false; ///< cut by the frame's edge
 };
 
-/// Finds what stands before the background of one view, whatever its colours: where luma or chroma differ by
-/// more than the place usually varies. Shadows are left out: there the luma is lower by a factor that hardly
-/// changes from pixel to pixel, the chroma is that of the darkened floor, and what the floor has of texture
-/// shows through. The light may change as a whole. Keeps its memory. Not thread-safe.
+/// Finds the foreground of one view, whatever its colours: where luma or chroma differ from the background by
+/// more than it usually varies. Shadows are left out: there the luma is lower by a factor that hardly changes
+/// from pixel to pixel, the chroma is that of the darkened floor, and what the floor has of texture shows
+/// through. The light may change as a whole. Keeps its memory. Not thread-safe.
 class SilhouetteFinder
 {
 public:
@@ -40,7 +40,7 @@ public:
     SilhouetteFinder &operator=(SilhouetteFinder &&) noexcept;
 
     /// Those of a whole frame, the largest first; none of fewer than leastAreaPx pixels. Nothing in a frame
-    /// of another size than the background, and where so much of the picture differs that the light or the
+    /// of another size than the background, and where so much of the frame differs that the light or the
     /// camera must have changed.
     const std::vector<SeenSilhouette> &find(const Frame &frame);
 
@@ -54,8 +54,8 @@ private:
 /// Takes the convex hull of points of a silhouette's edge, and what is measured of it.
 void measureHull(SeenSilhouette &silhouette, std::vector<Eigen::Vector2d> edgePoints);
 
-/// Joins to each silhouette the small ones that are near it, or that hang together with it by its shadow: a
-/// wheel behind a side that looks like the floor. seen: the largest first, and so are they left.
+/// Joins to each silhouette the small ones that are near it, or that its shadow connects with it: a wheel
+/// behind a side that looks like the floor. seen: the largest first, and so are they left.
 void joinFragments(std::vector<SeenSilhouette> &seen);
 
 /// Silhouettes that may be parts of one body, of which what lies between looks like the floor: those that are

@@ -18,7 +18,7 @@ namespace {
 constexpr double mostCost = 2;     // of a silhouette that may be the robot followed
 constexpr double areaSigma = 0.35; // of the area's logarithm, from frame to frame
 constexpr int mostMisses = 15;     // frames
-// of its usual area: what is larger and covers another robot's place shows both
+// of its usual area: what is larger and covers another robot's position shows both
 constexpr double mostAlone = 1.15;
 constexpr double mostLostRatio = 3; // of the areas of a robot before and after it was lost
 constexpr double mostOfWhole = 0.5; // of a whole's hull: the share of a part that is a body by itself
@@ -36,7 +36,7 @@ struct Followed
     MotionPredictor predictor;
     AreaExpectation area;   ///< 0 before it was ever seen
     bool isOfParts = false; ///< found as several silhouettes together
-    int besideAlike = 0;    ///< frames in a row in which others like its silhouette stood beside it
+    int besideAlike = 0;    ///< frames in a row in which others like its silhouette were beside it
     int besideOthers = 0;   ///< and in which anything did that may be a part of the same body
     int missed = -1;        ///< frames since it was seen; below 0: it is lost or was never found
     int together = 0;       ///< frames for which it has been one silhouette with another robot
@@ -47,7 +47,7 @@ struct Followed
 
 double costOf(const Followed &robot, const SeenSilhouette &silhouette, double timeS)
 {
-    if (silhouette.regions > 1 && !robot.isOfParts) // something stands beside it
+    if (silhouette.regions > 1 && !robot.isOfParts) // something is beside it
         return mostCost;
     const double sinceS = std::max(0.0, timeS - robot.predictor.lastTimeS());
     const double reach = 0.5 * robot.radiusPx() + 4 + 0.5 * sinceS * robot.predictor.velocity().norm() +
@@ -133,7 +133,7 @@ void SilhouetteTracker::Impl::accept(Followed &robot, const SeenSilhouette &silh
         observation.centreCovariancePx2 += Eigen::Matrix2d::Identity() * shift * shift;
     }
     observation.score = std::exp(-0.5 * off * off / (areaSigma * areaSigma));
-    if (robot.isOfParts) // what lies between and beyond them is not seen: its outline tells no solid
+    if (robot.isOfParts) // what lies between and beyond them is not seen: its outline shows no solid
         observation.score *= scoreOfParts;
     robot.area.follow(areaPx, silhouette.touchesBorder);
 }
@@ -144,7 +144,7 @@ void SilhouetteTracker::Impl::addWholes(std::vector<SeenSilhouette> &seen)
 {
     wholes.clear();
     besides.clear();
-    if (told > 1) // whose parts stand beside those of others
+    if (told > 1) // whose parts are beside those of others
         return;
     for (const std::vector<std::size_t> &parts : groupsOfParts(seen)) {
         SeenSilhouette whole = joined(seen, parts);
@@ -193,8 +193,8 @@ void SilhouetteTracker::Impl::takeWholeInstead(Followed &robot, SeenSilhouette &
     robot = Followed(); // what was known of it was of a part
 }
 
-/// What shows several robots as one is none of them: it is taken from the silhouettes, and they are expected
-/// in it until they part. Tells of each robot whether it is in one.
+/// A silhouette that shows several robots as one is none of them: it is removed, and they are expected in it
+/// until they part. Returns for each robot whether it is in one.
 std::vector<bool> SilhouetteTracker::Impl::leaveTogether(std::vector<SeenSilhouette> &seen, double timeS)
 {
     std::vector<bool> isTogether(robots.size());
@@ -302,7 +302,7 @@ SilhouetteTracker::~SilhouetteTracker() = default;
 void SilhouetteTracker::setBackground(Background background)
 {
     m_impl->finder = SilhouetteFinder(std::move(background));
-    // what was followed may have been where a robot stood: if it is gone, it is searched at once
+    // what was followed may have been where a robot was: if it is gone, it is searched at once
     for (Followed &robot : m_impl->robots)
         robot.missed = robot.isFollowing() ? mostMisses : robot.missed;
 }
@@ -333,7 +333,7 @@ std::vector<Observation> SilhouetteTracker::track(const Frame &frame, std::span<
 
 namespace {
 
-constexpr double largestM = 1.2; // of what is taken for a robot
+constexpr double largestM = 1.2; // of what counts as a robot
 
 } // namespace
 

@@ -14,16 +14,16 @@
 
 namespace odo {
 
-/// What tells which silhouette is a robot's own.
+/// What shows which silhouette is a robot's own.
 struct SilhouetteCue
 {
     const Observation *coloured = nullptr; ///< where its colour is seen in the frame; null: it is of any look
-    Chroma colour = Chroma::Zero();        ///< as told, by which it is found before that
+    Chroma colour = Chroma::Zero();        ///< as given, by which it is found before that
 };
 
-/// Follows robots of any look through the frames of one view, by their silhouettes before a background that
-/// is known: the largest ones at first, and then those that are where the robots must be and of their size.
-/// Feed every frame in order. Not thread-safe; one tracker a view.
+/// Follows robots of any look in the frames of one view, by their silhouettes before a known background: the
+/// largest ones at first, and then those that are where the robots must be and of their size. Feed every
+/// frame in order. Not thread-safe; one tracker a view.
 class SilhouetteTracker
 {
 public:
@@ -35,12 +35,12 @@ public:
     SilhouetteTracker(const SilhouetteTracker &) = delete;
     SilhouetteTracker &operator=(const SilhouetteTracker &) = delete;
 
-    /// A newer background of the same place; the robots are followed on.
+    /// A newer background of the same scene; following continues.
     void setBackground(Background background);
-    /// One observation a robot, and then one of each other thing. Of a frame that holds a part of its picture
-    /// the rest is decoded. A frame that repeats the one before it gives the same observations again, marked
-    /// as such. elsewhere: where robots that are not followed here are seen in this frame, whose silhouettes
-    /// are left to them. cues: of each robot; none at all: all are of any look.
+    /// One observation a robot, and then one of each other thing. The rest of a frame that was decoded in
+    /// part is decoded. A frame that repeats the one before it gives the same observations again, marked as
+    /// such. elsewhere: where robots that are not followed here are seen in this frame, whose silhouettes are
+    /// left to them. cues: of each robot; none at all: all are of any look.
     std::vector<Observation> track(const Frame &frame, std::span<const Observation> elsewhere = {},
                                    std::span<const SilhouetteCue> cues = {});
 
@@ -49,7 +49,7 @@ private:
     std::unique_ptr<Impl> m_impl;
 };
 
-/// How large something is at least that stands on the floor and fills a box of the picture, in metres.
+/// The least size of something on the floor that fills a box of the frame, in metres.
 struct SizeOnFloor
 {
     double widthM = 0;

@@ -19,7 +19,7 @@ ChromaRect joined(const ChromaRect &a, const ChromaRect &b)
             std::max(a.bottom, b.bottom)};
 }
 
-/// Half the squared distance, in standard deviations, by which a place lies outside a region.
+/// Half the squared distance, in standard deviations, by which a point is outside a region.
 double costOutside(const TrackedFrame &frame, const Blob &region, const Eigen::Vector2d &placePx)
 {
     constexpr double inside =
@@ -49,7 +49,7 @@ std::vector<int> SimilarRobots::share(const TrackedFrame &frame,
 }
 
 /// The shared region, with the regions that are nobody's: a robot that comes out behind another one is at
-/// first too small to be taken for itself.
+/// first too small to be recognised.
 void SimilarRobots::paintShared(const RobotFollower &finder, const std::vector<int> &choices, int region)
 {
     ChromaRect area = m_regions[region].box;
@@ -219,7 +219,7 @@ std::vector<int> shareRegions(const SharingProblem &problem)
 
 namespace {
 
-constexpr int rowStep = 2; ///< every other row tells enough
+constexpr int rowStep = 2; ///< every other row is enough
 constexpr int mostRounds = 4;
 constexpr int mostMoves = 6;   ///< a robot, a round
 constexpr double pull = 0.004; ///< of the prediction: the part of the outline's area lost a squared sample

@@ -8,11 +8,11 @@
 
 namespace odo {
 
-/// Follows, in one frame, robots that are near one another in the picture and whose colours do not tell their
-/// samples apart. All regions are found once for all of them and shared out at once, by place, size and mean
-/// colour. Where fewer regions than robots are there, some are one in the picture: then their last outlines
-/// are laid over the region, and each gets a coarse place of low score; none takes the whole region's centre.
-/// Keeps its memory.
+/// Follows, in one frame, robots that are near one another in the frame and whose colours do not distinguish
+/// their samples. All regions are found once for all of them and assigned at once, by position, size and mean
+/// colour. If there are fewer regions than robots, some have merged in the frame: then their last outlines
+/// are fitted into the region, and each gets a coarse position of low score; none takes the whole region's
+/// centre. Keeps its memory.
 class SimilarRobots
 {
 public:
@@ -47,7 +47,7 @@ struct SharingProblem
 /// Exhaustive with pruning: meant for up to some six robots and regions.
 std::vector<int> shareRegions(const SharingProblem &problem);
 
-/// A robot's outline as a whole, to be laid over a region that it shares with others. In chroma samples.
+/// A robot's outline as a whole, to be fitted into a region that it shares with others. In chroma samples.
 struct Silhouette
 {
     const RegionMask *mask = nullptr;                    ///< as seen when it was alone
@@ -55,9 +55,9 @@ struct Silhouette
     Eigen::Vector2d predicted = Eigen::Vector2d::Zero(); ///< where that centre should be now
 };
 
-/// Lays the silhouettes so that together they explain a region: as much of it as possible covered by at least
-/// one, as little as possible covered outside. From the predicted places, by coordinate descent over whole
-/// samples, held back by a weak pull to the prediction. Gives the centres, in the order given.
+/// Arranges the silhouettes so that together they explain a region: as much of it as possible covered by at
+/// least one, as little as possible covered outside. From the predicted positions, by coordinate descent over
+/// whole samples, held back by a weak pull to the prediction. Gives the centres, in the order given.
 std::vector<Eigen::Vector2d> laySilhouettes(const RegionMask &region,
                                             const std::vector<Silhouette> &silhouettes);
 

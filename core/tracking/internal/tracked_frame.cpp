@@ -69,7 +69,7 @@ PixelRect partOf(const Frame &frame)
     return frame.validRegion.value_or(PixelRect{0, 0, frame.y.width, frame.y.height});
 }
 
-/// Whether two frames of one layout are equal where both have a picture.
+/// Whether two frames of one layout are equal where both are decoded.
 bool framesEqual(const Frame &a, const Frame &b, int step)
 {
     const PixelRect part = partOf(a).clipped(partOf(b));

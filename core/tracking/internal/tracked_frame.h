@@ -27,11 +27,11 @@ public:
         return static_cast<double>(m_frame->format.width) * m_frame->format.height;
     }
     double lumaPerSample() const { return m_grid.scale.prod(); }
-    /// Makes sure that all of the picture can be looked at, not only the part that was decoded. False when
-    /// the rest is damaged.
+    /// Makes sure that the whole frame can be read, not only the part that was decoded. False when the rest
+    /// is damaged.
     bool complete();
-    /// Density of all chroma of the picture outside a rectangle (empty: of the whole picture). Wants a
-    /// complete frame.
+    /// Density of all chroma of the frame outside a rectangle (empty: of the whole frame). Needs a complete
+    /// frame.
     ChromaDensity backgroundWithout(const ChromaRect &rect);
 
 private:
@@ -39,13 +39,13 @@ private:
     std::optional<Frame> m_whole; ///< where a part was given and more was needed
     ChromaGrid m_grid;
     int m_searchStep = 1, m_countStep = 1;
-    std::optional<ChromaDensity> m_counts; ///< of the whole picture, once they were needed
+    std::optional<ChromaDensity> m_counts; ///< of the whole frame, once they were needed
 };
 
-/// Recognises a picture that is the one before it again, byte for byte: what a camera or a recorder delivers
-/// that was late. Looks at every 16th row first, so that a new picture costs next to nothing. Of frames that
-/// hold a part of their picture, the common part is compared first and, if that is equal, the whole pictures.
-/// Keeps a share in the last frame.
+/// Recognises a frame that repeats the one before it, byte for byte: a camera or a recorder that was late
+/// delivers such. Compares every 16th row first, so a new frame costs next to nothing. Of frames that were
+/// decoded in part, the common part is compared first and, if that is equal, the whole frames. Keeps a share
+/// in the last frame.
 class DuplicateDetector
 {
 public:

@@ -81,7 +81,7 @@ std::vector<std::vector<BodyAxis>> directionsOfMotion(const std::vector<ViewTrac
                 ++first;
             while (last + 1 < seen.size() && toSeconds(seen[last + 1].time) <= timeS + windowS)
                 ++last;
-            // The slope of the places over time, by least squares.
+            // The slope of the positions over time, by least squares.
             double n = 0, t = 0, tt = 0;
             Eigen::Vector2d p = Eigen::Vector2d::Zero(), tp = Eigen::Vector2d::Zero();
             for (std::size_t k = first; k <= last; ++k) {
@@ -152,7 +152,7 @@ namespace {
 
 constexpr double leastAxisScore = 0.3;
 constexpr double longestGapS = 1.0; // an axis that was not seen for longer may be any
-constexpr double commonShare = 0.5; // of an outline's doubt that all frames share
+constexpr double commonShare = 0.5; // of an outline's uncertainty that all frames share
 
 /// Where an observation is among the views'.
 struct Place
@@ -161,7 +161,7 @@ struct Place
 };
 
 /// All views' observations in the order of time, with the axes that their outlines show. A run has a hundred
-/// thousand of them: what an outline says is asked again where it is wanted, not kept.
+/// thousand of them: what an outline shows is recomputed where it is needed, not kept.
 class AxisNodes
 {
 public:
@@ -194,7 +194,7 @@ public:
         return m_sigmaRad[i];
     }
 
-    /// nullopt: the outline tells nothing.
+    /// nullopt: the outline shows no axis.
     std::optional<OutlineMisfit> misfit(std::size_t i) const
     {
         return isClear(i) ? OutlineMisfit::create(*m_views[m_places[i].view].floorView, m_shape,

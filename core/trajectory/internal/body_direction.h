@@ -14,7 +14,7 @@
 
 namespace odo {
 
-/// Which end of a body is its front: the axes of a run, which outlines tell modulo π, each turned by half a
+/// Which end of a body is its front: the axes of a run, which outlines show modulo π, each turned by half a
 /// turn where needed so that the body turns on without a jump, and moves forward rather than backward over
 /// each stretch in which its axis was known throughout. Of a robot that moves only backward the rear is
 /// called its front, always alike. axes, sightings: of every observation of every view (trackAxis,
@@ -24,8 +24,9 @@ std::vector<std::vector<BodyAxis>> directedAxes(const std::vector<ViewTrack> &vi
                                                 std::vector<std::vector<BodyAxis>> axes);
 
 /// The directions of a body that moves along its length, as wheels make it: at each observation of each view
-/// that of the motion, from the places within a fifth of a second around, or the end of the axis that is near
-/// it; unknown where it hardly moves. Guesses to begin with, where outlines do not tell the axis well.
+/// that of the motion, from the positions within a fifth of a second around, or the end of the axis that is
+/// near it; unknown where it hardly moves. Guesses to begin with, where outlines do not determine the axis
+/// well.
 std::vector<std::vector<BodyAxis>> directionsOfMotion(const std::vector<ViewTrack> &views,
                                                       const std::vector<std::vector<Sighting>> &sightings,
                                                       const std::vector<std::vector<BodyAxis>> &axes);
@@ -37,18 +38,18 @@ struct BodyMotion
     double curvature = 0;    ///< of the path, 1/m; positive to the left
 };
 
-/// From the places within a quarter of a second around, of all views, each by a parabola over time. nullopt:
-/// too few, or it hardly moves. Pure.
+/// From the positions within a quarter of a second around, of all views, each by a parabola over time.
+/// nullopt: too few, or it hardly moves. Pure.
 std::optional<BodyMotion> motionAt(const std::vector<std::vector<Sighting>> &sightings, Nanoseconds time);
 
 /// The body's axis at the time of every observation of every view, in their order: from the outlines of all
 /// views, smoothed over time together (as the point (cos 2α, sin 2α), which knows no jump at the half turn,
-/// by the Kalman smoother that serves the positions). σ is at least that of the doubt about the outlines,
-/// which does not average out. Where no outline tells, σ is larger than unknownAxisSigmaRad. Views that are
-/// not registered give nothing.
+/// by the Kalman smoother that serves the positions). σ is at least the uncertainty of the outlines, which
+/// does not average out. Where no outline shows the axis, σ is larger than unknownAxisSigmaRad. Views that
+/// are not registered give nothing.
 std::vector<std::vector<BodyAxis>> trackAxis(const std::vector<ViewTrack> &views, const SolidShape &shape);
 
-/// Where a body stood at a time, and its direction.
+/// Position and direction of a body at a time.
 struct BodyPose
 {
     Nanoseconds time{0}; ///< of the first view's clock
@@ -56,7 +57,7 @@ struct BodyPose
     double headingRad = 0;
 };
 
-/// The same of a solid whose two ends differ, as the supports of its outlines tell it (placeBySupport):
+/// The same of a solid whose two ends differ, as the supports of its outlines show it (placeBySupport):
 /// followed from observation to observation, from the poses that are known, of which there is at least one,
 /// in order. Directions modulo 2π.
 std::vector<std::vector<BodyAxis>> trackDirection(const std::vector<ViewTrack> &views,
@@ -79,9 +80,9 @@ struct AxisEvidence
 };
 
 /// The angles of the likeliest turning through all times (Viterbi 1967): an outline seen face on fits two
-/// angles mirrored about it nearly as well, and only what comes before and after tells which. A body turns at
-/// some 4 rad/s (σ); an outline costs at most 25, so that a wrong one is overruled. One bin for each of
-/// `times` times, whose evidence is asked for once each, in their order.
+/// angles mirrored about it nearly as well, and only what comes before and after shows which. A body turns at
+/// some 4 rad/s (σ); an outline costs at most 25, so a wrong one is overridden. One bin for each of `times`
+/// times, whose evidence is asked for once each, in their order.
 std::vector<std::uint8_t> likeliestPath(std::size_t times,
                                         const std::function<AxisEvidence(std::size_t)> &evidenceAt);
 

@@ -12,15 +12,15 @@
 
 namespace odo {
 
-/// The direction of a body's length on the floor, of which an outline does not tell front from back: modulo
-/// π.
+/// The direction of a body's length on the floor, whose front and back an outline does not distinguish:
+/// modulo π.
 struct BodyAxis
 {
     double angleRad = 0; ///< from the world's X
     double sigmaRad = 0; ///< above half a radian nothing is known
 };
 
-/// Beyond it an axis tells nothing: a direction drawn at random has 52°.
+/// Beyond it an axis is meaningless: a direction drawn at random has 52°.
 constexpr double unknownAxisSigmaRad = 0.5;
 
 /// What the tracker measured of an outline, as moments of a region.
@@ -30,7 +30,8 @@ RegionMoments outlineMoments(const Observation &observation);
 /// coding): the error that the area and the second moments of all frames share. Pixels.
 constexpr double outlineDoubtPx = 0.15;
 
-/// σ of an outline's area as a share of itself, and of its second moments in px², that follow from the doubt.
+/// σ of an outline's area as a share of itself, and of its second moments in px², that follow from the
+/// uncertainty.
 struct OutlineSigma
 {
     double areaShare = 0;
@@ -70,11 +71,11 @@ private:
 std::optional<BodyAxis> axisAbout(const OutlineMisfit &misfit, double angleRad);
 
 /// The axis near an angle at which the solid's silhouette has the second moments that were seen, by
-/// Gauss–Newton; σ from the doubt about the outline. nullopt: no axis there explains the outline (what is
-/// seen is hidden in part, or merged with something).
+/// Gauss–Newton; σ from the outline's uncertainty. nullopt: no axis there explains the outline (what is seen
+/// is hidden in part, or merged with something).
 std::optional<BodyAxis> axisNear(const OutlineMisfit &misfit, double angleRad);
 
-/// Where the solid must stand, turned to an angle, that the centroid of its silhouette is the pixel given:
+/// Position of the solid, turned to an angle, for which the centroid of its silhouette is the given pixel:
 /// the pixel that the footprint's centre, lifted to the solid's middle height, would have. nullopt: beyond
 /// the horizon.
 std::optional<Eigen::Vector2d> pixelOfBodyMiddle(const FloorView &view, const SolidShape &shape,
@@ -105,7 +106,7 @@ struct CommonOutlines
 
 /// Outlines at up to `most` times spread evenly over the run, of as many views each as saw it: those of other
 /// views interpolated linearly between their two frames around. Clear means: found with a score of at least
-/// 0.5, not cut by the picture's edge, in no repeated picture. Times with several views are preferred: one
+/// 0.5, not cut by the frame's edge, in no repeated frame. Times with several views are preferred: one
 /// view's are taken only where there are fewer than five of the former.
 std::vector<CommonOutlines> commonOutlines(const std::vector<ViewTrack> &views, std::size_t most);
 
@@ -146,24 +147,24 @@ struct OutlineDifference
     ReachCorrection reach;
 };
 
-/// What is known before of where a solid stands.
+/// Prior knowledge of a solid's position.
 struct PlaceGuess
 {
     Eigen::Vector2d place = Eigen::Vector2d::Zero();
     BodyAxis axis;
 };
 
-/// Where a body stands, and its direction.
+/// Position and direction of a body.
 struct SupportPlace
 {
     Eigen::Vector2d place = Eigen::Vector2d::Zero();
-    BodyAxis axis; ///< σ as the support tells it together with the guess
+    BodyAxis axis; ///< σ from the support together with the guess
 };
 
-/// Where a solid must stand on the floor, turned about as an axis says, that its outline reaches as far in
-/// each direction as was seen, by least squares with Cauchy's loss (ceres::TinySolver): a side of which the
+/// Floor position of a solid, turned about as an axis says, for which its outline reaches as far in each
+/// direction as was seen, by least squares with Cauchy's loss (ceres::TinySolver): a side of which the
 /// outline is missing, or that is drawn too far, takes less part than in the centroid. nullopt: the
-/// observation has no support, or the search leaves the picture. Pure.
+/// observation has no support, or the search leaves the image. Pure.
 std::optional<SupportPlace> placeBySupport(const FloorView &view, const SolidShape &shape,
                                            const Observation &observation,
                                            const OutlineDifference &difference, const PlaceGuess &guess);

@@ -18,7 +18,7 @@ constexpr double unknownSigmaPx = 0.5;
 constexpr std::size_t leastClear = 10;
 constexpr double largestUsualExcess = 0.15; // of the area's logarithm
 constexpr double oddAreaScatter = 5,
-                 oddAreaDoubts = 4;  // times the usual scatter, and times the doubt about outlines
+                 oddAreaDoubts = 4;  // times the usual scatter, and times the uncertainty of outlines
 constexpr double leastSigmaPx = 0.1; // what all edges of an outline share, whatever the noise of each says
 // What coding, shading and the lens's blur leave in all of a run's outlines alike: the centres of known
 // outlines come back from H.264 and MJPEG files with so much bias (docs/accuracy.md).
@@ -34,7 +34,7 @@ Eigen::Matrix2d usableCovariance(const Eigen::Matrix2d &covariancePx2)
     return base + Eigen::Matrix2d::Identity() * leastSigmaPx * leastSigmaPx;
 }
 
-/// What an observation says, but for the place.
+/// What an observation shows besides the position.
 Sighting sightingOf(const ViewTrack &view, const Observation &observation, bool repeated)
 {
     Sighting sighting;
@@ -86,7 +86,7 @@ namespace {
 
 constexpr int anglesOfUnknownAxis = 6;
 
-/// The pixel of the body's middle, and what the doubt about its axis adds to its covariance.
+/// The pixel of the body's middle, and what the uncertainty of its axis adds to its covariance.
 struct BodyPixel
 {
     Eigen::Vector2d pixel = Eigen::Vector2d::Zero();
@@ -128,7 +128,7 @@ std::optional<BodyPixel> bodyPixel(const FloorView &view, const SolidShape &shap
     return mean;
 }
 
-/// Logarithm of the area seen over the solid's, where it stands.
+/// Logarithm of the area seen over the solid's, at its position.
 double areaExcess(const FloorView &view, const SolidShape &shape, const Observation &observation,
                   const Sighting &sighting, const BodyAxis &axis)
 {
@@ -144,7 +144,7 @@ struct BodySightings
     std::vector<Sighting> sightings;
     std::vector<double> excess; ///< of the area's logarithm, for each
     std::vector<double> clear;  ///< of those that are not cut
-    double areaShare = 0;       ///< the usual doubt about an area
+    double areaShare = 0;       ///< the usual uncertainty of an area
 };
 
 BodySightings placeInView(const ViewTrack &view, const SolidShape &shape, const std::vector<BodyAxis> &axes,
@@ -272,7 +272,7 @@ std::optional<Eigen::Vector2d> velocityBetween(const Observation &a, const Obser
     return Eigen::Vector2d((b.ellipse.centrePx - a.ellipse.centrePx) / dt);
 }
 
-/// Whether observations [first, last] repeat the picture of first − 1.
+/// Whether observations [first, last] repeat frame first − 1.
 bool isRepeat(const std::vector<Observation> &all, std::size_t first, std::size_t last)
 {
     if (first < 2 || last + 2 >= all.size())

@@ -14,7 +14,7 @@ namespace {
 
 // What stays of the silhouette's form and the clocks after the correction of the height.
 constexpr double modelSigmaM = 0.003;
-// However badly the views agree on the whole, half a robot apart is never the same place.
+// However badly the views agree on the whole, half a robot apart is never the same position.
 constexpr double largestSigmaM = 0.03;
 // Enough for any floor; groups are enumerated.
 constexpr std::size_t mostViews = 12;

@@ -67,16 +67,15 @@ struct SampleEvidence
     std::vector<ViewPosition>
         contenders;       ///< positions of views that contradict each other; empty when decided
     double bestScore = 0; ///< of the views that found the robot
-    bool cut = false;     ///< every view that found it has it at the picture's edge
-    /// in no view is its outline what it usually is: something hides a part of it, or touches it in the
-    /// picture
+    bool cut = false;     ///< every view that found it has it at the frame's edge
+    /// in no view is its outline what it usually is: something hides a part of it, or touches it in the frame
     bool partlySeen = false;
     /// the views contradict one another here as they do near by, and their covariances hold it
     /// (core/trajectory/view_disagreement.h)
     bool isContradicted = false;
 };
 
-/// The samples of one robot before spikes are looked for; samples and evidence have equal length.
+/// The samples of one robot before the search for spikes; samples and evidence have equal length.
 struct FusedTrack
 {
     std::vector<Sample> samples;

@@ -104,7 +104,7 @@ std::optional<PlaneEstimate> estimatePlane(const std::vector<std::vector<Sightin
         if (settled)
             break;
     }
-    // The calibration's error is common to all times: it does not average out.
+    // The calibration error is the same at all times: it does not average out.
     const double common = calibrationVariance / information;
     const double sigma = std::sqrt(variance / information + common * common);
     if (!std::isfinite(sigma) || sigma > largestHeightSigmaM)
@@ -114,7 +114,7 @@ std::optional<PlaneEstimate> estimatePlane(const std::vector<std::vector<Sightin
 
 namespace {
 
-// A told height is that of the top; where the colour ends is known less well.
+// A given height is that of the top; the end of the colour is known less well.
 constexpr double toldPlaneSigmaM = 0.002;
 // A robot of unknown height seen by one view is taken to lie on the floor; most are less than 120 mm high.
 constexpr double unknownPlaneSigmaM = 0.03;
@@ -241,7 +241,7 @@ namespace {
 
 constexpr double markShare = 0.5; // of the span from foot to top; a body covers all of it and more
 
-/// The outline's length along the picture of a vertical from the floor to heightM, as a share of that
+/// The outline's length along the image of a vertical from the floor to heightM, as a share of that
 /// vertical.
 std::optional<double> verticalShare(const FloorView &view, const Ellipse &ellipse, double heightM)
 {
@@ -254,7 +254,7 @@ std::optional<double> verticalShare(const FloorView &view, const Ellipse &ellips
         return std::nullopt;
     const Eigen::Vector2d span = *top - *foot;
     if (span.norm() < 1)
-        return std::nullopt; // seen from straight above: nothing can be told
+        return std::nullopt; // seen from straight above: undetermined
     const double angle = std::atan2(span.y(), span.x()) - ellipse.angleRad;
     const double extent =
         2 * std::hypot(ellipse.semiMajorPx * std::cos(angle), ellipse.semiMinorPx * std::sin(angle));

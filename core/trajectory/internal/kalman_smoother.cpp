@@ -242,7 +242,7 @@ void MotionFilter::restart(const TrackNode &measurement, double sigmaSpeedMps, d
     m_state.covariance.topLeftCorner<2, 2>() = covariance;
     m_state.covariance.diagonal().segment<2>(2).setConstant(sigmaSpeedMps * sigmaSpeedMps);
     m_state.covariance.diagonal().segment<2>(4).setConstant(sigmaAccelMps2 * sigmaAccelMps2);
-    // What is measured too far is the slow error's sum with the place: the two are anticorrelated.
+    // What is measured too far is the slow error's sum with the position: the two are anticorrelated.
     m_state.covariance.bottomRightCorner<2, 2>().setIdentity();
     m_state.covariance.topRightCorner<2, 2>() = -slow;
     m_state.covariance.bottomLeftCorner<2, 2>() = -slow.transpose();

@@ -17,16 +17,16 @@ struct TrackNode
     Eigen::Vector2d position = Eigen::Vector2d::Zero();
     Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero(); ///< m², positive definite where measured
     double travelM = 0;  ///< length of the way up to here, which makes the slow part of the noise change
-    bool struck = false; ///< the velocity changed abruptly on the way here from the node before: a blow
+    bool struck = false; ///< the velocity changed abruptly since the node before: a blow
 };
 
 /// By how much a collision changes the velocity and a motor, or a collision, the acceleration.
 constexpr double blowSpeedSigmaMps = 1.5, blowAccelSigmaMps2 = 10;
 
-/// How the errors of the measurements hang together. A part of them changes only as the robot moves and turns
-/// before the camera (its edges lie otherwise among the pixels, its sides are lit otherwise): standing still
-/// does not average it out, and over a short way it looks like motion. Correlation exp(−way / slowLengthM),
-/// an Ornstein–Uhlenbeck process.
+/// How the errors of the measurements are correlated. A part of them changes only as the robot moves and
+/// turns before the camera (its edges lie otherwise among the pixels, its sides are lit otherwise): standing
+/// still does not average it out, and over a short distance it looks like motion. Correlation exp(−distance /
+/// slowLengthM), an Ornstein–Uhlenbeck process.
 struct MeasurementNoise
 {
     double scale = 1;     ///< factor on the stated covariances
@@ -43,7 +43,7 @@ struct MotionNoise
     double slowShare = 0, slowLengthM = 0.1;
 };
 
-/// Until the data tell: a robot that changes its acceleration by 3 m/s² in a third of a second.
+/// Until the data show it: a robot that changes its acceleration by 3 m/s² in a third of a second.
 inline constexpr double usualJerkDensity = 10;
 
 /// Position, velocity and acceleration (x, y, vx, vy, ax, ay) at one time. SI.
@@ -110,8 +110,9 @@ using TakeEstimate = std::function<void(std::size_t, const MotionEstimate &)>;
 
 /// Rauch–Tung–Striebel smoother (Rauch, Tung, Striebel 1965): one estimate for every time, from all
 /// measurements, given from the last to the first. The first time must be measured. At a blow the motion
-/// before and after are smoothed each by itself, but for the place, which goes on. A long track is filtered
-/// anew in blocks on the way back: what is kept of the way there is the filter at the start of each. Pure.
+/// before and after are smoothed each by itself, except for the position, which continues. A long track is
+/// filtered again in blocks during the backward pass: the forward pass keeps only the filter at the start of
+/// each. Pure.
 void smoothMotion(std::span<const TrackNode> track, MotionNoise noise, const TakeEstimate &take);
 
 /// Noise by maximum likelihood of the innovations (prediction error decomposition: Harvey 1989, § 3.4) over

@@ -44,7 +44,7 @@ enum : std::size_t {
 };
 using LevelForm = std::array<double, FormSize>;
 
-/// The levels of a form, of which the place is the middle of all.
+/// The levels of a form, whose position is the middle of all.
 template <class T>
 LevelsOf<T> levelsOf(const T *form)
 {
@@ -107,7 +107,7 @@ struct LevelResidual
     }
 };
 
-/// Keeps what nothing determines near the box, and what was told.
+/// Keeps what nothing determines near the box, and what was given.
 struct LevelPrior
 {
     LevelForm expected;
@@ -304,7 +304,7 @@ bool LevelProblem::solve(const SolidShape &box, const RobotShape &told, const Le
     m_drivenWeight.Reset(new ceres::ScaledLoss(nullptr, share(), ceres::TAKE_OWNERSHIP),
                          ceres::TAKE_OWNERSHIP);
     for (const bool again : {false, true}) {
-        // What is left after the first time tells how exact the outlines are.
+        // The residual after the first time shows how exact the outlines are.
         const double sigma = again ? std::clamp(misfit(), leastMisfit, 1.0) : 1;
         m_weight.Reset(new ceres::ScaledLoss(nullptr, share() / (sigma * sigma), ceres::TAKE_OWNERSHIP),
                        ceres::TAKE_OWNERSHIP);

@@ -35,14 +35,14 @@ struct LevelFit
 /// The outlines that a solid of levels is fitted to.
 std::vector<CommonOutlines> levelTimes(const std::vector<ViewTrack> &views);
 
-/// The convex solid of three levels whose silhouettes a robot's outlines are, where a box is not enough:
-/// clearance, a chassis, wheels, a narrower upper part, round corners. Fitted together with a pose for each
-/// of some forty times by weighted least squares of the outlines' supports over all views (Ceres, Cauchy's
+/// The convex solid of three levels whose silhouettes a robot's outlines are, if a box is not enough:
+/// clearance, a chassis, wheels, a narrower upper part, round corners. Fitted jointly with a pose for each of
+/// some forty times by weighted least squares of the outlines' supports over all views (Ceres, Cauchy's
 /// loss), from the box that is known and the directions that the body then had. The convex hull of a
-/// silhouette is the silhouette of the body's convex hull, so only outlines that are hulls tell the body of a
-/// robot with wheels and gaps. What was told of its height and size is kept. axes: directed (directedAxes).
-/// sightings: where the box was seen; the heading of what moves is mostly along its way (motionAt). nullopt:
-/// too few outlines, or nothing better was found. Pure. times: levelTimes(views), which several fits share.
+/// silhouette is the silhouette of the body's convex hull, so only outlines that are hulls show the body of a
+/// robot with wheels and gaps. A given height and size are kept. axes: directed (directedAxes). sightings:
+/// where the box was seen; a moving robot mostly heads along its path (motionAt). nullopt: too few outlines,
+/// or nothing better was found. Pure. times: levelTimes(views), which several fits share.
 std::optional<LevelFit> fitLevels(const std::vector<CommonOutlines> &times,
                                   const std::vector<ViewTrack> &views,
                                   const std::vector<std::vector<BodyAxis>> &axes,
@@ -80,8 +80,8 @@ LevelsOf<T> levelsOfShape(const SolidShape &shape)
     return levels;
 }
 
-/// How far the picture of a solid of levels reaches in each direction, max of n·pixel over its outline (its
-/// support function about the picture's origin): of each level the middles of its round corners, and about
+/// How far the image of a solid of levels reaches in each direction, max of n·pixel over its outline (its
+/// support function about the image's origin): of each level the middles of its round corners, and about
 /// each a circle on the level's plane. pose: x, y, heading. more(k, slope): what the body reaches farther
 /// than the solid in direction k, px, where slope is the derivative of that reach by a point of the body,
 /// px/m in the world's frame, along which the plane that touches it faces. false: a corner lies behind the
@@ -91,7 +91,7 @@ bool reachOfLevels(const FloorView &view, const LevelsOf<T> &levels, const T &ro
                    std::array<T, supportDirections> &reach, const More &more)
 {
     using std::sin, std::cos, std::min;
-    // whose picture is an ellipse about that of its middle to some hundredths of a pixel
+    // whose image is an ellipse about that of its middle to some hundredths of a pixel
     constexpr double smallCircleM = 0.02;
     struct Corner
     {

@@ -100,8 +100,7 @@ constexpr double leastLikeness = 0.15, wayOfRobotM = 1;
 constexpr double likenessAtBorder = 0.3;
 constexpr double secondPlaneM = 0.1; ///< any height: a ray moves on a straight line through the planes
 
-/// The side of a square of what is seen, were it upright over its place on the floor, m; 0 beyond the
-/// horizon.
+/// The side of a square of what is seen, were it upright over its floor position, m; 0 beyond the horizon.
 double sizeOf(const FloorView &view, const Observation &seen)
 {
     constexpr double besidePx = 4;
@@ -111,7 +110,7 @@ double sizeOf(const FloorView &view, const Observation &seen)
     return left && right ? std::sqrt(seen.areaPx) * (*right - *left).norm() / (2 * besidePx) : 0;
 }
 
-/// Walks along one slot's observations in step with time.
+/// Walks along one slot's observations as time advances.
 class SlotReader
 {
 public:
@@ -190,7 +189,7 @@ struct PlaceAtTime
 /// Of the times at which something was seen, the share at which it had moved on within the second before.
 double shareInMotion(const std::vector<PlaceAtTime> &way)
 {
-    constexpr double longestS = 1, leastMps = 0.02, leastM = 0.01; // less is what an outline does that stands
+    constexpr double longestS = 1, leastMps = 0.02, leastM = 0.01; // less is what an outline at rest does
     std::size_t moving = 0, from = 0;
     for (const PlaceAtTime &now : way) {
         while (now.timeS - way[from].timeS > longestS)
@@ -201,7 +200,7 @@ double shareInMotion(const std::vector<PlaceAtTime> &way)
     return way.empty() ? 0 : double(moving) / double(way.size());
 }
 
-/// Robots drive over the floor within the picture; people stand beside it, a ball comes to rest, hands reach
+/// Robots drive over the floor within the frame; people stand beside it, a ball comes to rest, hands reach
 /// in over its edge.
 TrackletOf judged(TrackletOf one, const NamedView &view, const std::vector<Observation> &observations)
 {
@@ -229,7 +228,7 @@ TrackletOf judged(TrackletOf one, const NamedView &view, const std::vector<Obser
     return one;
 }
 
-/// Tells of all sights that saw something which tracklet they show.
+/// Notes for all sights that saw something which tracklet they show.
 void addTracklets(NameEvidence &evidence)
 {
     std::size_t next = 0;
@@ -256,8 +255,7 @@ bool holds(const Observation &seen, const Eigen::Vector2d &pixel)
            isWithinSupport(seen.supportPx, seen.ellipse.centrePx, pixel, besidePx);
 }
 
-/// Marks the tracklets that a person pointed out: of several that hold the place the one of the smallest
-/// thing.
+/// Marks the tracklets pointed out by hand: of several that contain the point, that of the smallest thing.
 void addPointedOut(const std::vector<NamedView> &views, const std::vector<std::size_t> &considered,
                    NameEvidence &evidence)
 {

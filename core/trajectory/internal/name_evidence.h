@@ -12,8 +12,8 @@
 namespace odo {
 
 /// A stretch of one robot's observations in one view in which it surely stays the same thing: found in every
-/// frame with a usable score. Between two of them it was lost, or one with another robot in the picture, and
-/// may have been taken for another one.
+/// frame with a usable score. Between two of them it was lost, or merged with another robot in the frame, and
+/// may have been mistaken for another one.
 struct Tracklet
 {
     struct End
@@ -32,7 +32,7 @@ struct Tracklet
 bool isSure(const Observation &observation);
 
 /// Cuts a robot's observations (in order of time) into tracklets. Stretches of fewer than three frames are
-/// left out: they tell nothing of a motion.
+/// left out: they show no motion.
 std::vector<Tracklet> cutIntoTracklets(const std::vector<Observation> &observations, const ViewClock &clock);
 
 /// What speaks against one robot having run from the end of one tracklet to the begin of a later one: half
@@ -46,9 +46,9 @@ struct TrackletOf
 {
     std::size_t view = 0, slot = 0;
     Tracklet tracklet;
-    double likeness = 1; ///< to a robot, 0 to 1: it moves over the floor, and stays within the picture
+    double likeness = 1; ///< to a robot, 0 to 1: it moves over the floor, and stays within the frame
     std::optional<std::size_t> pointedOut; ///< the robot, among those considered, that a person says it is
-    /// of a square of its area at its place on the floor, the median; 0 where that is not known
+    /// of a square of its area at its floor position, the median; 0 where that is not known
     double sizeM = 0;
 };
 
@@ -90,12 +90,12 @@ struct NameEvidence
     std::vector<std::size_t> slots;
     std::vector<TrackletOf> tracklets; ///< in order of their begin
     std::vector<FloorMoment> moments;  ///< every 50 ms, where at least two views saw anything; in order
-    std::vector<double> hueShiftRad;   ///< for each view, of all its robots against their told colours
-    std::vector<std::optional<double>> toldHueRad; ///< for each robot; none where no colour was told
+    std::vector<double> hueShiftRad;   ///< for each view, of all its robots against their given colours
+    std::vector<std::optional<double>> toldHueRad; ///< for each robot; none if no colour is given
     std::vector<std::pair<std::size_t, std::size_t>> nothingThere; ///< as of NameOutcome
 };
 
-/// considered: indices of robots. Only robots without a told colour may be something else that was followed.
+/// considered: indices of robots. Only robots without a given colour may be something else that was followed.
 NameEvidence gatherEvidence(const std::vector<NamedView> &views, const std::vector<NamedRobot> &robots,
                             const std::vector<std::size_t> &considered);
 
@@ -103,7 +103,7 @@ NameEvidence gatherEvidence(const std::vector<NamedView> &views, const std::vect
 const std::vector<Observation> &observationsOf(const NamedView &view,
                                                const std::vector<std::size_t> &considered, std::size_t slot);
 
-/// Of the colour that was told, if one was.
+/// Of the given colour, if there is one.
 std::optional<double> toldHue(const NamedRobot &robot);
 
 /// Hue of a chroma, and the distance of two in (−π, π].

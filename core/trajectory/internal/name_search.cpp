@@ -21,7 +21,7 @@ constexpr double leastLookSigma = 3.0, relativeLookSigma = 0.05, mostLookCost = 
 constexpr double sizeAsideLn = 0.25, sizeSigmaLn = 0.2, mostSizeCost = 10.0;
 /// of a name that a view has not seen yet: mostly a robot that was lost comes back
 constexpr double costOfBeginning = 6.0;
-constexpr double costOfRenaming = 0.05; ///< the tracker's own choice is as good where nothing else tells
+constexpr double costOfRenaming = 0.05; ///< the tracker's own choice is as good if nothing else decides
 
 constexpr double costOfNoRobotPerS = 4.0; ///< of something that is as likely a robot as can be, and is none
 
@@ -47,8 +47,8 @@ struct NameDecision
     std::vector<std::pair<double, int>> nearlyAsGood;
 };
 
-/// What two views' tracklets cost by the places they show: as one robot they should be at one place, as two
-/// they cannot.
+/// What two views' tracklets cost by the positions they show: as one robot they should be at one position, as
+/// two they cannot.
 struct CostOfTwo
 {
     double ofOneName = 0, ofTwoNames = 0;
@@ -94,7 +94,7 @@ private:
         return hypothesis.last[placeOf(view, name)];
     }
 
-    /// Of two sizes that should be one thing's. Of told colours a part may be seen.
+    /// Of two sizes that should be one thing's. Of a given colour a part may be seen.
     double costOfSizes(double oneM, double otherM) const
     {
         if (!(oneM > 0) || !(otherM > 0) || !ofAnyLook())
@@ -188,7 +188,7 @@ private:
 
     const NameDecision &decisionOf(int number) const { return m_decisions[static_cast<std::size_t>(number)]; }
 
-    /// Robots without a told colour whose names nothing has yet are all alike.
+    /// Robots without a given colour whose names nothing has yet are all alike.
     bool isUnused(const NameHypothesis &hypothesis, std::size_t name) const
     {
         if (m_evidence.toldHueRad[name])
@@ -199,7 +199,7 @@ private:
         return true;
     }
 
-    /// Whether a person pointed it out as another, or another thing beside it as this one.
+    /// Whether it was pointed out by hand as another, or another thing beside it as this one.
     bool contradictsPerson(std::size_t t, std::size_t name) const
     {
         const TrackletOf &one = m_evidence.tracklets[t];

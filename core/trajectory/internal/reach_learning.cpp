@@ -16,10 +16,10 @@ constexpr int nodes = ReachCorrection::nodes;
 enum : int { WiderOutlines = nodes, unknowns };
 constexpr double likelyWiderPx = 0.1;   // against the solid's own fit
 constexpr double leastDoubtedM = 0.002; // amplitude for the σ
-constexpr double smoothRad = 0.26;      // over which the difference hangs together
+constexpr double smoothRad = 0.26;      // over which the difference is correlated
 constexpr double alikeSides = 0.9;      // correlation of left and right
 constexpr double nugget = 1e-4;         // of the prior's variance: what is not smooth
-constexpr double likelyShiftM = 0.05;   // of a place that the solid alone put wrong
+constexpr double likelyShiftM = 0.05;   // of a position that is wrong with the solid alone
 constexpr double toldSizeSigmaM = 0.001;
 constexpr double amplitudesM[] = {0.0003, 0.001, 0.002, 0.004, 0.008, 0.016, 0.032};
 // times whose outlines have errors of their own; those of all others repeat them
@@ -62,12 +62,12 @@ Eigen::VectorXd acrossBody(const Eigen::Vector3d &direction, double sign)
     return row;
 }
 
-/// What the outlines of one time say: of its place, and together with the nodes.
+/// What the outlines of one time say: about its position, and jointly with the nodes.
 struct TimeRows
 {
     double headingRad = 0;
     Eigen::Matrix2d placePrecision = Eigen::Matrix2d::Zero();
-    /// of the place and the unknowns
+    /// of the position and the unknowns
     Eigen::Matrix<double, 2, Eigen::Dynamic> coupling =
         Eigen::Matrix<double, 2, Eigen::Dynamic>::Zero(2, unknowns);
     Eigen::Vector2d pull = Eigen::Vector2d::Zero();
@@ -93,7 +93,7 @@ private:
     Solution solvedWith(double amplitudeM, const Eigen::MatrixXd &priorPrecision,
                         double priorLogDeterminant) const;
 
-    Eigen::MatrixXd m_precision = Eigen::MatrixXd::Zero(unknowns, unknowns); ///< the places taken out
+    Eigen::MatrixXd m_precision = Eigen::MatrixXd::Zero(unknowns, unknowns); ///< the positions eliminated
     Eigen::VectorXd m_pull = Eigen::VectorXd::Zero(unknowns);
     std::vector<TimeRows> m_times;
 };
@@ -213,7 +213,7 @@ std::optional<LearnedReach> ReachProblem::solve(double widerPx) const
         best = solvedWith(leastDoubtedM, priorPrecision, priorLogDeterminant);
     double forward = 0, left = 0;
     for (const TimeRows &time : m_times) {
-        // Of the middle, at this time, by the unknowns: the place follows them, and the middle lies elsewhere
+        // Of the middle, at this time, by the unknowns: the position follows them, and the middle is offset
         // from it.
         const Eigen::Matrix<double, 2, Eigen::Dynamic> inRobot =
             -(Eigen::Rotation2Dd(-time.headingRad).toRotationMatrix() * time.placePrecision.inverse()) *

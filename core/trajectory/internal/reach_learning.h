@@ -9,11 +9,11 @@
 
 namespace odo {
 
-/// What outlines tell of a body beyond the solid of levels that was fitted to them.
+/// What outlines show of a body beyond the solid of levels that was fitted to them.
 struct LearnedReach
 {
     OutlineDifference outlines;
-    /// forward and left of the solid's place: the middle of the body's footprint
+    /// forward and left of the solid's position: the middle of the body's footprint
     Eigen::Vector2d middleM = Eigen::Vector2d::Zero();
     /// of where that middle is, along and across the heading
     double sigmaForwardM = 0, sigmaLeftM = 0;
@@ -22,7 +22,7 @@ struct LearnedReach
 
 /// Learns how the body's convex hull differs from the solid, whatever it looks like: a Gaussian process over
 /// the directions on the body (smooth over 15°, nearly alike to the left and to the right), fitted by linear
-/// least squares together with a shift of each place. How much they differ is what makes the outlines
+/// least squares together with a shift of each position. How much they differ is what makes the outlines
 /// likeliest (marginal likelihood; Rasmussen and Williams, Gaussian Processes for Machine Learning,
 /// 2006, 5.4). With it goes by how much all outlines are drawn too wide. What the outlines leave open of all
 /// this is in the σ, which takes no body for known to better than two millimetres. told: a length and a width

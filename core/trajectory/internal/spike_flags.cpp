@@ -82,11 +82,11 @@ void nameLimits(std::vector<Sample> &samples, const AnalysisOptions &options)
     }
 }
 
-/// Refuses used samples, with AccelerationLimit, where the task tells a limit: the acceleration from the
-/// nearest used sample before to that behind is beyond it by more than four σ of the three measurements
-/// (their stated covariance times noiseScale). Of neighbours the one that is furthest beyond is refused
-/// first, for it drags the others along. Samples that a person has judged are left as they are; a bound of
-/// speed is kept by the search for spikes.
+/// Refuses used samples, with AccelerationLimit, if the task sets a limit: the acceleration from the nearest
+/// used sample before to that behind is beyond it by more than four σ of the three measurements (their stated
+/// covariance times noiseScale). Of neighbours the one that is furthest beyond is refused first, because it
+/// drags the others along. Samples that a person has judged are left as they are; a bound of speed is kept by
+/// the search for spikes.
 void refuseBeyondTask(std::vector<Sample> &samples, const AnalysisOptions &options, double noiseScale)
 {
     if (!options.task || !options.task->limits.maxAccelMps2)
@@ -210,8 +210,8 @@ std::size_t countUsed(const std::vector<Sample> &samples)
     }));
 }
 
-/// A first guess of which samples stand out, by Hampel's identifier on position and speed. Only the first
-/// estimate of the noise leaves them out; whether they are spikes is for the search to say.
+/// A first guess of the outliers, by Hampel's identifier on position and speed. Only the first estimate of
+/// the noise leaves them out; whether they are spikes is for the search to say.
 Round standingOut(const std::vector<Sample> &samples, const std::vector<bool> &open,
                   const AnalysisOptions &options)
 {
@@ -236,7 +236,7 @@ std::vector<TrackSegment> partedSegments(const std::vector<Sample> &samples, con
     return segments;
 }
 
-/// Refuses samples that stand out from their neighbours by Hampel's identifier, and lie further from the
+/// Refuses samples that are outliers among their neighbours by Hampel's identifier, and lie further from the
 /// smoothed track than their noise lets them. At an abrupt change of motion they may.
 void flagStandingOut(std::vector<Sample> &samples, const Round &round, MotionNoise noise,
                      const AnalysisOptions &options)

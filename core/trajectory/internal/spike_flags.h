@@ -9,7 +9,7 @@
 
 namespace odo {
 
-/// What is known of the motion once the spikes are told apart from it.
+/// What is known of the motion once the spikes are separated from it.
 struct SpikeVerdict
 {
     MotionNoise noise;        ///< of what remains, with the slow part of the measurement's
@@ -19,10 +19,10 @@ struct SpikeVerdict
 
 /// Sets Jump, with SpeedLimit and AccelerationLimit as further reasons, on samples that no robot's motion
 /// explains (searchSpikes, with the noise learnt from the run itself; Hampel's identifier gives the first
-/// guess), and on those that Hampel's identifier on position or speed tells and that lie beyond their noise
-/// from the smoothed track of all; AccelerationLimit alone on those that break a limit of the task
-/// (refuseBeyondTask). Samples that a person has judged (ByHand) are left as they are. A collision, a start
-/// and a bounce are motions.
+/// guess), and on those that Hampel's identifier on position or speed finds and that are farther from the
+/// smoothed track of all than their noise allows; AccelerationLimit alone on those that break a limit of the
+/// task (refuseBeyondTask). Samples that a person has judged (ByHand) are left as they are. A collision, a
+/// start and a bounce are motions.
 SpikeVerdict flagSpikes(std::vector<Sample> &samples, const AnalysisOptions &options,
                         const MeasurementNoise &measurement = {});
 
@@ -31,9 +31,9 @@ SpikeVerdict flagSpikes(std::vector<Sample> &samples, const AnalysisOptions &opt
 std::vector<bool> flagSpikesKnowing(const SpikeVerdict &known, std::vector<Sample> &samples,
                                     const AnalysisOptions &options);
 
-/// The flagged measurements in words with figures, e.g. "jump of 212 mm; stands out in position and speed".
-/// Times without a measurement (lost, repeated pictures) are gaps, not spikes, and are not listed. points:
-/// the profile of the same samples.
+/// The flagged measurements in words with values, e.g. "jump of 212 mm; spike in position and speed". Times
+/// without a measurement (lost, repeated frames) are gaps, not spikes, and are not listed. points: the
+/// profile of the same samples.
 std::vector<Spike> describeSpikes(const FusedTrack &track, const std::vector<ProfilePoint> &points,
                                   Nanoseconds longestGap);
 

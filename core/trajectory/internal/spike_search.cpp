@@ -26,7 +26,7 @@ constexpr double sigmasOverLimit = 4;
 constexpr double longestStrayS = 0.6, dearPricePerSecond = 300;
 constexpr double noticedAfterS = 0.02;
 constexpr double strayingSpeed = 1.2;  // m/s
-constexpr double leastSigmaM = 0.0007; // smaller ones promise more than any picture can hold
+constexpr double leastSigmaM = 0.0007; // smaller ones promise more than any image can hold
 constexpr double dearestMargin = 60;
 constexpr std::size_t mostHypotheses = 32;
 constexpr std::size_t mostLearntFrom = 50'000;
@@ -82,7 +82,7 @@ public:
 private:
     /// A filter that believes everything shows how wide covariances usually are. However smooth a run was
     /// until then, an abrupt change or a gap does not cost more than in an ordinary one. Of a long track its
-    /// beginning tells it.
+    /// beginning shows it.
     void learnWhatIsUsual()
     {
         MotionNoise usual = m_noise;
@@ -190,8 +190,8 @@ private:
                m_maxSpeed * (node.timeS - hypothesis.lastTimeS);
     }
 
-    /// The usual case, without a copy of anything but the filter: the only explanation there is goes on, with
-    /// nothing to doubt. Does nothing where that is not so.
+    /// The usual case, without a copy of anything but the filter: the only explanation continues
+    /// unambiguously. Otherwise does nothing.
     bool followsOn(Hypothesis &only, std::size_t i) const
     {
         const TrackNode &node = m_track[i];

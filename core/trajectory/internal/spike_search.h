@@ -33,7 +33,7 @@ double medianDeviation(const std::vector<double> &values);
 
 struct HampelSettings
 {
-    int halfWindow = 3;        ///< values looked at on each side
+    int halfWindow = 3;        ///< values used on each side
     double threshold = 3;      ///< in standard deviations
     double leastDeviation = 0; ///< the standard deviation is never taken as less: equal neighbours have none
 };
@@ -43,7 +43,7 @@ struct HampelSettings
 /// are. Pure.
 std::vector<bool> hampelOutliers(std::span<const double> values, const HampelSettings &settings);
 
-/// How a measurement stands out from its neighbours.
+/// How a measurement is an outlier among its neighbours.
 struct HampelSpike
 {
     bool byPosition = false;
@@ -51,7 +51,7 @@ struct HampelSpike
     bool any() const { return byPosition || bySpeed; }
 };
 
-/// Measurements of a track that stand out by their position, or by the speeds to both their neighbours, in a
+/// Measurements of a track that are outliers in position, or in the speeds to both their neighbours, in a
 /// window of seven. A guess that needs no model of motion: it finds single outliers, not bursts.
 std::vector<HampelSpike> hampelSpikes(std::span<const TrackNode> track);
 

@@ -35,8 +35,8 @@ ProfilePoint makePoint(const MotionEstimate &estimate, const Eigen::Matrix2d &co
 
 /// The curves of all samples by the wanted method; points where it does not reach are not valid. Interpolated
 /// is set on samples that are bridged, cleared elsewhere. Pure but for that. struck: where a blow changed the
-/// velocity, as flagSpikes tells, or empty. Rts: needs three measurements in a segment; parts the motion at
-/// blows. SavGol: least squares of a cubic through the eleven nearest used samples at their true times
+/// velocity, as flagSpikes returns it, or empty. Rts: needs three measurements in a segment; parts the motion
+/// at blows. SavGol: least squares of a cubic through the eleven nearest used samples at their true times
 /// (Savitzky and Golay 1964 for equal steps); towards the ends and with fewer than eleven, what there is;
 /// needs four. Tracker: v = (x₊₁ − x₋₁)/2Δt, a = (2x₊₂ − x₊₁ − 2x − x₋₁ + 2x₋₂)/7Δt² (Tracker's
 /// FirstDerivative and SecondDerivative) with the neighbours' mean Δt; none at gaps. None: differences to the

@@ -30,7 +30,7 @@ struct ViewOffset
         place = *sample.position;
     }
 
-    /// What of it is to be expected at another place.
+    /// What of it is expected at another position.
     Eigen::Vector2d at(const Eigen::Vector2d &point, const std::optional<FloorView> &view) const
     {
         const auto there = view ? view->sharedCovariance(place, place, 0) : std::nullopt;
