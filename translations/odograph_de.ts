@@ -4,7 +4,7 @@
 <context>
     <name>AccuracyLayer</name>
     <message>
-        <source>expected ±, hatched: not seen</source>
+        <source>expected ±, hatched: not visible</source>
         <translation>erwartetes ±, schraffiert: nicht gesehen</translation>
     </message>
     <message>
@@ -19,11 +19,11 @@
         <translation>%1 ms</translation>
     </message>
     <message>
-        <source>begun %1 earlier</source>
+        <source>started %1 earlier</source>
         <translation>%1 früher begonnen</translation>
     </message>
     <message>
-        <source>begun %1 later</source>
+        <source>started %1 later</source>
         <translation>%1 später begonnen</translation>
     </message>
     <message>
@@ -43,31 +43,31 @@
         <translation>keine: rohe Differenzen</translation>
     </message>
     <message>
-        <source>%1, as told by hand</source>
+        <source>%1, set by hand</source>
         <translation>%1, von Hand angegeben</translation>
     </message>
     <message>
-        <source>in step to %1, found from the motion; %2</source>
+        <source>synchronised to %1 by the motion; %2</source>
         <translation>synchron auf %1, aus der Bewegung bestimmt; %2</translation>
     </message>
     <message>
-        <source>in step to %1, found from a flash of light; %2</source>
+        <source>synchronised to %1 by a flash of light; %2</source>
         <translation>synchron auf %1, aus einem Lichtblitz bestimmt; %2</translation>
     </message>
     <message>
-        <source>in step to %1, by the cameras&apos; time stamps; %2</source>
+        <source>synchronised to %1 by the cameras&apos; time stamps; %2</source>
         <translation>synchron auf %1, nach den Zeitstempeln der Kameras; %2</translation>
     </message>
     <message>
-        <source>taken as begun together</source>
+        <source>assumed to start at the same time</source>
         <translation>als gleichzeitig begonnen angenommen</translation>
     </message>
     <message>
-        <source>, its clock %1 ppm fast</source>
+        <source>, clock %1 ppm fast</source>
         <translation>, ihre Uhr geht %1 ppm vor</translation>
     </message>
     <message>
-        <source>, its clock %1 ppm slow</source>
+        <source>, clock %1 ppm slow</source>
         <translation>, ihre Uhr geht %1 ppm nach</translation>
     </message>
     <message>
@@ -210,19 +210,19 @@
 <context>
     <name>ComparisonExplanation</name>
     <message>
-        <source>There is no difference.</source>
+        <source>No difference.</source>
         <translation>Es gibt keinen Unterschied.</translation>
     </message>
     <message>
-        <source>Both are exact, so that any difference is one.</source>
+        <source>Both values are exact: any difference is real.</source>
         <translation>Beide sind exakt, jeder Unterschied ist also ein echter.</translation>
     </message>
     <message>
-        <source>It is %1 σ, more than 1.96: were there no difference, chance would give as much in less than 5 of 100 cases.</source>
+        <source>%1 σ, above 1.96: without a real difference, chance would give this much in fewer than 5 of 100 cases.</source>
         <translation>Er beträgt %1 σ, mehr als 1,96: Gäbe es keinen Unterschied, brächte der Zufall so viel in weniger als 5 von 100 Fällen hervor.</translation>
     </message>
     <message>
-        <source>It is %1 σ, not more than 1.96: within the error, so that no difference can be claimed.</source>
+        <source>%1 σ, not above 1.96: the difference is not significant.</source>
         <translation>Er beträgt %1 σ, nicht mehr als 1,96: im Rahmen des Fehlers, ein Unterschied lässt sich also nicht behaupten.</translation>
     </message>
     <message>
@@ -230,7 +230,7 @@
         <translation>längs der Sollbahn der Aufgabe</translation>
     </message>
     <message>
-        <source>along the way of %1</source>
+        <source>along the path of %1</source>
         <translation>längs des Wegs von %1</translation>
     </message>
     <message>
@@ -242,19 +242,19 @@
         <translation>Zeitpunkt 0: beide setzen sich in Bewegung</translation>
     </message>
     <message>
-        <source>time 0: each first comes to the same place of the way</source>
+        <source>time 0: each first reaches the same point of the path</source>
         <translation>Zeitpunkt 0: beide erreichen zum ersten Mal dieselbe Stelle des Wegs</translation>
     </message>
     <message>
-        <source>time 0: told by hand, to a frame</source>
+        <source>time 0: set by hand, to one frame</source>
         <translation>Zeitpunkt 0: von Hand angegeben, auf ein Bild genau</translation>
     </message>
     <message>
-        <source>both by the same registrations and for the same solid: what the calibration adds is common, and only its difference counts</source>
+        <source>both with the same registrations and robot shape: the calibration uncertainty is common, so only its difference counts</source>
         <translation>beide mit denselben Einmessungen und für denselben Körper: Der Anteil der Kalibrierung ist gemeinsam, nur sein Unterschied zählt</translation>
     </message>
     <message>
-        <source>not by the same registrations, or not for the same solid: what the calibration adds counts for both in full</source>
+        <source>different registrations or robot shapes: the calibration uncertainty counts in full for both</source>
         <translation>nicht mit denselben Einmessungen oder nicht für denselben Körper: Der Anteil der Kalibrierung zählt für beide voll</translation>
     </message>
     <message>
@@ -262,7 +262,7 @@
         <translation>kein Wert</translation>
     </message>
     <message>
-        <source>%1: %2 less %3</source>
+        <source>%1: %2 minus %3</source>
         <translation>%1: %2 minus %3</translation>
     </message>
     <message>
@@ -270,11 +270,11 @@
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>only one of the two has it</source>
+        <source>only one of the two runs has it</source>
         <translation>nur eine der beiden hat ihn</translation>
     </message>
     <message>
-        <source>the figure of %1 less that of %2</source>
+        <source>the value of %1 minus that of %2</source>
         <translation>der Kennwert von %1 minus der von %2</translation>
     </message>
     <message>
@@ -282,15 +282,15 @@
         <translation>Jeweils: %1</translation>
     </message>
     <message>
-        <source>√(σ₁² + σ₂²), both as independent; where the runs share their calibration, its error of scale leaves only its part of the difference</source>
+        <source>√(σ₁² + σ₂²), treated as independent; where the runs share their calibration, its scale uncertainty counts only for the difference</source>
         <translation>√(σ₁² + σ₂²), beide als unabhängig; wo die Fahrten die Kalibrierung gemeinsam haben, bleibt von deren Maßstabsfehler nur der Anteil am Unterschied</translation>
     </message>
     <message>
-        <source>not seen at an end</source>
+        <source>not visible at one end</source>
         <translation>an einem Ende nicht gesehen</translation>
     </message>
     <message>
-        <source>Sector %1 to %2: %3 less %4</source>
+        <source>Sector %1 to %2: %3 minus %4</source>
         <translation>Sektor %1 bis %2: %3 minus %4</translation>
     </message>
     <message>
@@ -302,15 +302,15 @@
         <translation>Ende</translation>
     </message>
     <message>
-        <source>The time from the first arrival at the one gate to the first arrival at the next, of each run, by its place along the common path; waiting counts.</source>
+        <source>For each run, the time from its first arrival at one gate to its first arrival at the next, by its position along the common path; waiting counts.</source>
         <translation>Die Zeit jeder Fahrt von der ersten Ankunft am einen Tor bis zur ersten Ankunft am nächsten, nach ihrem Ort auf dem gemeinsamen Weg; Warten zählt mit.</translation>
     </message>
     <message>
-        <source>of each arrival: σ of the place along the path over the speed; displacements at two gates count as independent</source>
+        <source>of each arrival: σ of the position along the path divided by the speed; displacements at two gates count as independent</source>
         <translation>jeder Ankunft: σ des Orts längs des Wegs geteilt durch die Geschwindigkeit; die Verschiebungen an zwei Toren gelten als unabhängig</translation>
     </message>
     <message>
-        <source>from %1 to %2 of the way</source>
+        <source>from %1 to %2 along the path</source>
         <translation>von %1 bis %2 des Wegs</translation>
     </message>
     <message>
@@ -318,11 +318,11 @@
         <translation>Δt von %1 gegenüber %2 bei %3</translation>
     </message>
     <message>
-        <source>The time of the first arrival at this place of the common path, each from its own time 0: that of %1 less that of %2. Above 0 it is later.</source>
+        <source>The time of the first arrival at this point of the common path, each from its own time 0: that of %1 minus that of %2. Positive means later.</source>
         <translation>Die Zeit der ersten Ankunft an dieser Stelle des gemeinsamen Wegs, jede vom eigenen Zeitpunkt 0 an: die von %1 minus die von %2. Über 0 ist sie später.</translation>
     </message>
     <message>
-        <source>of both arrivals: σ of the place along the path over the speed, and of both times 0</source>
+        <source>of both arrivals: σ of the position along the path divided by the speed, and of both times 0</source>
         <translation>beider Ankünfte: σ des Orts längs des Wegs geteilt durch die Geschwindigkeit, und beider Zeitpunkte 0</translation>
     </message>
     <message>
@@ -330,11 +330,11 @@
         <translation>Geschwindigkeit von %1 bei %2</translation>
     </message>
     <message>
-        <source>|v| of the smoothed curve where the run first comes to this place of the common path, between frames interpolated</source>
+        <source>|v| of the smoothed curve where the run first reaches this point of the common path, interpolated between frames</source>
         <translation>|v| der geglätteten Kurve, wo die Fahrt diese Stelle des gemeinsamen Wegs zum ersten Mal erreicht, zwischen den Bildern interpoliert</translation>
     </message>
     <message>
-        <source>σ of the smoothed velocity there, with the calibration&apos;s error of scale</source>
+        <source>σ of the smoothed velocity there, including the calibration&apos;s scale uncertainty</source>
         <translation>σ der geglätteten Geschwindigkeit dort, mit dem Maßstabsfehler der Kalibrierung</translation>
     </message>
 </context>
@@ -439,7 +439,7 @@
 <context>
     <name>Explanation</name>
     <message>
-        <source>that of the smoothed curve there, and the calibration&apos;s error of scale</source>
+        <source>that of the smoothed curve there, and the calibration&apos;s scale uncertainty</source>
         <translation>das der geglätteten Kurve dort, und der Maßstabsfehler der Kalibrierung</translation>
     </message>
     <message>
@@ -447,7 +447,7 @@
         <translation>Vom Bewegungsbeginn bis zum letzten Halt. In Bewegung heißt schneller als 20 mm/s und als drei σ der Geschwindigkeit, mindestens drei Bilder lang; der Zeitpunkt zwischen zwei Bildern wird interpoliert.</translation>
     </message>
     <message>
-        <source>of both moments: σ of the speed over its steepness there</source>
+        <source>of both moments: σ of the speed divided by its slope there</source>
         <translation>beider Zeitpunkte: σ der Geschwindigkeit geteilt durch ihre Steilheit dort</translation>
     </message>
     <message>
@@ -455,7 +455,7 @@
         <translation>∫|v|dt, solange er sich bewegt, nach der Trapezregel über die geglättete Geschwindigkeit. Eine Lücke, die nicht überbrückt ist, zählt als gerade.</translation>
     </message>
     <message>
-        <source>of the ends&apos; positions, of errors across the path where it turns, and the calibration&apos;s error of scale</source>
+        <source>of the end positions, of lateral errors where the path turns, and the calibration&apos;s scale uncertainty</source>
         <translation>der Orte an den Enden, der Fehler quer zur Bahn, wo sie sich krümmt, und der Maßstabsfehler der Kalibrierung</translation>
     </message>
     <message>
@@ -463,11 +463,11 @@
         <translation>Weg / Zeit</translation>
     </message>
     <message>
-        <source>of both, taken as independent</source>
+        <source>of both, treated as independent</source>
         <translation>beider, als unabhängig angenommen</translation>
     </message>
     <message>
-        <source>The speed |v| of the smoothed curve where |v| − 2σ is largest, so that a badly known point does not win by its error.</source>
+        <source>The speed |v| of the smoothed curve where |v| − 2σ is largest. A point does not win only because its uncertainty is large.</source>
         <translation>Die Geschwindigkeit |v| der geglätteten Kurve, wo |v| − 2σ am größten ist, damit ein schlecht bekannter Punkt nicht durch seinen Fehler gewinnt.</translation>
     </message>
     <message>
@@ -475,7 +475,7 @@
         <translation>√(Mittel von |v|²), solange er sich bewegt</translation>
     </message>
     <message>
-        <source>the bound for errors that all go together, and the calibration&apos;s error of scale</source>
+        <source>the bound for fully correlated errors, and the calibration&apos;s scale uncertainty</source>
         <translation>die Obergrenze für Fehler, die alle in dieselbe Richtung gehen, und der Maßstabsfehler der Kalibrierung</translation>
     </message>
     <message>
@@ -487,11 +487,11 @@
         <translation>√(Mittel von |a|²), solange er sich bewegt</translation>
     </message>
     <message>
-        <source>distance from the first to the last place of the motion / path length</source>
+        <source>distance from the first to the last position of the motion / path length</source>
         <translation>Abstand vom ersten zum letzten Ort der Bewegung / Weg</translation>
     </message>
     <message>
-        <source>of the ends&apos; positions</source>
+        <source>of the end positions</source>
         <translation>der Orte an den Enden</translation>
     </message>
     <message>
@@ -499,7 +499,7 @@
         <translation>Die Zeit, in der er sich bewegt: schneller als 20 mm/s und als drei σ der Geschwindigkeit.</translation>
     </message>
     <message>
-        <source>of each start and stop: σ of the speed over its steepness</source>
+        <source>of each start and stop: σ of the speed divided by its slope</source>
         <translation>jedes Anfahrens und Anhaltens: σ der Geschwindigkeit geteilt durch ihre Steilheit</translation>
     </message>
     <message>
@@ -519,7 +519,7 @@
         <translation>Die Geschwindigkeit, unter der die Hälfte der Zeit in Bewegung bleibt.</translation>
     </message>
     <message>
-        <source>of the stretches within 1.5 σ of it, each by its mean</source>
+        <source>of the intervals within 1.5 σ of it, each by its mean</source>
         <translation>der Abschnitte im Abstand von höchstens 1,5 σ davon, jeder mit seinem Mittel</translation>
     </message>
     <message>
@@ -531,7 +531,7 @@
         <translation>Die Beschleunigung, unter der 95 % der Zeit in Bewegung bleiben.</translation>
     </message>
     <message>
-        <source>(vx·ay − vy·ax)/|v|² of the smoothed curve, either way, where it less 2σ is largest.</source>
+        <source>(vx·ay − vy·ax)/|v|² of the smoothed curve, to the left or right, where its amount minus 2σ is largest.</source>
         <translation>(vx·ay − vy·ax)/|v|² der geglätteten Kurve, in beiden Richtungen, wo ihr Betrag minus 2σ am größten ist.</translation>
     </message>
     <message>
@@ -539,11 +539,11 @@
         <translation>σ² = σa²/|v|² + |a|²σv²/|v|⁴, erste Ordnung</translation>
     </message>
     <message>
-        <source>The circle with the least squared distances from the places of the motion.</source>
+        <source>The least-squares circle through the positions of the motion.</source>
         <translation>Der Kreis mit den kleinsten Abstandsquadraten von den Orten der Bewegung.</translation>
     </message>
     <message>
-        <source>of the distances&apos; scatter, neighbours counted as fewer by 1 + 2Σρ, and the calibration&apos;s error of scale</source>
+        <source>of the scatter of the distances, with their number divided by 1 + 2Σρ for correlated neighbours, and the calibration&apos;s scale uncertainty</source>
         <translation>der Streuung der Abstände, Nachbarn um den Faktor 1 + 2Σρ weniger gezählt, und der Maßstabsfehler der Kalibrierung</translation>
     </message>
     <message>
@@ -551,7 +551,7 @@
         <translation>Vom Passieren des Starttors bis zum Passieren des Ziels, beides zwischen den Bildern interpoliert.</translation>
     </message>
     <message>
-        <source>of both passages: σ of the position across the gate over the speed</source>
+        <source>of both passages: σ of the position across the gate divided by the speed</source>
         <translation>beider Durchfahrten: σ des Orts quer zum Tor geteilt durch die Geschwindigkeit</translation>
     </message>
     <message>
@@ -563,7 +563,7 @@
         <translation>Die kürzeste Runde.</translation>
     </message>
     <message>
-        <source>of its two passages; the calibration&apos;s error of a gate passed twice cancels</source>
+        <source>of its two passages; the calibration uncertainty of a gate passed twice cancels</source>
         <translation>ihrer beiden Durchfahrten; der Fehler der Kalibrierung hebt sich an einem zweimal passierten Tor weg</translation>
     </message>
     <message>
@@ -575,15 +575,15 @@
         <translation>der ersten und der letzten Durchfahrt, geteilt durch die Zahl der Runden</translation>
     </message>
     <message>
-        <source>The mean distance from the reference path, over the way.</source>
+        <source>The distance from the reference path, averaged along the path.</source>
         <translation>Der mittlere Abstand von der Sollbahn, über den Weg.</translation>
     </message>
     <message>
-        <source>of the position across the path, and of its noise, which has no sign there</source>
+        <source>of the position across the path, and of its noise: the distance has no sign, so noise does not cancel</source>
         <translation>des Orts quer zur Bahn, und seines Rauschens, das dort kein Vorzeichen hat</translation>
     </message>
     <message>
-        <source>√(mean of the squared distance from the reference path), over the way</source>
+        <source>√(mean of the squared distance from the reference path), averaged along the path</source>
         <translation>√(Mittel der Abstandsquadrate von der Sollbahn), über den Weg</translation>
     </message>
     <message>
@@ -607,23 +607,23 @@
         <translation>des Orts quer zur Bahn, vor allem der Anteil der Kalibrierung</translation>
     </message>
     <message>
-        <source>The share of the reference path that was followed.</source>
+        <source>The share of the reference path that the robot followed.</source>
         <translation>Der Anteil der Sollbahn, dem gefolgt wurde.</translation>
     </message>
     <message>
-        <source>How often the robot&apos;s centre left a zone to stay in, or came into one to keep out of. It counts where it is beyond the edge by more than three σ of the track&apos;s own noise.</source>
+        <source>How often the robot&apos;s reference point left a zone to stay in or entered a zone to keep out of. It counts if the point is beyond the edge by more than three σ of the track&apos;s noise.</source>
         <translation>Wie oft die Mitte des Roboters eine Zone verließ, in der sie bleiben soll, oder in eine kam, die sie meiden soll. Es zählt, wenn sie um mehr als drei σ des Eigenrauschens der Spur jenseits des Rands ist.</translation>
     </message>
     <message>
-        <source>The time in which the robot&apos;s centre was beyond the edge of a zone, interpolated between frames; in two zones at once it counts twice.</source>
+        <source>The time for which the robot&apos;s reference point was beyond the edge of a zone, interpolated between frames; in two zones at once it counts twice.</source>
         <translation>Die Zeit, in der die Mitte des Roboters jenseits des Rands einer Zone war, zwischen den Bildern interpoliert; in zwei Zonen zugleich zählt sie doppelt.</translation>
     </message>
     <message>
-        <source>of each moment at an edge: σ of the position across it over the speed; and what the time differs by when the calibration puts the track nearer or further</source>
+        <source>of each crossing of an edge: σ of the position across it divided by the speed; and the change of the time when the calibration uncertainty shifts the track</source>
         <translation>jedes Zeitpunkts an einem Rand: σ des Orts quer dazu geteilt durch die Geschwindigkeit; und um wie viel die Zeit sich ändert, wenn die Kalibrierung die Spur näher oder weiter setzt</translation>
     </message>
     <message>
-        <source>How far the robot&apos;s centre was beyond the edge of a zone at most.</source>
+        <source>The largest distance of the robot&apos;s reference point beyond the edge of a zone.</source>
         <translation>Wie weit die Mitte des Roboters höchstens jenseits des Rands einer Zone war.</translation>
     </message>
     <message>
@@ -659,7 +659,7 @@
         <translation>Auswertung %1 von Odograph %2</translation>
     </message>
     <message>
-        <source>σ of the smoothed velocity there, with the calibration&apos;s error of scale</source>
+        <source>σ of the smoothed velocity there, including the calibration&apos;s scale uncertainty</source>
         <translation>σ der geglätteten Geschwindigkeit dort, mit dem Maßstabsfehler der Kalibrierung</translation>
     </message>
     <message>
@@ -675,11 +675,11 @@
         <translation>Beschleunigung</translation>
     </message>
     <message>
-        <source>a·v/|v| of the smoothed curve at this frame: along the path, so that braking is negative; |a| while it stands</source>
+        <source>a·v/|v| of the smoothed curve at this frame: along the path, negative when braking; |a| while the robot stands still</source>
         <translation>a·v/|v| der geglätteten Kurve bei diesem Bild: längs der Bahn, Bremsen ist also negativ; |a|, solange er steht</translation>
     </message>
     <message>
-        <source>σ of the smoothed acceleration there, with the calibration&apos;s error of scale</source>
+        <source>σ of the smoothed acceleration there, including the calibration&apos;s scale uncertainty</source>
         <translation>σ der geglätteten Beschleunigung dort, mit dem Maßstabsfehler der Kalibrierung</translation>
     </message>
     <message>
@@ -687,11 +687,11 @@
         <translation>Fahrtrichtung</translation>
     </message>
     <message>
-        <source>atan2(vy, vx) of the smoothed curve at this frame, anticlockwise from X, without steps of a whole turn</source>
+        <source>atan2(vy, vx) of the smoothed curve at this frame, anticlockwise from X, without jumps of a whole turn</source>
         <translation>atan2(vy, vx) der geglätteten Kurve bei diesem Bild, gegen den Uhrzeigersinn ab X, ohne Sprünge um eine volle Drehung</translation>
     </message>
     <message>
-        <source>σ of the velocity across the motion over the speed</source>
+        <source>σ of the velocity across the motion divided by the speed</source>
         <translation>σ der Geschwindigkeit quer zur Bewegung geteilt durch die Geschwindigkeit</translation>
     </message>
     <message>
@@ -715,11 +715,11 @@
         <translation>die geglättete Kurve bei diesem Bild</translation>
     </message>
     <message>
-        <source>σ of the smoothed position, with the calibration&apos;s part</source>
+        <source>σ of the smoothed position, including the calibration&apos;s part</source>
         <translation>σ des geglätteten Orts, mit dem Anteil der Kalibrierung</translation>
     </message>
     <message>
-        <source>at this frame no view found the robot: the curve goes across</source>
+        <source>no view found the robot in this frame: the curve bridges the gap</source>
         <translation>bei diesem Bild fand keine Sicht den Roboter: die Kurve geht darüber hinweg</translation>
     </message>
     <message>
@@ -731,23 +731,23 @@
         <translation>durch %1</translation>
     </message>
     <message>
-        <source>it is flagged and not used: the curve comes from its neighbours</source>
+        <source>it is flagged and not used: the curve follows its neighbours</source>
         <translation>er ist markiert und wird nicht verwendet: die Kurve folgt aus den Nachbarn</translation>
     </message>
     <message>
-        <source>Jump: the place is beyond what the motion before and after allows for (χ² of two degrees of freedom, 99.9 %).</source>
+        <source>Jump: the position does not fit the motion before and after (χ² with two degrees of freedom, 99.9 %).</source>
         <translation>Sprung: Der Ort liegt jenseits dessen, was die Bewegung davor und danach zulässt (χ² mit zwei Freiheitsgraden, 99,9 %).</translation>
     </message>
     <message>
-        <source>Limit: to get there it had to be faster than the limit of the task or of the analysis.</source>
+        <source>Limit: to get there, the robot had to exceed the speed limit of the task or of the analysis.</source>
         <translation>Grenzwert: Um dorthin zu kommen, müsste er schneller gewesen sein als der Grenzwert der Aufgabe oder der Auswertung.</translation>
     </message>
     <message>
-        <source>Limit: to get there it had to accelerate harder than the limit of the task or of the analysis.</source>
+        <source>Limit: to get there, the robot had to exceed the acceleration limit of the task or of the analysis.</source>
         <translation>Grenzwert: Um dorthin zu kommen, müsste er stärker beschleunigt haben als der Grenzwert der Aufgabe oder der Auswertung.</translation>
     </message>
     <message>
-        <source>Views disagree: their places differ by more than their errors and their usual disagreement explain (χ², 99.9 %).</source>
+        <source>Views disagree: their floor positions differ by more than their uncertainty and their usual disagreement explain (χ², 99.9 %).</source>
         <translation>Sichten uneins: Ihre Orte weichen stärker voneinander ab, als ihre Fehler und ihre übliche Abweichung erklären (χ², 99,9 %).</translation>
     </message>
     <message>
@@ -759,15 +759,15 @@
         <translation>Verloren: Keine Sicht fand den Roboter.</translation>
     </message>
     <message>
-        <source>Repeated picture: the camera gave the same picture twice, so its time is not known.</source>
+        <source>Repeated frame: the camera delivered the same frame twice, so its time is unknown.</source>
         <translation>Wiederholtes Bild: Die Kamera lieferte dasselbe Bild zweimal, daher ist seine Zeit nicht bekannt.</translation>
     </message>
     <message>
-        <source>Bridged: the curve goes across without a measurement.</source>
+        <source>Bridged: the curve crosses a gap without measurements.</source>
         <translation>Überbrückt: Die Kurve geht ohne Messung darüber hinweg.</translation>
     </message>
     <message>
-        <source>By hand: a person judged it, over the analysis.</source>
+        <source>By hand: a manual override replaces the result of the analysis.</source>
         <translation>Von Hand: Ein Mensch hat entschieden; das geht der Auswertung vor.</translation>
     </message>
     <message>
@@ -799,7 +799,7 @@
         <translation>Sichten: %1</translation>
     </message>
     <message>
-        <source>%1: from %2 to %3, %4 beyond the edge at most</source>
+        <source>%1: from %2 to %3, at most %4 beyond the edge</source>
         <translation>%1: von %2 bis %3, höchstens %4 jenseits des Rands</translation>
     </message>
     <message>
@@ -815,11 +815,11 @@
         <translation>Der Messpunkt bleibt erhalten, wird aber nicht für die Kurve verwendet.</translation>
     </message>
     <message>
-        <source>The sample is used for the curve nevertheless: what is wrong with it was left out, or a person restored it.</source>
+        <source>The curve uses the sample nevertheless: its faulty part was left out, or a manual override restored it.</source>
         <translation>Der Messpunkt wird dennoch für die Kurve verwendet: Das Falsche daran wurde ausgelassen, oder ein Mensch hat ihn wiederhergestellt.</translation>
     </message>
     <message>
-        <source>the views are %1 apart there</source>
+        <source>the views&apos; floor positions differ by %1 there</source>
         <translation>die Sichten liegen dort %1 auseinander</translation>
     </message>
 </context>
@@ -908,39 +908,39 @@
         <translation>Eine Fahrt abspielen</translation>
     </message>
     <message>
-        <source>Two cameras watched a robot drive. Press Space: both videos, the map and the curves play in step. Space again stops.</source>
+        <source>Two cameras filmed a robot. Press Space: both videos, the map and the curves play together. Press Space again to stop.</source>
         <translation>Zwei Kameras haben einem Roboter beim Fahren zugesehen. Drücken Sie die Leertaste: Beide Videos, die Karte und die Kurven laufen synchron. Die Leertaste hält wieder an.</translation>
     </message>
     <message>
-        <source>Read a figure</source>
+        <source>Read a result</source>
         <translation>Einen Kennwert ablesen</translation>
     </message>
     <message>
-        <source>Click into the speed curve. The bubble tells the speed at that moment and its ±: how far off it may be. The band around the curve is where the truth lies in 95 of 100 cases.</source>
+        <source>Click the speed curve. The bubble shows the speed at that moment and its uncertainty (±). The band around the curve contains the true speed in 95 of 100 cases.</source>
         <translation>Klicken Sie in die Geschwindigkeitskurve. Die Sprechblase nennt die Geschwindigkeit in diesem Moment und ihr ±: wie weit sie danebenliegen kann. Im Band um die Kurve liegt die Wahrheit in 95 von 100 Fällen.</translation>
     </message>
     <message>
-        <source>Look at what was flagged</source>
+        <source>Check the flagged samples</source>
         <translation>Markiertes ansehen</translation>
     </message>
     <message>
-        <source>Go through the trials with Ctrl+Page Up and Ctrl+Page Down to one whose list of spikes, at the right, is not empty. A spike is a moment at which what was measured cannot be true; the list says why.</source>
+        <source>Press Ctrl+Page Up or Ctrl+Page Down until the list of spikes on the right is not empty. A spike is a measurement that cannot be true; the list gives the reason.</source>
         <translation>Gehen Sie mit Strg+Bild auf und Strg+Bild ab durch die Versuche bis zu einem, dessen Liste der Ausreißer rechts nicht leer ist. Ein Ausreißer ist ein Moment, in dem das Gemessene nicht wahr sein kann; die Liste sagt, warum.</translation>
     </message>
     <message>
-        <source>Overrule it</source>
+        <source>Override it</source>
         <translation>Anders entscheiden</translation>
     </message>
     <message>
-        <source>Click a spike in the list and look at the videos: was the robot really there? Press U to use the sample all the same. Nothing that was measured is ever lost.</source>
+        <source>Click a spike in the list and watch the videos: was the robot really there? Press U to use the sample nevertheless. Odograph never deletes a measurement.</source>
         <translation>Klicken Sie auf einen Ausreißer in der Liste und sehen Sie die Videos an: War der Roboter wirklich dort? Drücken Sie U, um den Messpunkt trotzdem zu verwenden. Nichts, was gemessen wurde, geht je verloren.</translation>
     </message>
     <message>
-        <source>Take it back</source>
+        <source>Undo it</source>
         <translation>Zurücknehmen</translation>
     </message>
     <message>
-        <source>Press Ctrl+Z. Whatever you change is saved at once, and can be taken back.</source>
+        <source>Press Ctrl+Z. Odograph saves every change at once, and you can undo it.</source>
         <translation>Drücken Sie Strg+Z. Was Sie ändern, ist sofort gespeichert und lässt sich zurücknehmen.</translation>
     </message>
     <message>
@@ -948,7 +948,7 @@
         <translation>Zwei Fahrten vergleichen</translation>
     </message>
     <message>
-        <source>Press Ctrl+4. Choose two runs at the right: where was one faster, and is that more than the error? What is grey is not.</source>
+        <source>Press Ctrl+4. Choose two runs on the right: where was one faster? Grey differences are not significant.</source>
         <translation>Drücken Sie Strg+4. Wählen Sie rechts zwei Fahrten: Wo war eine schneller, und ist das mehr als der Fehler? Was grau ist, ist es nicht.</translation>
     </message>
     <message>
@@ -956,15 +956,15 @@
         <translation>Wiederfinden</translation>
     </message>
     <message>
-        <source>Press Ctrl+5. History holds the whole year: type a team&apos;s name to search, open a run with Enter, and see under Teams who made progress.</source>
+        <source>Press Ctrl+5. History lists the whole year: type a team&apos;s name to search, press Enter to open a run, and see under Teams who made progress.</source>
         <translation>Drücken Sie Strg+5. Der Verlauf enthält das ganze Jahr: Tippen Sie den Namen eines Teams, um zu suchen, öffnen Sie eine Fahrt mit der Eingabetaste, und sehen Sie unter Teams, wer Fortschritte gemacht hat.</translation>
     </message>
     <message>
-        <source>That was it</source>
+        <source>That&apos;s it</source>
         <translation>Das war es</translation>
     </message>
     <message>
-        <source>With your own robots: make a project (Ctrl+N), set up the floor in Testbed (Ctrl+1), then record (Ctrl+2) or bring in videos (Ctrl+I). F1 explains each page.</source>
+        <source>For your own robots: create a project (Ctrl+N), set up the floor in Testbed (Ctrl+1), then record (Ctrl+2) or import videos (Ctrl+I). F1 explains each page.</source>
         <translation>Mit Ihren eigenen Robotern: Legen Sie ein Projekt an (Strg+N), richten Sie unter Messplatz den Boden ein (Strg+1), nehmen Sie dann auf (Strg+2) oder importieren Sie Videos (Strg+I). F1 erklärt jede Seite.</translation>
     </message>
 </context>
@@ -1070,7 +1070,7 @@ Das Verfahren folgt S. Park, „Computational Vision for Automatic Tracking and 
 <context>
     <name>OwnChanges</name>
     <message>
-        <source>Done: %1. Ctrl+Z takes it back.</source>
+        <source>Done: %1. Press Ctrl+Z to undo it.</source>
         <translation>Erledigt: %1. Strg+Z nimmt es zurück.</translation>
     </message>
     <message>
@@ -1078,7 +1078,7 @@ Das Verfahren folgt S. Park, „Computational Vision for Automatic Tracking and 
         <translation>Rückgängig gemacht: %1.</translation>
     </message>
     <message>
-        <source>Made again: %1.</source>
+        <source>Redone: %1.</source>
         <translation>Wiederholt: %1.</translation>
     </message>
 </context>
@@ -1620,11 +1620,11 @@ Das Verfahren folgt S. Park, „Computational Vision for Automatic Tracking and 
         <translation>RMS %1, Median %2</translation>
     </message>
     <message>
-        <source>expected by the errors: %1</source>
+        <source>expected from the uncertainty: %1</source>
         <translation>nach den Fehlern erwartet: %1</translation>
     </message>
     <message>
-        <source>%1 – more than they explain</source>
+        <source>%1 – more than it explains</source>
         <translation>%1 – mehr, als sie erklären</translation>
     </message>
     <message>
@@ -1632,15 +1632,15 @@ Das Verfahren folgt S. Park, „Computational Vision for Automatic Tracking and 
         <translation>Abweichung der Sichten</translation>
     </message>
     <message>
-        <source>Each view alone puts the robot at a place on the floor. Shown is how far these places are apart in each frame in which two views or more saw it (of more than two, the largest distance); RMS is √(mean of the squares). Samples that are not used are left out.
-Expected is √(tr A + tr B + (v·σs)²) from the covariances A and B of two views (pixels and calibration), the speed v and the views&apos; step σs.
-Much more than expected means that something is not as it was told: the views are not in step (then it grows with the speed), a camera has moved or is badly registered (then it depends on the place), or the robot&apos;s height is wrong (then it points to and from the cameras).</source>
+        <source>Each view alone gives a floor position of the robot. The chart shows the distance between these positions in each frame with two views or more (of more than two, the largest distance); RMS is √(mean of the squares). Unused samples are left out.
+Expected is √(tr A + tr B + (v·σs)²) from the covariances A and B of two views (pixels and calibration), the speed v and the synchronisation uncertainty σs of the views.
+Much more than expected means that a setting is wrong: the views are not synchronised (the distance grows with the speed), a camera has moved or is badly registered (it depends on the position), or the robot&apos;s height is wrong (it points to and from the cameras).</source>
         <translation>Jede Sicht für sich setzt den Roboter an einen Ort auf dem Boden. Gezeigt wird, wie weit diese Orte in jedem Bild auseinanderliegen, in dem zwei oder mehr Sichten ihn sahen (bei mehr als zweien der größte Abstand); RMS ist √(Mittel der Quadrate). Messpunkte, die nicht verwendet werden, sind ausgelassen.
 Erwartet ist √(tr A + tr B + (v·σs)²) aus den Kovarianzen A und B zweier Sichten (Pixel und Kalibrierung), der Geschwindigkeit v und der Unsicherheit σs der Synchronisierung.
 Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichten sind nicht synchron (dann wächst die Abweichung mit der Geschwindigkeit), eine Kamera hat sich bewegt oder ist schlecht eingemessen (dann hängt die Abweichung vom Ort ab), oder die Höhe des Roboters stimmt nicht (dann zeigt die Abweichung zu den Kameras hin oder von ihnen weg).</translation>
     </message>
     <message>
-        <source>%1 frames seen by two views or more; largest %2; views in step to %3 ms</source>
+        <source>%1 frames with two views or more; largest %2; views synchronised to %3 ms</source>
         <translation>%1 Bilder von zwei oder mehr Sichten gesehen; größte Abweichung %2; Sichten synchron auf %3 ms</translation>
     </message>
 </context>
@@ -1667,11 +1667,11 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>von %1</translation>
     </message>
     <message>
-        <source>the sum of the points of each line; a line gives points × (figure − none at) / (all at − none at), from 0 to all</source>
+        <source>the sum of the points of each line; a line gives points × (metric − none at) / (all at − none at), from 0 to all</source>
         <translation>die Summe der Punkte aller Zeilen; eine Zeile gibt Punkte × (Kennwert − keine bei) / (alle bei − keine bei), von 0 bis alle</translation>
     </message>
     <message>
-        <source>of each line half of what its points differ by when its figure is one σ more or less; root of the sum of the squares</source>
+        <source>for each line, half the difference in points between its metric plus and minus one σ; root of the sum of the squares</source>
         <translation>je Zeile die Hälfte dessen, um das sich ihre Punkte unterscheiden, wenn ihr Kennwert ein σ mehr oder weniger ist; Wurzel aus der Quadratsumme</translation>
     </message>
     <message>
@@ -1760,11 +1760,11 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Bodenmarker %1 (Ring), %2</translation>
     </message>
     <message>
-        <source>Print at 100 % (actual size). Glue it flat onto something stiff, measure a square, and tell Odograph what you measured.</source>
+        <source>Print at 100 % (actual size). Glue it flat onto something stiff, measure a square, and enter its side in Odograph.</source>
         <translation>Mit 100 % (tatsächliche Größe) drucken. Flach auf etwas Steifes kleben, ein Quadrat messen und Odograph sagen, was Sie gemessen haben.</translation>
     </message>
     <message>
-        <source>Print at 100 % (actual size). Lay it flat; the marker&apos;s place is its middle, where the four lines at the edges point.</source>
+        <source>Print at 100 % (actual size). Lay it flat; the marker&apos;s position is its middle, where the four lines at the edges point.</source>
         <translation>Mit 100 % (tatsächliche Größe) drucken. Flach hinlegen; der Ort des Markers ist seine Mitte, wohin die vier Striche an den Rändern zeigen.</translation>
     </message>
 </context>
@@ -1783,11 +1783,11 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Fischauge</translation>
     </message>
     <message>
-        <source>Picture</source>
-        <translation>Bild</translation>
+        <source>Image size</source>
+        <translation>Bildgröße</translation>
     </message>
     <message>
-        <source>Lens</source>
+        <source>Calibration</source>
         <translation>Objektiv</translation>
     </message>
     <message>
@@ -1803,7 +1803,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Tafelfehler</translation>
     </message>
     <message>
-        <source>%1 px in %2 pictures</source>
+        <source>%1 px in %2 images</source>
         <translation>%1 px in %2 Bildern</translation>
     </message>
     <message>
@@ -1831,7 +1831,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Letzte Prüfung</translation>
     </message>
     <message>
-        <source>Place</source>
+        <source>Position</source>
         <translation>Ort</translation>
     </message>
     <message>
@@ -1843,15 +1843,15 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Marker</translation>
     </message>
     <message>
-        <source>Attention</source>
+        <source>Warning</source>
         <translation>Achtung</translation>
     </message>
     <message>
-        <source>not calibrated: taken as free of distortion</source>
+        <source>not calibrated: no distortion assumed</source>
         <translation>nicht kalibriert: gilt als verzeichnungsfrei</translation>
     </message>
     <message>
-        <source>not registered: positions cannot be measured yet</source>
+        <source>not registered: cannot measure positions yet</source>
         <translation>nicht eingemessen: Orte lassen sich noch nicht messen</translation>
     </message>
 </context>
@@ -8169,7 +8169,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>&amp;Entfernen</translation>
     </message>
     <message>
-        <source>&amp;Best place</source>
+        <source>Find &amp;best position</source>
         <translation>&amp;Bester Ort</translation>
     </message>
     <message>
@@ -8181,7 +8181,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Erwartete Genauigkeit in Worten</translation>
     </message>
     <message>
-        <source>What is wrong</source>
+        <source>Problems</source>
         <translation>Was nicht stimmt</translation>
     </message>
     <message>
@@ -8189,11 +8189,11 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>Cameras that count</source>
+        <source>Cameras included</source>
         <translation>Kameras, die zählen</translation>
     </message>
     <message>
-        <source>All ticked cameras together</source>
+        <source>All ticked cameras (joint)</source>
         <translation>Alle angekreuzten Kameras</translation>
     </message>
     <message>
@@ -8221,15 +8221,15 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation> m</translation>
     </message>
     <message>
-        <source>As under a ceiling; a tripod would stand in the robots&apos; way</source>
+        <source>On a ceiling, for example; a tripod would be in the robots&apos; way</source>
         <translation>Wie unter einer Decke; ein Stativ stünde den Robotern im Weg</translation>
     </message>
     <message>
-        <source>Puts the camera where, with the others that are ticked, the worst place of the floor is known best</source>
+        <source>Moves the camera to where it, together with the other ticked cameras, minimises the largest uncertainty on the floor</source>
         <translation>Setzt die Kamera dorthin, wo zusammen mit den anderen angekreuzten die ungenaueste Stelle des Bodens am besten bekannt ist</translation>
     </message>
     <message>
-        <source>Room beyond the &amp;markers</source>
+        <source>Margin beyond the &amp;markers</source>
         <translation>Raum jenseits der &amp;Marker</translation>
     </message>
     <message>
@@ -8249,7 +8249,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>%1: %2; %3.</translation>
     </message>
     <message>
-        <source>Looking for the best place…</source>
+        <source>Searching for the best position…</source>
         <translation>Bester Ort wird gesucht…</translation>
     </message>
 </context>
@@ -8275,7 +8275,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>odo::BoardCanvas</name>
     <message>
-        <source>Picture of the board</source>
+        <source>Image of the board</source>
         <translation>Bild der Tafel</translation>
     </message>
     <message>
@@ -8286,18 +8286,18 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>odo::BoardSearchWorker</name>
     <message>
-        <source>picture %1</source>
+        <source>image %1</source>
         <translation>Bild %1</translation>
     </message>
     <message>
-        <source>in none of its pictures is a board that is still, sharp and new</source>
+        <source>none of its images shows a board that is still, sharp and in a new position</source>
         <translation>keines ihrer Bilder zeigt eine Tafel, die ruhig, scharf und an einer neuen Stelle ist</translation>
     </message>
 </context>
 <context>
     <name>odo::BoxCanvas</name>
     <message>
-        <source>Picture; arrow keys move the box round the robot, with Shift they change its size</source>
+        <source>Video frame; arrow keys move the box round the robot, Shift + arrow keys resize it</source>
         <translation>Bild; die Pfeiltasten verschieben den Rahmen um den Roboter, mit Umschalt ändern sie seine Größe</translation>
     </message>
 </context>
@@ -8383,7 +8383,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Kamera</translation>
     </message>
     <message>
-        <source>Lens</source>
+        <source>Calibration</source>
         <translation>Objektiv</translation>
     </message>
     <message>
@@ -8508,7 +8508,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>rückgängig</translation>
     </message>
     <message>
-        <source>made again</source>
+        <source>redone</source>
         <translation>wiederholt</translation>
     </message>
     <message>
@@ -8527,15 +8527,15 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>odo::ChangesDialog</name>
     <message>
-        <source>Changes of the project</source>
+        <source>Project changes</source>
         <translation>Änderungen am Projekt</translation>
     </message>
     <message>
-        <source>Nothing has been changed yet.</source>
+        <source>No changes yet.</source>
         <translation>Noch wurde nichts geändert.</translation>
     </message>
     <message>
-        <source>What was changed, in this window and by the command line, the newest first. Recordings, imports and tracking are told too; they cannot be undone.</source>
+        <source>All changes made in this window and on the command line, newest first. The list includes recordings, imports and tracking, but you cannot undo them.</source>
         <translation>Was geändert wurde, in diesem Fenster und über die Befehlszeile, das Neueste zuerst. Aufnahmen, Importe und Verfolgungen stehen auch dabei; sie lassen sich nicht rückgängig machen.</translation>
     </message>
     <message>
@@ -8600,15 +8600,15 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>odo::CheckTools</name>
     <message>
-        <source>&amp;Check the cameras…</source>
+        <source>&amp;Check camera positions…</source>
         <translation>Kameras &amp;prüfen…</translation>
     </message>
     <message>
-        <source>Moved?</source>
-        <translation>Bewegt?</translation>
+        <source>Check camera positions…</source>
+        <translation>Kameras prüfen…</translation>
     </message>
     <message>
-        <source>Look whether each camera still stands where it was registered, before the robots run</source>
+        <source>Check before the robots run that no camera has moved since its registration</source>
         <translation>Nachsehen, ob jede Kamera noch da steht, wo sie eingemessen wurde, bevor die Roboter fahren</translation>
     </message>
     <message>
@@ -8616,11 +8616,11 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Bekannte &amp;Länge prüfen…</translation>
     </message>
     <message>
-        <source>Length…</source>
-        <translation>Länge…</translation>
+        <source>Check a known length…</source>
+        <translation>Bekannte Länge prüfen…</translation>
     </message>
     <message>
-        <source>Measure something of known length in a camera&apos;s picture, and see whether the camera is as good as it promises</source>
+        <source>Measure an object of known length in a camera&apos;s image to check the camera&apos;s stated uncertainty</source>
         <translation>Etwas von bekannter Länge im Bild einer Kamera messen und sehen, ob die Kamera so gut ist, wie sie verspricht</translation>
     </message>
     <message>
@@ -8632,7 +8632,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Genauigkeit…</translation>
     </message>
     <message>
-        <source>See how well each place of the floor will be known, also with cameras that are only planned</source>
+        <source>Show the expected uncertainty everywhere on the floor, also with planned cameras</source>
         <translation>Sehen, wie genau jede Stelle des Bodens bekannt sein wird, auch mit Kameras, die erst geplant sind</translation>
     </message>
     <message>
@@ -8644,15 +8644,15 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Revisionen…</translation>
     </message>
     <message>
-        <source>See every calibration and registration of a camera, put an older one in force, measure trials again</source>
+        <source>Show all calibrations and registrations of a camera, switch to an older one, reanalyse trials</source>
         <translation>Alle Kalibrierungen und Einmessungen einer Kamera ansehen, eine ältere wieder gültig machen, Versuche neu auswerten</translation>
     </message>
     <message>
-        <source>The cameras are checked: see their badges.</source>
+        <source>Cameras checked: see their badges.</source>
         <translation>Die Kameras sind geprüft: siehe ihre Plaketten.</translation>
     </message>
     <message>
-        <source>Calibrations and trials are as they were chosen.</source>
+        <source>The chosen calibrations and analyses are now current.</source>
         <translation>Kalibrierungen und Versuche sind wie gewählt.</translation>
     </message>
 </context>
@@ -8956,15 +8956,15 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Abgedeckt</translation>
     </message>
     <message>
-        <source>%1 pictures: enough. More do no harm.</source>
+        <source>%1 images: enough. More do no harm.</source>
         <translation>%1 Bilder: genug. Mehr schaden nicht.</translation>
     </message>
     <message>
-        <source>1 picture; ten or more are wanted.</source>
+        <source>1 image; take ten or more.</source>
         <translation>1 Bild; zehn oder mehr sind nötig.</translation>
     </message>
     <message>
-        <source>%1 pictures; ten or more are wanted.</source>
+        <source>%1 images; take ten or more.</source>
         <translation>%1 Bilder; zehn oder mehr sind nötig.</translation>
     </message>
 </context>
@@ -8975,11 +8975,11 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Odograph wurde unerwartet beendet</translation>
     </message>
     <message>
-        <source>The last time, Odograph ended by a fault of its own. What was saved is safe. A recording that was cut off is kept up to its last second as soon as its project is opened again.</source>
+        <source>Odograph crashed the last time. Saved data is safe. If a recording was cut off, open its project to recover it up to the last second.</source>
         <translation>Beim letzten Mal wurde Odograph durch einen eigenen Fehler beendet. Was gespeichert war, ist sicher. Eine abgebrochene Aufnahme bleibt bis zu ihrer letzten Sekunde erhalten, sobald ihr Projekt wieder geöffnet wird.</translation>
     </message>
     <message>
-        <source>The last time, Odograph ended by a fault of its own. What was saved is safe.</source>
+        <source>Odograph crashed the last time. Saved data is safe.</source>
         <translation>Beim letzten Mal wurde Odograph durch einen eigenen Fehler beendet. Was gespeichert war, ist sicher.</translation>
     </message>
     <message>
@@ -9014,23 +9014,23 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>%1 bis %2</translation>
     </message>
     <message>
-        <source>Only one of the two has it</source>
+        <source>Only one of the two runs has it</source>
         <translation>Nur eine der beiden hat ihn</translation>
     </message>
     <message>
-        <source>%1: beyond the error (95 %)</source>
+        <source>%1: significant (95 %)</source>
         <translation>%1: größer als der Fehler (95 %)</translation>
     </message>
     <message>
-        <source>%1: within the error (95 %), no difference can be claimed</source>
+        <source>%1: not significant (95 %)</source>
         <translation>%1: im Rahmen des Fehlers (95 %), ein Unterschied lässt sich nicht behaupten</translation>
     </message>
     <message>
-        <source>beyond the error</source>
+        <source>significant</source>
         <translation>größer als der Fehler</translation>
     </message>
     <message>
-        <source>within the error</source>
+        <source>not significant</source>
         <translation>im Rahmen des Fehlers</translation>
     </message>
     <message>
@@ -9328,7 +9328,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Odograph-Projekte (*.odo);;Alle Dateien (*)</translation>
     </message>
     <message>
-        <source>Where shall the demo lesson be made?</source>
+        <source>Choose a folder for the demo lesson</source>
         <translation>Wo soll die Demo-Lektion angelegt werden?</translation>
     </message>
     <message>
@@ -9344,7 +9344,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Kopie speichern</translation>
     </message>
     <message>
-        <source>A copy was saved as %1. Its videos stay where they are.</source>
+        <source>Copy saved as %1. Its videos stay where they are.</source>
         <translation>Eine Kopie wurde als %1 gespeichert. Ihre Videos bleiben, wo sie sind.</translation>
     </message>
     <message>
@@ -9359,7 +9359,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>odo::FilmStrip</name>
     <message>
-        <source>&amp;Take out</source>
+        <source>&amp;Remove</source>
         <translation>&amp;Herausnehmen</translation>
     </message>
     <message>
@@ -9367,7 +9367,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>&amp;Rückgängig</translation>
     </message>
     <message>
-        <source>Pictures that count</source>
+        <source>Accepted images</source>
         <translation>Bilder, die zählen</translation>
     </message>
 </context>
@@ -9421,7 +9421,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>%1, %2 m hoch</translation>
     </message>
     <message>
-        <source>Markers and cameras are drawn here once there is a layout or a registered camera.</source>
+        <source>This sketch shows markers and cameras once the testbed has a layout or a registered camera.</source>
         <translation>Marker und Kameras werden hier gezeichnet, sobald es einen Markerplan oder eine eingemessene Kamera gibt.</translation>
     </message>
     <message>
@@ -9432,11 +9432,11 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>odo::FloorSourcePage</name>
     <message>
-        <source>Picture or video of the markers</source>
+        <source>Image or video of the markers</source>
         <translation>Bild oder Video der Marker</translation>
     </message>
     <message>
-        <source>Markers whose places on the floor are known tell where the camera stands. Four are enough, a fifth checks them. Afterwards the camera must not be moved.</source>
+        <source>Markers with known floor positions determine the camera position. Four are enough; a fifth checks them. Do not move the camera afterwards.</source>
         <translation>Marker, deren Orte auf dem Boden bekannt sind, verraten, wo die Kamera steht. Vier genügen, ein fünfter prüft sie. Danach darf die Kamera nicht mehr bewegt werden.</translation>
     </message>
     <message>
@@ -9448,15 +9448,15 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>&amp;Markerplan</translation>
     </message>
     <message>
-        <source>Where the markers are seen</source>
+        <source>Image of the markers</source>
         <translation>Wo die Marker zu sehen sind</translation>
     </message>
     <message>
-        <source>Its lens is measured.</source>
+        <source>Its lens is calibrated.</source>
         <translation>Ihr Objektiv ist vermessen.</translation>
     </message>
     <message>
-        <source>Its lens was not measured: it is taken as free of distortion, and its focal length is estimated from the markers where they tell it.</source>
+        <source>Its lens is not calibrated. Odograph assumes no distortion and estimates the focal length from the markers if they determine it.</source>
         <translation>Ihr Objektiv wurde nicht vermessen: Es gilt als verzeichnungsfrei, und seine Brennweite wird aus den Markern geschätzt, soweit diese sie verraten.</translation>
     </message>
 </context>
@@ -9475,11 +9475,11 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Die Kamera und ihre Marker</translation>
     </message>
     <message>
-        <source>The markers in the picture</source>
+        <source>The markers in the image</source>
         <translation>Die Marker im Bild</translation>
     </message>
     <message>
-        <source>Looking for the markers…</source>
+        <source>Detecting the markers…</source>
         <translation>Marker werden gesucht…</translation>
     </message>
 </context>
@@ -9506,7 +9506,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>&amp;Entfernen</translation>
     </message>
     <message>
-        <source>&amp;Other way</source>
+        <source>Reverse directi&amp;on</source>
         <translation>&amp;Umdrehen</translation>
     </message>
     <message>
@@ -9534,7 +9534,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>y₂, mm</translation>
     </message>
     <message>
-        <source>Gates in the order in which they are passed</source>
+        <source>Gates in passing order</source>
         <translation>Tore in der Reihenfolge, in der sie passiert werden</translation>
     </message>
     <message>
@@ -9542,7 +9542,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>&amp;Tor hinzufügen</translation>
     </message>
     <message>
-        <source>The chosen gate is passed the other way</source>
+        <source>Robots pass the selected gate the other way</source>
         <translation>Das gewählte Tor wird in der anderen Richtung passiert</translation>
     </message>
     <message>
@@ -9557,7 +9557,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>odo::GeneralPage</name>
     <message>
-        <source>Odograph shows it when it is started again.</source>
+        <source>Restart Odograph to see the change.</source>
         <translation>Odograph zeigt sie nach dem nächsten Start.</translation>
     </message>
     <message>
@@ -9569,7 +9569,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>&amp;Einheiten der Ergebnisse</translation>
     </message>
     <message>
-        <source>Floors and targets are set up in millimetres, as they are printed. Exported files have the units that their format asks for.</source>
+        <source>Floors and targets always use millimetres, as printed. Exported files use the units of their format.</source>
         <translation>Boden und Druckvorlagen werden in Millimetern angegeben, so wie sie gedruckt werden. Exportierte Dateien haben die Einheiten, die ihr Format verlangt.</translation>
     </message>
     <message>
@@ -9581,7 +9581,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>&amp;Farben der Karten</translation>
     </message>
     <message>
-        <source>Both can be told apart by people who do not see red or green, and in a print without colours.</source>
+        <source>Both remain readable for people with red-green colour blindness and in black-and-white prints.</source>
         <translation>Beide sind auch für Menschen mit Rot-Grün-Schwäche und im Schwarzweißdruck unterscheidbar.</translation>
     </message>
     <message>
@@ -9605,7 +9605,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Sprache</translation>
     </message>
     <message>
-        <source>As the computer has it</source>
+        <source>As set on the computer</source>
         <translation>Wie der Computer</translation>
     </message>
     <message>
@@ -9613,7 +9613,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Design</translation>
     </message>
     <message>
-        <source>As the desktop has it</source>
+        <source>As set on the desktop</source>
         <translation>Wie das System</translation>
     </message>
     <message>
@@ -9682,11 +9682,11 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>&amp;Klassenliste importieren…</translation>
     </message>
     <message>
-        <source>&amp;Changes of the project…</source>
+        <source>Show project &amp;changes…</source>
         <translation>Ä&amp;nderungen am Projekt…</translation>
     </message>
     <message>
-        <source>Import a roster: a table with the columns class and team, perhaps pseudonym</source>
+        <source>Import a roster: a table with the columns class, team and optionally pseudonym</source>
         <translation>Eine Klassenliste importieren: eine Tabelle mit den Spalten class (Klasse) und team, eventuell pseudonym</translation>
     </message>
     <message>
@@ -9694,7 +9694,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>CSV-Tabellen (*.csv)</translation>
     </message>
     <message>
-        <source>The roster is imported. Teams that are new: %1, changed: %2, as before: %3.</source>
+        <source>Roster imported. New teams: %1, changed: %2, unchanged: %3.</source>
         <translation>Die Klassenliste ist importiert. Neue Teams: %1, geändert: %2, wie zuvor: %3.</translation>
     </message>
     <message numerus="yes">
@@ -9719,7 +9719,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         </translation>
     </message>
     <message numerus="yes">
-        <source>%1 of %n trial(s) removed for good; the rest is still there.</source>
+        <source>Removed %1 of %n trial(s) for good; the rest is still in the bin.</source>
         <translation>
             <numerusform>%1 von %n Versuch endgültig entfernt; der Rest ist noch da.</numerusform>
             <numerusform>%1 von %n Versuchen endgültig entfernt; der Rest ist noch da.</numerusform>
@@ -9826,7 +9826,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>ohne</translation>
     </message>
     <message>
-        <source>Positions that another program has measured, or Odograph has exported: TUM, CSV or Tracker&apos;s text. They are measured as a run without video.</source>
+        <source>Positions measured by another program or exported by Odograph: TUM, CSV or Tracker text. Odograph analyses them as a run without video.</source>
         <translation>Orte, die ein anderes Programm gemessen oder Odograph exportiert hat: TUM, CSV oder der Text von Tracker. Sie werden wie eine Fahrt ohne Video ausgewertet.</translation>
     </message>
     <message>
@@ -9858,7 +9858,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Roboter der Spur %1</translation>
     </message>
     <message>
-        <source>A name that is new makes a new robot</source>
+        <source>A new name creates a new robot</source>
         <translation>Ein neuer Name legt einen neuen Roboter an</translation>
     </message>
     <message>
@@ -9913,7 +9913,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Videos</translation>
     </message>
     <message>
-        <source>In &amp;step</source>
+        <source>&amp;Synchronise</source>
         <translation>S&amp;ynchron</translation>
     </message>
     <message>
@@ -9937,7 +9937,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Wahre Bildrate der Kamera</translation>
     </message>
     <message>
-        <source>For slow motion: the file plays slower than the camera took it</source>
+        <source>For slow motion: the file plays slower than the camera recorded it</source>
         <translation>Für Zeitlupe: Die Datei läuft langsamer, als die Kamera sie aufgenommen hat</translation>
     </message>
     <message>
@@ -9983,11 +9983,11 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Kamera</translation>
     </message>
     <message>
-        <source>Known to, before</source>
+        <source>Uncertainty before</source>
         <translation>Genauigkeit bisher</translation>
     </message>
     <message>
-        <source>Known to, together</source>
+        <source>Uncertainty, joint</source>
         <translation>Genauigkeit gemeinsam</translation>
     </message>
     <message>
@@ -10015,11 +10015,11 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Marker</translation>
     </message>
     <message>
-        <source>Register all cameras together</source>
+        <source>Register all cameras (joint)</source>
         <translation>Alle Kameras gemeinsam einmessen</translation>
     </message>
     <message>
-        <source>The cameras of layout %1 are fitted again at once, by the markers they were registered with: where they see the same markers, they agree better afterwards, and a marker that was measured wrongly is found.</source>
+        <source>This fits all cameras of layout %1 jointly to the markers they were registered with. Cameras that see the same markers then agree better, and wrongly measured markers show up.</source>
         <translation>Die Kameras des Markerplans %1 werden auf einmal neu angepasst, mit den Markern, an denen sie eingemessen wurden: Wo sie dieselben Marker sehen, stimmen sie danach besser überein, und ein falsch gemessener Marker fällt auf.</translation>
     </message>
     <message>
@@ -10027,19 +10027,19 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation> mm</translation>
     </message>
     <message>
-        <source>Error of the tape measure</source>
+        <source>Uncertainty of the tape measure</source>
         <translation>Fehler des Maßbands</translation>
     </message>
     <message>
-        <source>The markers&apos; places were &amp;measured to</source>
+        <source>Marker positions &amp;measured to</source>
         <translation>Die Orte der Marker sind &amp;gemessen auf</translation>
     </message>
     <message>
-        <source>Fitting the cameras together…</source>
+        <source>Fitting the cameras jointly…</source>
         <translation>Kameras werden gemeinsam angepasst…</translation>
     </message>
     <message>
-        <source>What is known together reckons with the markers&apos; places being measured to %1 mm, which a camera that is registered by itself takes as exact. Nothing is changed before you save; trials keep the registration they were analysed with.</source>
+        <source>The joint uncertainty assumes marker positions measured to %1 mm; registering a single camera assumes them exact. Nothing changes until you save; trials keep the registration they were analysed with.</source>
         <translation>Die gemeinsame Genauigkeit rechnet damit, dass die Orte der Marker auf %1 mm gemessen sind; eine für sich eingemessene Kamera nimmt sie als exakt an. Bis Sie speichern, wird nichts geändert; Versuche behalten die Einmessung, mit der sie ausgewertet wurden.</translation>
     </message>
     <message>
@@ -10055,7 +10055,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>%1 ± %2</translation>
     </message>
     <message>
-        <source>measure it again</source>
+        <source>check its position</source>
         <translation>neu messen</translation>
     </message>
     <message>
@@ -10074,7 +10074,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>&amp;Keine Taste</translation>
     </message>
     <message>
-        <source>&amp;All as usual</source>
+        <source>Reset &amp;all</source>
         <translation>&amp;Alle auf Standard</translation>
     </message>
     <message>
@@ -10094,15 +10094,15 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Taste</translation>
     </message>
     <message>
-        <source>New key of the chosen command</source>
+        <source>New key for the selected command</source>
         <translation>Neue Taste des gewählten Befehls</translation>
     </message>
     <message>
-        <source>Choose a command to give it another key.</source>
+        <source>Select a command to change its key.</source>
         <translation>Wählen Sie einen Befehl, um ihm eine andere Taste zu geben.</translation>
     </message>
     <message>
-        <source>%1 is the key of “%2”, which would have none.</source>
+        <source>%1 is the key of “%2”. That command would lose it.</source>
         <translation>%1 ist die Taste von „%2“; dieser Befehl hätte dann keine.</translation>
     </message>
     <message>
@@ -10125,11 +10125,11 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Boden</translation>
     </message>
     <message>
-        <source>What is wrong</source>
+        <source>Problems</source>
         <translation>Was nicht stimmt</translation>
     </message>
     <message>
-        <source>Where the markers lie on the floor, measured with a tape: millimetres from the origin. X goes to the right, Y away from you, seen from above.</source>
+        <source>Enter the floor positions of the markers, measured with a tape in millimetres from the origin. Seen from above, X points right and Y away from you.</source>
         <translation>Wo die Marker auf dem Boden liegen, mit dem Maßband gemessen: Millimeter vom Ursprung. X geht nach rechts, Y von Ihnen weg, von oben gesehen.</translation>
     </message>
     <message>
@@ -10189,15 +10189,15 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>&amp;Halbe Drehung</translation>
     </message>
     <message>
-        <source>They were &amp;centimetres</source>
+        <source>Convert from &amp;centimetres</source>
         <translation>Es waren &amp;Zentimeter</translation>
     </message>
     <message>
-        <source>They were &amp;metres</source>
+        <source>Convert from &amp;metres</source>
         <translation>Es waren &amp;Meter</translation>
     </message>
     <message>
-        <source>They were &amp;inches</source>
+        <source>Convert from &amp;inches</source>
         <translation>Es waren Z&amp;oll</translation>
     </message>
     <message>
@@ -10205,7 +10205,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>&amp;Importieren…</translation>
     </message>
     <message>
-        <source>Places of the markers (label,x_mm,y_mm)</source>
+        <source>Positions of the markers (label,x_mm,y_mm)</source>
         <translation>Orte der Marker (label,x_mm,y_mm)</translation>
     </message>
     <message>
@@ -10213,7 +10213,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>E&amp;xportieren…</translation>
     </message>
     <message>
-        <source>Places of the markers</source>
+        <source>Positions of the markers</source>
         <translation>Orte der Marker</translation>
     </message>
     <message>
@@ -10221,7 +10221,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Der Markerplan hat keinen Namen.</translation>
     </message>
     <message>
-        <source>There is a layout of that name: cameras may stand on it, so it is not overwritten. Give another name.</source>
+        <source>A layout with this name exists, and cameras may use it. Enter another name.</source>
         <translation>Es gibt schon einen Markerplan dieses Namens: Kameras könnten darauf beruhen, er wird daher nicht überschrieben. Geben Sie einen anderen Namen an.</translation>
     </message>
     <message>
@@ -10233,19 +10233,19 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Zwei Marker heißen %1.</translation>
     </message>
     <message>
-        <source>The place of %1 is not a number.</source>
+        <source>The position of %1 is not a number.</source>
         <translation>Der Ort von %1 ist keine Zahl.</translation>
     </message>
     <message>
-        <source>Four markers are needed, there are %1.</source>
+        <source>The layout needs four markers; it has %1.</source>
         <translation>Vier Marker sind nötig, es sind %1.</translation>
     </message>
     <message>
-        <source>%1 and %2 lie at one place.</source>
+        <source>%1 and %2 have the same position.</source>
         <translation>%1 und %2 liegen am selben Ort.</translation>
     </message>
     <message>
-        <source>The markers lie nearly on a line: they do not tell where the camera stands. Lay one aside.</source>
+        <source>The markers are nearly on a line and cannot determine the camera position. Move one to the side.</source>
         <translation>Die Marker liegen fast auf einer Geraden: Sie verraten nicht, wo die Kamera steht. Legen Sie einen abseits davon.</translation>
     </message>
 </context>
@@ -10263,11 +10263,11 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>odo::LengthPage</name>
     <message>
-        <source>Take what lies &amp;near a click</source>
+        <source>S&amp;nap to what is near a click</source>
         <translation>Auf &amp;Nahes einrasten</translation>
     </message>
     <message>
-        <source>Picture with both ends; arrow keys move the chosen one, Space snaps it</source>
+        <source>Image with both ends; arrow keys move the selected one, Space snaps it</source>
         <translation>Bild mit beiden Enden; die Pfeiltasten verschieben das gewählte, die Leertaste rastet es ein</translation>
     </message>
     <message>
@@ -10295,7 +10295,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation> mm</translation>
     </message>
     <message>
-        <source>lies on the floor</source>
+        <source>on the floor</source>
         <translation>liegt auf dem Boden</translation>
     </message>
     <message>
@@ -10335,7 +10335,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Gemessen</translation>
     </message>
     <message>
-        <source>Lay something of known length anywhere on the floor, a metre stick or two markers of known distance, and click both its ends. By keys: the arrows move an end (Ctrl: fast, Shift: a pixel), Space snaps it.</source>
+        <source>Put an object of known length anywhere on the floor, such as a metre stick or two markers at a known distance, and click both ends. Keys: arrows move an end (Ctrl: fast, Shift: one pixel), Space snaps it.</source>
         <translation>Legen Sie etwas von bekannter Länge irgendwo auf den Boden, einen Meterstab oder zwei Marker mit bekanntem Abstand, und klicken Sie beide Enden an. Mit Tasten: Die Pfeile verschieben ein Ende (Strg: schnell, Umschalt: ein Pixel), die Leertaste rastet es ein.</translation>
     </message>
     <message>
@@ -10343,15 +10343,15 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>%1 ± %2 mm</translation>
     </message>
     <message>
-        <source>inside the expected error</source>
+        <source>within uncertainty</source>
         <translation>im Rahmen des erwarteten Fehlers</translation>
     </message>
     <message>
-        <source>outside the expected error</source>
+        <source>outside uncertainty</source>
         <translation>größer als der erwartete Fehler</translation>
     </message>
     <message>
-        <source> Give its true length to see whether that is right.</source>
+        <source> Enter its true length to check the result.</source>
         <translation> Geben Sie die wahre Länge an, um zu sehen, ob das stimmt.</translation>
     </message>
     <message>
@@ -10363,7 +10363,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>jenseits des Horizonts</translation>
     </message>
     <message>
-        <source>not put yet</source>
+        <source>not set yet</source>
         <translation>noch nicht gesetzt</translation>
     </message>
 </context>
@@ -10378,11 +10378,11 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>&amp;Fertig</translation>
     </message>
     <message>
-        <source>Picture or video of the length</source>
+        <source>Image or video of the length</source>
         <translation>Bild oder Video der Länge</translation>
     </message>
     <message>
-        <source>The camera and its picture</source>
+        <source>The camera and its image</source>
         <translation>Die Kamera und ihr Bild</translation>
     </message>
     <message>
@@ -10390,7 +10390,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Beide Enden der Länge</translation>
     </message>
     <message>
-        <source>Lay something of known length on the floor, away from the markers, and see whether the camera measures it as well as it promises. Nothing is changed by it.</source>
+        <source>Put an object of known length on the floor, away from the markers, to check the camera&apos;s stated uncertainty. This changes nothing.</source>
         <translation>Legen Sie etwas von bekannter Länge auf den Boden, abseits der Marker, und sehen Sie, ob die Kamera es so gut misst, wie sie verspricht. Dabei wird nichts geändert.</translation>
     </message>
     <message>
@@ -10398,22 +10398,22 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>&amp;Kamera</translation>
     </message>
     <message>
-        <source>Where the length is seen</source>
+        <source>Image of the length</source>
         <translation>Wo die Länge zu sehen ist</translation>
     </message>
     <message>
-        <source>Getting the picture…</source>
+        <source>Loading the image…</source>
         <translation>Bild wird geholt…</translation>
     </message>
 </context>
 <context>
     <name>odo::LensPicturesPage</name>
     <message>
-        <source>Move it to the left of the picture</source>
+        <source>Move it to the left of the image</source>
         <translation>Nach links im Bild bewegen</translation>
     </message>
     <message>
-        <source>Move it to the right of the picture</source>
+        <source>Move it to the right of the image</source>
         <translation>Nach rechts im Bild bewegen</translation>
     </message>
     <message>
@@ -10453,7 +10453,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Still halten</translation>
     </message>
     <message>
-        <source>&amp;Take a picture now</source>
+        <source>&amp;Take an image now</source>
         <translation>Bild jetzt &amp;aufnehmen</translation>
     </message>
     <message>
@@ -10461,19 +10461,19 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Was zu tun ist</translation>
     </message>
     <message>
-        <source>No picture from the camera</source>
+        <source>No image from the camera</source>
         <translation>Kein Bild von der Kamera</translation>
     </message>
     <message>
-        <source>Pictures that do not count</source>
+        <source>Rejected images</source>
         <translation>Bilder, die nicht zählen</translation>
     </message>
     <message>
-        <source>What the pictures cover</source>
+        <source>Coverage of the images</source>
         <translation>Was die Bilder abdecken</translation>
     </message>
     <message>
-        <source>Not counted</source>
+        <source>Rejected</source>
         <translation>Zählt nicht</translation>
     </message>
     <message>
@@ -10481,7 +10481,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Warten auf die Kamera…</translation>
     </message>
     <message>
-        <source>Looking for the board…</source>
+        <source>Detecting the board…</source>
         <translation>Tafel wird gesucht…</translation>
     </message>
     <message>
@@ -10489,11 +10489,11 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Halten Sie die Tafel vor die Kamera</translation>
     </message>
     <message>
-        <source>Looking for the board</source>
+        <source>Detecting the board</source>
         <translation>Tafel wird gesucht</translation>
     </message>
     <message>
-        <source>A picture is taken by itself whenever the board is still, sharp and in a new place.</source>
+        <source>Odograph takes an image whenever the board is still, sharp and in a new position.</source>
         <translation>Ein Bild wird von selbst aufgenommen, sobald die Tafel ruhig, scharf und an einer neuen Stelle ist.</translation>
     </message>
     <message>
@@ -10509,15 +10509,15 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>noch %1</translation>
     </message>
     <message>
-        <source>No picture counts</source>
+        <source>No image accepted</source>
         <translation>Kein Bild zählt</translation>
     </message>
     <message>
-        <source>The reasons stand at the right. Add others by dropping them here.</source>
+        <source>See the reasons on the right. Drop other images here to add them.</source>
         <translation>Die Gründe stehen rechts. Weitere fügen Sie hinzu, indem Sie sie hier ablegen.</translation>
     </message>
     <message>
-        <source>Looked at all</source>
+        <source>All images checked</source>
         <translation>Alle angesehen</translation>
     </message>
     <message>
@@ -10525,7 +10525,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Sie genügen.</translation>
     </message>
     <message>
-        <source>More pictures can be dropped here; the bars show what is missing.</source>
+        <source>Drop more images here; the bars show what is missing.</source>
         <translation>Weitere Bilder können hier abgelegt werden; die Balken zeigen, was fehlt.</translation>
     </message>
 </context>
@@ -10560,7 +10560,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Berechnung</translation>
     </message>
     <message>
-        <source>Lens model chosen by itself</source>
+        <source>Automatic choice of the lens model</source>
         <translation>Objektivmodell automatisch</translation>
     </message>
     <message>
@@ -10580,15 +10580,15 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Objektivmodell</translation>
     </message>
     <message>
-        <source>Choose a bar to see its picture.</source>
+        <source>Select a bar to see its image.</source>
         <translation>Wählen Sie einen Balken, um sein Bild zu sehen.</translation>
     </message>
     <message>
-        <source>Stands here once the lens is known.</source>
+        <source>Appears here after the calibration.</source>
         <translation>Steht hier, sobald das Objektiv bekannt ist.</translation>
     </message>
     <message>
-        <source>Picture and &amp;residuals</source>
+        <source>Image and &amp;residuals</source>
         <translation>Bild und &amp;Residuen</translation>
     </message>
     <message>
@@ -10596,15 +10596,15 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>&amp;Entzerrt</translation>
     </message>
     <message>
-        <source>Error by picture</source>
+        <source>Error by image</source>
         <translation>Fehler je Bild</translation>
     </message>
     <message>
-        <source>Lens</source>
+        <source>Calibration</source>
         <translation>Objektiv</translation>
     </message>
     <message>
-        <source>What is known of the lens</source>
+        <source>Lens calibration</source>
         <translation>Was vom Objektiv bekannt ist</translation>
     </message>
     <message>
@@ -10616,11 +10616,11 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>gerade Kanten müssen gerade sein</translation>
     </message>
     <message>
-        <source>Storing the lens and its pictures…</source>
+        <source>Storing the lens calibration and its images…</source>
         <translation>Objektiv und Bilder werden gespeichert…</translation>
     </message>
     <message>
-        <source>The lens was not stored. %1</source>
+        <source>The lens calibration was not stored. %1</source>
         <translation>Das Objektiv wurde nicht gespeichert. %1</translation>
     </message>
     <message>
@@ -10632,7 +10632,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>Pictures</source>
+        <source>Images</source>
         <translation>Bilder</translation>
     </message>
     <message>
@@ -10648,7 +10648,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Kontrollfehler</translation>
     </message>
     <message>
-        <source>needs six pictures</source>
+        <source>needs six images</source>
         <translation>braucht sechs Bilder</translation>
     </message>
     <message>
@@ -10671,11 +10671,11 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>odo::LensSourcePage</name>
     <message>
-        <source>Be&amp;fore the camera: hold the board, pictures are taken by themselves</source>
+        <source>&amp;From the camera: hold up the board, Odograph takes the images</source>
         <translation>&amp;Vor der Kamera: Tafel halten, Bilder werden von selbst aufgenommen</translation>
     </message>
     <message>
-        <source>From &amp;pictures or a video that you have taken</source>
+        <source>From existing images or a &amp;video</source>
         <translation>Aus eigenen &amp;Bildern oder einem Video</translation>
     </message>
     <message>
@@ -10687,7 +10687,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>&amp;Tafel drucken…</translation>
     </message>
     <message>
-        <source>A flat board of squares, seen from many sides, tells how the lens draws. Checkerboard or ChArUco, of any size: which it is, is found out. Measure one square on the paper; it decides every later length. The lens must not be refocused or zoomed afterwards.</source>
+        <source>Show a flat calibration board from many sides to calibrate the lens. Odograph recognises checkerboard and ChArUco boards of any size. Measure one square on the paper: every later length depends on it. Do not refocus or zoom afterwards.</source>
         <translation>Eine ebene Tafel mit Quadraten, von vielen Seiten gesehen, verrät, wie das Objektiv abbildet. Schachbrett oder ChArUco, in jeder Größe: Was es ist, wird erkannt. Messen Sie ein Quadrat auf dem Papier; es entscheidet über jede spätere Länge. Danach darf das Objektiv nicht mehr neu fokussiert oder gezoomt werden.</translation>
     </message>
     <message>
@@ -10699,11 +10699,11 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>&amp;Quadratseite, gemessen</translation>
     </message>
     <message>
-        <source>Where the pictures of the board come from</source>
+        <source>Source of the board images</source>
         <translation>Woher die Bilder der Tafel kommen</translation>
     </message>
     <message>
-        <source>Pictures and videos of the board</source>
+        <source>Images and videos of the board</source>
         <translation>Bilder und Videos der Tafel</translation>
     </message>
     <message>
@@ -10715,11 +10715,11 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>&amp;Entfernen</translation>
     </message>
     <message>
-        <source>Pictures and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
         <translation>Bilder und Videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Alle Dateien (*)</translation>
     </message>
     <message>
-        <source>Files can also be dropped here.</source>
+        <source>You can also drop files here.</source>
         <translation>Dateien können auch hier abgelegt werden.</translation>
     </message>
 </context>
@@ -10738,7 +10738,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Die Kamera und die Tafel</translation>
     </message>
     <message>
-        <source>Pictures of the board</source>
+        <source>Images of the board</source>
         <translation>Bilder der Tafel</translation>
     </message>
     <message>
@@ -10881,7 +10881,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>&amp;Hilfe</translation>
     </message>
     <message>
-        <source>The pages follow when the project is opened again, for a recording goes on.</source>
+        <source>A recording is running. The change takes effect when you reopen the project.</source>
         <translation>Die Seiten folgen, wenn das Projekt wieder geöffnet wird, denn eine Aufnahme läuft noch.</translation>
     </message>
     <message>
@@ -10889,23 +10889,23 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Sicherungskopie wiederherstellen</translation>
     </message>
     <message>
-        <source>“%1” was deleted, renamed or replaced by another program. What is in it is rescued as soon as the running work has ended.</source>
+        <source>Another program deleted, renamed or replaced “%1”. Odograph will rescue its contents when the running job has ended.</source>
         <translation>„%1“ wurde von einem anderen Programm gelöscht, umbenannt oder ersetzt. Der Inhalt wird gerettet, sobald die laufende Arbeit beendet ist.</translation>
     </message>
     <message>
-        <source>“%1” was deleted, renamed or replaced by another program. What was in it is rescued in “%2”, which is open now.</source>
+        <source>Another program deleted, renamed or replaced “%1”. Odograph rescued its contents in “%2” and opened that project.</source>
         <translation>„%1“ wurde von einem anderen Programm gelöscht, umbenannt oder ersetzt. Der Inhalt ist in „%2“ gerettet, das jetzt geöffnet ist.</translation>
     </message>
     <message>
-        <source>Another program wrote over “%1”. What it holds now is opened as soon as the running work has ended.</source>
+        <source>Another program overwrote “%1”. Odograph will open the new contents when the running job has ended.</source>
         <translation>Ein anderes Programm hat „%1“ überschrieben. Was jetzt darin ist, wird geöffnet, sobald die laufende Arbeit beendet ist.</translation>
     </message>
     <message>
-        <source>“%1” was renamed with its videos by another program. It is open as “%2” now.</source>
+        <source>Another program renamed “%1” and its videos. It is now open as “%2”.</source>
         <translation>„%1“ wurde mit seinen Videos von einem anderen Programm umbenannt. Es ist jetzt als „%2“ geöffnet.</translation>
     </message>
     <message>
-        <source>Another program wrote over “%1” while it was open: what it held before is gone. What it holds now is shown.</source>
+        <source>Another program overwrote “%1” while it was open. Its earlier contents are gone; the window shows the new ones.</source>
         <translation>Ein anderes Programm hat „%1“ überschrieben, während es offen war: Was vorher darin war, ist verloren. Gezeigt wird, was jetzt darin ist.</translation>
     </message>
 </context>
@@ -10977,14 +10977,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>odo::MarkerCanvas</name>
     <message>
-        <source>Picture with the markers; arrow keys move the chosen one</source>
+        <source>Image with the markers; arrow keys move the selected one</source>
         <translation>Bild mit den Markern; die Pfeiltasten verschieben den gewählten</translation>
     </message>
 </context>
 <context>
     <name>odo::MarkerPage</name>
     <message>
-        <source>&amp;Take out</source>
+        <source>&amp;Remove</source>
         <translation>&amp;Herausnehmen</translation>
     </message>
     <message>
@@ -10996,7 +10996,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Marker</translation>
     </message>
     <message>
-        <source>Place, mm</source>
+        <source>Position, mm</source>
         <translation>Ort, mm</translation>
     </message>
     <message>
@@ -11016,7 +11016,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>gefunden</translation>
     </message>
     <message>
-        <source>Choose a marker in the table and click where it is; what lies near the click is taken to the tenth of a pixel.</source>
+        <source>Select a marker in the table and click its position. The click snaps to what is near it, to a tenth of a pixel.</source>
         <translation>Wählen Sie in der Tabelle einen Marker und klicken Sie dorthin, wo er ist; was nahe beim Klick liegt, wird auf ein Zehntel Pixel genau genommen.</translation>
     </message>
     <message>
@@ -11028,7 +11028,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>%1, %2</translation>
     </message>
     <message>
-        <source>not seen</source>
+        <source>not visible</source>
         <translation>nicht gesehen</translation>
     </message>
 </context>
@@ -11050,7 +11050,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>odo::MetricModel</name>
     <message>
-        <source>Figure</source>
+        <source>Metric</source>
         <translation>Kennwert</translation>
     </message>
     <message>
@@ -11088,7 +11088,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Neu &amp;einmessen…</translation>
     </message>
     <message>
-        <source>Check the cameras</source>
+        <source>Check camera positions</source>
         <translation>Kameras prüfen</translation>
     </message>
     <message>
@@ -11096,7 +11096,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Kamera</translation>
     </message>
     <message>
-        <source>New picture</source>
+        <source>New image</source>
         <translation>Neues Bild</translation>
     </message>
     <message>
@@ -11108,7 +11108,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Eingemessene Kameras</translation>
     </message>
     <message>
-        <source>A camera that was pushed measures wrongly and nothing shows it. Before the robots run, each camera&apos;s markers are looked for again in a new picture.</source>
+        <source>A camera that someone has pushed measures wrong positions without any sign of it. Before the robots run, check each camera&apos;s markers in a new image.</source>
         <translation>Eine angestoßene Kamera misst falsch, und nichts verrät es. Bevor die Roboter fahren, werden die Marker jeder Kamera in einem neuen Bild noch einmal gesucht.</translation>
     </message>
     <message>
@@ -11116,11 +11116,11 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>What was found</source>
+        <source>Results of the check</source>
         <translation>Was gefunden wurde</translation>
     </message>
     <message>
-        <source>New picture of camera %1</source>
+        <source>New image of camera %1</source>
         <translation>Neues Bild von Kamera %1</translation>
     </message>
     <message>
@@ -11132,23 +11132,23 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Nicht geprüft</translation>
     </message>
     <message>
-        <source>A picture or video…</source>
+        <source>An image or video…</source>
         <translation>Ein Bild oder Video…</translation>
     </message>
     <message>
-        <source>Pictures and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
         <translation>Bilder und Videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Alle Dateien (*)</translation>
     </message>
     <message>
-        <source>looking…</source>
+        <source>detecting…</source>
         <translation>wird gesucht…</translation>
     </message>
     <message>
-        <source>not told</source>
+        <source>undetermined</source>
         <translation>unklar</translation>
     </message>
     <message>
-        <source>Two markers at least must be seen. Nothing is moved or changed by the check.</source>
+        <source>At least two markers must be visible. The check changes nothing.</source>
         <translation>Mindestens zwei Marker müssen zu sehen sein. Die Prüfung bewegt und ändert nichts.</translation>
     </message>
     <message>
@@ -11163,15 +11163,15 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Live-Orte ins Netz &amp;senden</translation>
     </message>
     <message>
-        <source>%1: this machine only</source>
+        <source>%1: this computer only</source>
         <translation>%1: nur dieser Rechner</translation>
     </message>
     <message>
-        <source>%1: not there now</source>
+        <source>%1: not available now</source>
         <translation>%1: zurzeit nicht da</translation>
     </message>
     <message>
-        <source>The places of the robots that Record follows, as packets of SSL-Vision, for controllers and programs of your own. No name of a team or a robot is in them.</source>
+        <source>Positions of the robots that Record tracks, as SSL-Vision packets for your own controllers and programs. The packets contain no names of teams or robots.</source>
         <translation>Die Orte der Roboter, die unter Aufnahme verfolgt werden, als Pakete von SSL-Vision, für Regler und eigene Programme. Namen von Teams oder Robotern sind nicht darin.</translation>
     </message>
     <message>
@@ -11187,23 +11187,23 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Sch&amp;nittstelle</translation>
     </message>
     <message>
-        <source>Nothing is sent.</source>
+        <source>Odograph sends nothing.</source>
         <translation>Nichts wird gesendet.</translation>
     </message>
     <message>
-        <source>This is no IPv4 address; write it like 224.5.23.2.</source>
+        <source>This is not an IPv4 address; enter one such as 224.5.23.2.</source>
         <translation>Das ist keine IPv4-Adresse; schreiben Sie sie wie 224.5.23.2.</translation>
     </message>
     <message>
-        <source>They go to the one machine that has this address.</source>
+        <source>They go only to the computer with this address.</source>
         <translation>Sie gehen an den einen Rechner mit dieser Adresse.</translation>
     </message>
     <message>
-        <source>They do not leave this machine.</source>
+        <source>They do not leave this computer.</source>
         <translation>Sie verlassen diesen Rechner nicht.</translation>
     </message>
     <message>
-        <source>Whoever is on that network can read where the robots are.</source>
+        <source>Anyone on that network can read the robots&apos; positions.</source>
         <translation>Wer in diesem Netz ist, kann lesen, wo die Roboter sind.</translation>
     </message>
 </context>
@@ -11221,7 +11221,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>odo::PickColourDialog</name>
     <message>
-        <source>Robot&apos;s colour from a picture</source>
+        <source>Pick the robot&apos;s colour</source>
         <translation>Farbe des Roboters aus einem Bild</translation>
     </message>
     <message>
@@ -11237,15 +11237,15 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>&amp;Bild</translation>
     </message>
     <message>
-        <source>Choose a video in which the robot is seen.</source>
+        <source>Choose a video that shows the robot.</source>
         <translation>Wählen Sie ein Video, in dem der Roboter zu sehen ist.</translation>
     </message>
     <message>
-        <source>Take this colour</source>
+        <source>Use this colour</source>
         <translation>Diese Farbe nehmen</translation>
     </message>
     <message>
-        <source>Video in which the robot is seen</source>
+        <source>Video that shows the robot</source>
         <translation>Video, in dem der Roboter zu sehen ist</translation>
     </message>
     <message>
@@ -11261,7 +11261,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Die Farbe des Roboters hier: %1. Sie füllt %2 % des Rahmens.</translation>
     </message>
     <message>
-        <source>Draw a box closely round the robot with the mouse; or with the arrow keys, which move the box, and with Shift make it larger or smaller.</source>
+        <source>Draw a tight box round the robot with the mouse, or use the keyboard: arrow keys move the box, Shift + arrow keys resize it.</source>
         <translation>Ziehen Sie mit der Maus einen engen Rahmen um den Roboter; oder mit den Pfeiltasten, die den Rahmen verschieben und mit Umschalt größer oder kleiner machen.</translation>
     </message>
     <message>
@@ -11283,7 +11283,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>odo::PictureBars</name>
     <message>
-        <source>Error of each picture, with a threshold</source>
+        <source>Error of each image, with a threshold</source>
         <translation>Fehler jedes Bilds, mit einer Schwelle</translation>
     </message>
     <message>
@@ -11291,33 +11291,33 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>%1: %2 px</translation>
     </message>
     <message>
-        <source>pictures; above %1 px they do not count</source>
+        <source>images; rejected above %1 px</source>
         <translation>Bilder; über %1 px zählen sie nicht</translation>
     </message>
 </context>
 <context>
     <name>odo::PictureChoice</name>
     <message>
-        <source>In the camera&apos;s &amp;newest recording</source>
+        <source>The camera&apos;s &amp;newest recording</source>
         <translation>In der &amp;neuesten Aufnahme der Kamera</translation>
     </message>
     <message>
-        <source>In what a &amp;connected camera sees now</source>
+        <source>The current image of a &amp;connected camera</source>
         <translation>In dem, was eine an&amp;geschlossene Kamera jetzt sieht</translation>
     </message>
     <message>
-        <source>In a &amp;picture or video</source>
+        <source>An image or a &amp;video</source>
         <translation>In einem &amp;Bild oder Video</translation>
     </message>
     <message>
-        <source>Pictures and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
         <translation>Bilder und Videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Alle Dateien (*)</translation>
     </message>
 </context>
 <context>
     <name>odo::PlannedCameraForm</name>
     <message>
-        <source>Stands at x</source>
+        <source>Position x</source>
         <translation>Steht bei x</translation>
     </message>
     <message>
@@ -11325,7 +11325,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation> mm</translation>
     </message>
     <message>
-        <source>Stands at y</source>
+        <source>Position y</source>
         <translation>Steht bei y</translation>
     </message>
     <message>
@@ -11341,7 +11341,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Blickt auf y</translation>
     </message>
     <message>
-        <source>Direction in which it looks</source>
+        <source>Viewing direction</source>
         <translation>Richtung, in die sie blickt</translation>
     </message>
     <message>
@@ -11353,19 +11353,19 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Bildwinkel</translation>
     </message>
     <message>
-        <source>0° is along X, 90° along Y; turning it turns the point that it looks at about the camera</source>
+        <source>0° is along X, 90° along Y; the point that the camera looks at turns with it</source>
         <translation>0° ist längs X, 90° längs Y; Drehen dreht den anvisierten Punkt um die Kamera</translation>
     </message>
     <message>
-        <source>Across the picture&apos;s width: a webcam has some 60° to 80°, a phone 65°</source>
+        <source>Across the image width: a webcam has about 60° to 80°, a phone 65°</source>
         <translation>Über die Breite des Bilds: Eine Webcam hat etwa 60° bis 80°, ein Smartphone 65°</translation>
     </message>
     <message>
-        <source>Size of its pictures</source>
+        <source>Image size</source>
         <translation>Größe ihrer Bilder</translation>
     </message>
     <message>
-        <source>&amp;Stands at x, y</source>
+        <source>Po&amp;sition x, y</source>
         <translation>&amp;Steht bei x, y</translation>
     </message>
     <message>
@@ -11392,7 +11392,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Einstellungen</translation>
     </message>
     <message>
-        <source>Kinds of preferences</source>
+        <source>Categories of preferences</source>
         <translation>Arten von Einstellungen</translation>
     </message>
     <message>
@@ -11576,7 +11576,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>odo::RegistrationVerdict</name>
     <message>
-        <source>Where the camera stands</source>
+        <source>Camera position</source>
         <translation>Wo die Kamera steht</translation>
     </message>
     <message>
@@ -11584,7 +11584,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Urteil</translation>
     </message>
     <message>
-        <source>It stands at x %1 m, y %2 m, %3 m above the floor.</source>
+        <source>Camera position: x %1 m, y %2 m, %3 m above the floor.</source>
         <translation>Sie steht bei x %1 m, y %2 m, %3 m über dem Boden.</translation>
     </message>
     <message>
@@ -11630,11 +11630,11 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>PDF-Dateien (*.pdf)</translation>
     </message>
     <message>
-        <source>The report is in %1.</source>
+        <source>Report saved as %1.</source>
         <translation>Der Bericht ist in %1.</translation>
     </message>
     <message>
-        <source>The report is with the printer %1.</source>
+        <source>Report sent to printer %1.</source>
         <translation>Der Bericht ist beim Drucker %1.</translation>
     </message>
 </context>
@@ -11748,7 +11748,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>&amp;Schule</translation>
     </message>
     <message>
-        <source>stands at the head of each page</source>
+        <source>shown at the top of each page</source>
         <translation>steht im Kopf jeder Seite</translation>
     </message>
     <message>
@@ -11756,7 +11756,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Logo</translation>
     </message>
     <message>
-        <source>Pictures (*.png *.jpg *.jpeg *.svg)</source>
+        <source>Images (*.png *.jpg *.jpeg *.svg)</source>
         <translation>Bilder (*.png *.jpg *.jpeg *.svg)</translation>
     </message>
     <message>
@@ -11764,15 +11764,15 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>&amp;Logo</translation>
     </message>
     <message>
-        <source>How the logo looks</source>
+        <source>Preview of the logo</source>
         <translation>Wie das Logo aussieht</translation>
     </message>
     <message>
-        <source>&amp;At the foot</source>
+        <source>&amp;At the bottom</source>
         <translation>&amp;Fußzeile</translation>
     </message>
     <message>
-        <source>for example: who answers questions</source>
+        <source>for example: whom to ask</source>
         <translation>zum Beispiel: wer Fragen beantwortet</translation>
     </message>
 </context>
@@ -11783,7 +11783,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>kein Wert</translation>
     </message>
     <message>
-        <source>&amp;Measure again</source>
+        <source>&amp;Reanalyse</source>
         <translation>&amp;Neu auswerten</translation>
     </message>
     <message>
@@ -11791,7 +11791,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>&amp;Behalten</translation>
     </message>
     <message>
-        <source>Measure trials again</source>
+        <source>Reanalyse trials</source>
         <translation>Versuche neu auswerten</translation>
     </message>
     <message>
@@ -11799,7 +11799,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Roboter</translation>
     </message>
     <message>
-        <source>Figure</source>
+        <source>Metric</source>
         <translation>Kennwert</translation>
     </message>
     <message>
@@ -11823,7 +11823,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Was sich ändert, in Worten</translation>
     </message>
     <message>
-        <source>What was seen in the videos stays as it is; where it lies on the floor is computed with the registrations in force now. Look at what changes, then keep it or not: the older analysis stays in the project too.</source>
+        <source>What was detected in the videos stays as it is; its floor positions are recomputed with the current registrations. Check what changes, then keep it or not: the older analysis stays in the project too.</source>
         <translation>Was in den Videos gesehen wurde, bleibt, wie es ist; wo es auf dem Boden liegt, wird mit den jetzt gültigen Einmessungen berechnet. Sehen Sie an, was sich ändert, und behalten Sie es oder nicht: Auch die ältere Auswertung bleibt im Projekt.</translation>
     </message>
     <message>
@@ -11918,15 +11918,15 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>odo::RevisionPicture</name>
     <message>
-        <source>Picture that it was made from</source>
+        <source>Source image</source>
         <translation>Bild, aus dem sie entstanden ist</translation>
     </message>
     <message>
-        <source>Reading the picture…</source>
+        <source>Reading the image…</source>
         <translation>Bild wird gelesen…</translation>
     </message>
     <message>
-        <source>The picture cannot be read.</source>
+        <source>Cannot read the image.</source>
         <translation>Das Bild lässt sich nicht lesen.</translation>
     </message>
 </context>
@@ -11937,11 +11937,11 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>&amp;Diese nehmen</translation>
     </message>
     <message>
-        <source>&amp;Register with this lens</source>
+        <source>&amp;Register with this calibration</source>
         <translation>Mit diesem Objektiv &amp;einmessen</translation>
     </message>
     <message>
-        <source>&amp;Measure trials again…</source>
+        <source>Reanalyse &amp;trials…</source>
         <translation>Versuche &amp;neu auswerten…</translation>
     </message>
     <message>
@@ -11973,7 +11973,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Versuche</translation>
     </message>
     <message>
-        <source>In force</source>
+        <source>Current</source>
         <translation>Gültig</translation>
     </message>
     <message>
@@ -11981,11 +11981,11 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Revisionen</translation>
     </message>
     <message>
-        <source>Puts the chosen revision in force for what is measured from now on; trials keep theirs</source>
+        <source>Makes the selected revision the current one for new measurements; trials keep theirs</source>
         <translation>Macht die gewählte Revision für alles gültig, was von jetzt an gemessen wird; Versuche behalten ihre</translation>
     </message>
     <message>
-        <source>Computes the registration in force anew from the same markers, with the lens in force</source>
+        <source>Recomputes the current registration from the same markers, with the current lens calibration</source>
         <translation>Berechnet die gültige Einmessung aus denselben Markern neu, mit dem gültigen Objektiv</translation>
     </message>
     <message>
@@ -12017,27 +12017,27 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Einmessung %1</translation>
     </message>
     <message>
-        <source>in force</source>
+        <source>current</source>
         <translation>gültig</translation>
     </message>
     <message>
-        <source>No trial was measured with it.</source>
+        <source>No trial uses it.</source>
         <translation>Kein Versuch wurde damit ausgewertet.</translation>
     </message>
     <message>
-        <source>Trials measured with it: %1.</source>
+        <source>Trials that use it: %1.</source>
         <translation>Damit ausgewertete Versuche: %1.</translation>
     </message>
     <message>
-        <source>%1 is in force. The registrations keep the lens that they were made with: register the camera with this one.</source>
+        <source>%1 is now current. The registrations keep the lens calibration that they were made with: register the camera with this one.</source>
         <translation>%1 ist gültig. Die Einmessungen behalten das Objektiv, mit dem sie erstellt wurden: Messen Sie die Kamera mit diesem ein.</translation>
     </message>
     <message>
-        <source>%1 is in force. Trials keep theirs until they are measured again.</source>
+        <source>%1 is now current. Trials keep theirs until you reanalyse them.</source>
         <translation>%1 ist gültig. Versuche behalten ihre, bis sie neu ausgewertet werden.</translation>
     </message>
     <message>
-        <source>Registration %1 is in force: the same markers, with this lens. %2</source>
+        <source>Registration %1 is now current: the same markers, with this lens calibration. %2</source>
         <translation>Einmessung %1 ist gültig: dieselben Marker, mit diesem Objektiv. %2</translation>
     </message>
 </context>
@@ -12048,7 +12048,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Roboter hinzufügen</translation>
     </message>
     <message>
-        <source>Found from the views</source>
+        <source>Estimated from the views</source>
         <translation>Aus den Sichten ermittelt</translation>
     </message>
     <message>
@@ -12072,7 +12072,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>&amp;Name</translation>
     </message>
     <message>
-        <source>From a &amp;picture…</source>
+        <source>&amp;Pick from a video…</source>
         <translation>Aus einem &amp;Bild…</translation>
     </message>
     <message>
@@ -12096,7 +12096,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Roboter ändern</translation>
     </message>
     <message>
-        <source>How it differs from the floor</source>
+        <source>Its silhouette</source>
         <translation>Unterschied zum Boden</translation>
     </message>
     <message>
@@ -12104,19 +12104,19 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Eigene Farbe</translation>
     </message>
     <message>
-        <source>A robot of any look is found by how it differs from the floor. A colour of its own helps where several things move.</source>
+        <source>The silhouette works for any robot. A colour of its own helps if several things move.</source>
         <translation>Ein Roboter von beliebigem Aussehen wird daran erkannt, worin er sich vom Boden unterscheidet. Eine eigene Farbe hilft, wo sich mehreres bewegt.</translation>
     </message>
     <message>
-        <source>&amp;Found by</source>
+        <source>D&amp;etected by</source>
         <translation>&amp;Erkannt an</translation>
     </message>
     <message>
-        <source>In charts and maps, whatever the robot looks like</source>
+        <source>Colour in charts and maps; the robot itself may have another</source>
         <translation>In Diagrammen und Karten, wie auch immer der Roboter aussieht</translation>
     </message>
     <message>
-        <source>From the middle of what the robot covers of the floor; 0 and 0 is the middle itself.</source>
+        <source>Offset from the middle of the robot&apos;s footprint; 0 and 0 is the middle itself.</source>
         <translation>Von der Mitte der Fläche, die der Roboter auf dem Boden einnimmt; 0 und 0 ist die Mitte selbst.</translation>
     </message>
     <message>
@@ -12124,7 +12124,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation> mm nach vorn</translation>
     </message>
     <message>
-        <source>Measured point, forward of the robot&apos;s middle</source>
+        <source>Reference point, forward of the robot&apos;s middle</source>
         <translation>Gemessener Punkt, vor der Mitte des Roboters</translation>
     </message>
     <message>
@@ -12132,11 +12132,11 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation> mm nach links</translation>
     </message>
     <message>
-        <source>Measured point, left of the robot&apos;s middle</source>
+        <source>Reference point, left of the robot&apos;s middle</source>
         <translation>Gemessener Punkt, links von der Mitte des Roboters</translation>
     </message>
     <message>
-        <source>&amp;Measured point</source>
+        <source>&amp;Reference point</source>
         <translation>Gemessener &amp;Punkt</translation>
     </message>
 </context>
@@ -12177,7 +12177,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>odo::RobotsDialog</name>
     <message>
-        <source>found from the views</source>
+        <source>estimated from the views</source>
         <translation>aus den Sichten ermittelt</translation>
     </message>
     <message>
@@ -12217,11 +12217,11 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Länge × Breite</translation>
     </message>
     <message>
-        <source>Another colour or height counts from the next tracking on; what was measured before stays as it is.</source>
+        <source>A new colour or height applies from the next tracking on; earlier results stay as they are.</source>
         <translation>Eine andere Farbe oder Höhe gilt ab der nächsten Verfolgung; was vorher gemessen wurde, bleibt, wie es ist.</translation>
     </message>
     <message>
-        <source>What was done</source>
+        <source>Latest change</source>
         <translation>Was getan wurde</translation>
     </message>
     <message>
@@ -12237,7 +12237,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>seiner Silhouette</translation>
     </message>
     <message>
-        <source>Found by</source>
+        <source>Detected by</source>
         <translation>Erkannt an</translation>
     </message>
 </context>
@@ -12464,11 +12464,11 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Z&amp;eile entfernen</translation>
     </message>
     <message>
-        <source>Each line gives all of its points where the figure is at the one bound or better, none at the other or worse, and evenly between them. Points below zero are a penalty.</source>
+        <source>Each line gives all its points if the metric reaches the first bound, none at the second bound or worse, and a proportional share between them. Negative points are a penalty.</source>
         <translation>Jede Zeile gibt all ihre Punkte, wo der Kennwert an der einen Schranke oder besser ist, keine an der anderen oder schlechter, und dazwischen gleichmäßig verteilt. Punkte unter null sind ein Abzug.</translation>
     </message>
     <message>
-        <source>Figure</source>
+        <source>Metric</source>
         <translation>Kennwert</translation>
     </message>
     <message>
@@ -12496,7 +12496,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Zeile &amp;hinzufügen</translation>
     </message>
     <message>
-        <source>Figure that counts</source>
+        <source>Scored metric</source>
         <translation>Kennwert, der zählt</translation>
     </message>
     <message>
@@ -12504,7 +12504,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Ohne Zeile werden Fahrten der Aufgabe nicht gewertet.</translation>
     </message>
     <message>
-        <source>In all %1 points.</source>
+        <source>Total: %1 points.</source>
         <translation>Insgesamt %1 Punkte.</translation>
     </message>
 </context>
@@ -12522,7 +12522,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>odo::SharedPointsPage</name>
     <message>
-        <source>&amp;Take out</source>
+        <source>&amp;Remove</source>
         <translation>&amp;Herausnehmen</translation>
     </message>
     <message>
@@ -12530,11 +12530,11 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>&amp;Rückgängig</translation>
     </message>
     <message>
-        <source>Picture of the camera to register; arrow keys move the chosen point</source>
+        <source>Image of the camera to register; arrow keys move the selected point</source>
         <translation>Bild der einzumessenden Kamera; die Pfeiltasten verschieben den gewählten Punkt</translation>
     </message>
     <message>
-        <source>Picture of the registered camera; arrow keys move the chosen point</source>
+        <source>Image of the registered camera; arrow keys move the selected point</source>
         <translation>Bild der eingemessenen Kamera; die Pfeiltasten verschieben den gewählten Punkt</translation>
     </message>
     <message>
@@ -12554,7 +12554,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Fehler</translation>
     </message>
     <message>
-        <source>Points of the floor</source>
+        <source>Floor points</source>
         <translation>Punkte des Bodens</translation>
     </message>
     <message>
@@ -12571,7 +12571,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>P%1</translation>
     </message>
     <message>
-        <source>Click a point of the floor in the left picture, then the same one in the right picture. What lies near a click is taken to the tenth of a pixel; the arrow keys move the chosen point, Space snaps it.</source>
+        <source>Click a floor point in the left image, then the same point in the right image. A click snaps to what is near it, to a tenth of a pixel; arrow keys move the selected point, Space snaps it.</source>
         <translation>Klicken Sie im linken Bild auf einen Punkt des Bodens, dann im rechten Bild auf denselben. Was nahe bei einem Klick liegt, wird auf ein Zehntel Pixel genau genommen; die Pfeiltasten verschieben den gewählten Punkt, die Leertaste rastet ihn ein.</translation>
     </message>
     <message>
@@ -12587,7 +12587,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>%1 mm</translation>
     </message>
     <message>
-        <source>both pictures</source>
+        <source>both images</source>
         <translation>beide Bilder</translation>
     </message>
     <message>
@@ -12599,7 +12599,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>nur rechts</translation>
     </message>
     <message>
-        <source>not put yet</source>
+        <source>not set yet</source>
         <translation>noch nicht gesetzt</translation>
     </message>
 </context>
@@ -12684,7 +12684,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Grund</translation>
     </message>
     <message>
-        <source>%1 doubtful</source>
+        <source>%1 ambiguous</source>
         <translation>%1 zweifelhaft</translation>
     </message>
     <message>
@@ -12699,7 +12699,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Aufgabe wählen</translation>
     </message>
     <message>
-        <source>three trials at different times tell</source>
+        <source>needs three trials at different times</source>
         <translation>erst ab drei Zeitpunkten</translation>
     </message>
     <message>
@@ -12719,7 +12719,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>ein Versuch</translation>
     </message>
     <message>
-        <source>One more than the teams that are better beyond doubt: their medians differ by more than 1.96 σ. Runs of different tasks are not ranked</source>
+        <source>One more than the number of significantly better teams (medians differ by more than 1.96 σ). Runs of different tasks are not ranked</source>
         <translation>Eins mehr als die Teams, die zweifelsfrei besser sind: Ihre Mediane unterscheiden sich um mehr als 1,96 σ. Fahrten verschiedener Aufgaben werden nicht gereiht</translation>
     </message>
     <message>
@@ -12759,7 +12759,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Streuung</translation>
     </message>
     <message>
-        <source>Change through the term by a straight line; beyond the spread by Student&apos;s test, 95 %</source>
+        <source>Change over the term by a straight-line fit; Student&apos;s t-test (95 %) decides if it exceeds the spread</source>
         <translation>Änderung im Lauf des Halbjahrs nach einer Geraden; größer als die Streuung nach Students t-Test, 95 %</translation>
     </message>
     <message>
@@ -12833,7 +12833,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Auswertung %1, Odograph %2</translation>
     </message>
     <message>
-        <source>Units of lengths, speeds and times; to be chosen in the preferences</source>
+        <source>Units of lengths, speeds and times; change them in the preferences</source>
         <translation>Einheiten von Längen, Geschwindigkeiten und Zeiten; in den Einstellungen zu wählen</translation>
     </message>
     <message>
@@ -12963,7 +12963,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Ein Blatt. Messen Sie danach ein Quadrat auf dem Papier: Drucker verkleinern oft um 2 bis 4 %.</translation>
     </message>
     <message>
-        <source>One sheet for each marker. A tag&apos;s number is the place of its label in the layout.</source>
+        <source>One sheet for each marker. A tag&apos;s number is the position of its label in the layout.</source>
         <translation>Ein Blatt je Marker. Die Nummer eines Tags ist der Platz seiner Bezeichnung im Markerplan.</translation>
     </message>
     <message>
@@ -13056,7 +13056,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>&amp;Wertung</translation>
     </message>
     <message>
-        <source>What is wrong</source>
+        <source>Problems</source>
         <translation>Was nicht stimmt</translation>
     </message>
     <message>
@@ -13068,7 +13068,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Take gates, path, limits and zones from a task file (JSON)</source>
+        <source>Import gates, path, limits and zones from a task file (JSON)</source>
         <translation>Tore, Sollbahn, Grenzwerte und Zonen aus einer Aufgabendatei (JSON) übernehmen</translation>
     </message>
     <message>
@@ -13084,7 +13084,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Grenz&amp;beschleunigung</translation>
     </message>
     <message>
-        <source>What no robot in the task can do: a measurement beyond it is a spike</source>
+        <source>No robot in the task can exceed it: a measurement beyond it is a spike</source>
         <translation>Was kein Roboter in der Aufgabe kann: Eine Messung darüber ist ein Ausreißer</translation>
     </message>
     <message>
@@ -13100,7 +13100,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Die Aufgabe hat keinen Namen.</translation>
     </message>
     <message>
-        <source>There is a task of that name. Give another name.</source>
+        <source>A task with this name exists. Enter another name.</source>
         <translation>Es gibt schon eine Aufgabe dieses Namens. Geben Sie einen anderen Namen an.</translation>
     </message>
     <message>
@@ -13139,7 +13139,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>&amp;Löschen</translation>
     </message>
     <message>
-        <source>&amp;Measure them again</source>
+        <source>Reanalyse &amp;them</source>
         <translation>N&amp;eu auswerten</translation>
     </message>
     <message>
@@ -13151,7 +13151,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Was von der Aufgabe abhängt</translation>
     </message>
     <message>
-        <source>What was done</source>
+        <source>Latest change</source>
         <translation>Was getan wurde</translation>
     </message>
     <message>
@@ -13171,7 +13171,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Genutzt von</translation>
     </message>
     <message>
-        <source>An archived task is not offered any more; its trials, results and scores stay as they are</source>
+        <source>Archived tasks no longer appear in lists; their trials, results and scores stay as they are</source>
         <translation>Eine archivierte Aufgabe wird nicht mehr angeboten; ihre Versuche, Ergebnisse und Punkte bleiben, wie sie sind</translation>
     </message>
     <message numerus="yes">
@@ -13201,11 +13201,11 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>%1, archiviert</translation>
     </message>
     <message>
-        <source>No task yet. New makes one from a template: its gates, path and scoring say what is to be driven, and how well it was.</source>
+        <source>No task yet. New creates one from a template. Its gates, path and scoring define the course and rate the runs.</source>
         <translation>Noch keine Aufgabe. Neu legt eine nach einem Muster an: Ihre Tore, Sollbahn und Wertung sagen, was zu fahren ist und wie gut es war.</translation>
     </message>
     <message numerus="yes">
-        <source>The course as it was before it was changed: %n result(s) measured by it keep it.</source>
+        <source>Earlier version of the course: %n result(s) still use it.</source>
         <translation>
             <numerusform>Der Parcours, wie er vor der Änderung war: %n danach ausgewertetes Ergebnis behält ihn.</numerusform>
             <numerusform>Der Parcours, wie er vor der Änderung war: %n danach ausgewertete Ergebnisse behalten ihn.</numerusform>
@@ -13223,14 +13223,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Kein Versuch hat diese Aufgabe.</translation>
     </message>
     <message numerus="yes">
-        <source>%n of them measured by another course: times at gates and distances from the path are of that one, and there is no score until they are measured again.</source>
+        <source>%n of them were measured with another course: their gate times and distances from the path belong to that one, and they have no score until you reanalyse them.</source>
         <translation>
             <numerusform>%n davon ist nach einem anderen Parcours ausgewertet: Zeiten an Toren und Abstände von der Sollbahn gelten für jenen, und Punkte gibt es erst, wenn er neu ausgewertet ist.</numerusform>
             <numerusform>%n davon sind nach einem anderen Parcours ausgewertet: Zeiten an Toren und Abstände von der Sollbahn gelten für jenen, und Punkte gibt es erst, wenn sie neu ausgewertet sind.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>It is scored by %n figure(s).</source>
+        <source>It is scored by %n metric(s).</source>
         <translation>
             <numerusform>Sie wird nach %n Kennwert gewertet.</numerusform>
             <numerusform>Sie wird nach %n Kennwerten gewertet.</numerusform>
@@ -13241,19 +13241,19 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Sie wird nicht gewertet.</translation>
     </message>
     <message>
-        <source>Out of the &amp;archive</source>
+        <source>Restore from &amp;archive</source>
         <translation>Aus dem &amp;Archiv holen</translation>
     </message>
     <message>
-        <source>Trials have this task, or were measured by it: it stays, so that their figures say what they were measured by</source>
+        <source>Trials have this task or were measured with it: it stays to document their metrics</source>
         <translation>Versuche haben diese Aufgabe oder wurden nach ihr ausgewertet: Sie bleibt, damit deren Kennwerte sagen, wonach sie ausgewertet wurden</translation>
     </message>
     <message>
-        <source>Deletes the task (Del); Ctrl+Z takes it back</source>
+        <source>Deletes the task (Del); Ctrl+Z undoes this</source>
         <translation>Löscht die Aufgabe (Entf); Strg+Z nimmt es zurück</translation>
     </message>
     <message numerus="yes">
-        <source>%n result(s) measured by this course stay true: a course that is changed is kept for them as an earlier version. The trials go over to the new one; their times and scores follow once they are measured again.</source>
+        <source>%n result(s) measured with this course stay valid: if you change the course, they keep the earlier version. Reanalyse the trials to update their times and scores.</source>
         <translation>
             <numerusform>%n nach diesem Parcours ausgewertetes Ergebnis bleibt wahr: Ein geänderter Parcours bleibt dafür als frühere Fassung erhalten. Die Versuche gehen auf den neuen über; ihre Zeiten und Punkte folgen, sobald sie neu ausgewertet sind.</numerusform>
             <numerusform>%n nach diesem Parcours ausgewertete Ergebnisse bleiben wahr: Ein geänderter Parcours bleibt dafür als frühere Fassung erhalten. Die Versuche gehen auf den neuen über; ihre Zeiten und Punkte folgen, sobald sie neu ausgewertet sind.</numerusform>
@@ -13406,7 +13406,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>&amp;Breite</translation>
     </message>
     <message>
-        <source>The way it is driven: 0° along X, 90° along Y</source>
+        <source>Driving direction: 0° along X, 90° along Y</source>
         <translation>Die Fahrtrichtung: 0° längs X, 90° längs Y</translation>
     </message>
     <message>
@@ -13457,7 +13457,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Noch keine Kameras</translation>
     </message>
     <message>
-        <source>A testbed is a floor with markers and the cameras that watch it. Begin with the lens of the first camera, or with the places of the markers.</source>
+        <source>A testbed is a floor with markers and the cameras that watch it. Start with the lens calibration of the first camera, or with the marker positions.</source>
         <translation>Ein Messplatz ist ein Boden mit Markern und die Kameras, die ihn beobachten. Beginnen Sie mit dem Objektiv der ersten Kamera oder mit den Orten der Marker.</translation>
     </message>
     <message>
@@ -13465,7 +13465,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>A&amp;ufgaben…</translation>
     </message>
     <message>
-        <source>What is driven on this floor: gates, paths, limits, scoring</source>
+        <source>Courses on this floor: gates, paths, limits, scoring</source>
         <translation>Was auf diesem Boden gefahren wird: Tore, Bahnen, Grenzwerte, Wertung</translation>
     </message>
     <message>
@@ -13473,7 +13473,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Kameras</translation>
     </message>
     <message>
-        <source>What is known of the camera</source>
+        <source>Details of the camera</source>
         <translation>Was von der Kamera bekannt ist</translation>
     </message>
     <message>
@@ -13485,12 +13485,12 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Markerpläne</translation>
     </message>
     <message>
-        <source>Picture</source>
-        <translation>Bild</translation>
-    </message>
-    <message>
         <source>Camera %1</source>
         <translation>Kamera %1</translation>
+    </message>
+    <message>
+        <source>Image</source>
+        <translation>Bild</translation>
     </message>
 </context>
 <context>
@@ -13504,7 +13504,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Kalibrieren…</translation>
     </message>
     <message>
-        <source>Measure a camera&apos;s lens from pictures of a board</source>
+        <source>Calibrate a camera with images of a board</source>
         <translation>Objektiv einer Kamera aus Bildern einer Tafel vermessen</translation>
     </message>
     <message>
@@ -13516,43 +13516,43 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Einmessen…</translation>
     </message>
     <message>
-        <source>Find where a camera stands from the floor markers</source>
+        <source>Determine a camera&apos;s position from the floor markers</source>
         <translation>Aus den Bodenmarkern finden, wo eine Kamera steht</translation>
     </message>
     <message>
-        <source>Register t&amp;hrough another camera…</source>
+        <source>Register via anot&amp;her camera…</source>
         <translation>Ü&amp;ber andere Kamera einmessen…</translation>
     </message>
     <message>
-        <source>Through another…</source>
+        <source>Via another…</source>
         <translation>Über andere…</translation>
     </message>
     <message>
-        <source>Find where a camera stands that sees no markers, from points of the floor that another camera sees as well</source>
+        <source>Determine the position of a camera that sees no markers, from floor points that another camera also sees</source>
         <translation>Finden, wo eine Kamera steht, die keine Marker sieht, aus Punkten des Bodens, die auch eine andere Kamera sieht</translation>
     </message>
     <message>
-        <source>Register all cameras to&amp;gether…</source>
+        <source>Re&amp;gister all cameras (joint)…</source>
         <translation>Alle Kameras &amp;gemeinsam einmessen…</translation>
     </message>
     <message>
-        <source>All together…</source>
+        <source>All cameras (joint)…</source>
         <translation>Gemeinsam…</translation>
     </message>
     <message>
-        <source>Fit the cameras of the chosen layout at once, so that they agree, and find markers that were measured wrongly</source>
+        <source>Fit all cameras of the selected layout jointly to make them agree, and find wrongly measured markers</source>
         <translation>Die Kameras des gewählten Markerplans auf einmal anpassen, damit sie übereinstimmen, und falsch gemessene Marker finden</translation>
     </message>
     <message>
-        <source>Import &amp;intrinsics…</source>
+        <source>&amp;Import lens calibration…</source>
         <translation>&amp;Objektivdaten importieren…</translation>
     </message>
     <message>
-        <source>Import lens…</source>
+        <source>Import calibration…</source>
         <translation>Objektivdaten…</translation>
     </message>
     <message>
-        <source>Take a camera&apos;s lens from a ROS or OpenCV YAML file</source>
+        <source>Import a camera&apos;s lens calibration from a ROS or OpenCV YAML file</source>
         <translation>Objektiv einer Kamera aus einer YAML-Datei von ROS oder OpenCV übernehmen</translation>
     </message>
     <message>
@@ -13564,7 +13564,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Neuer Plan…</translation>
     </message>
     <message>
-        <source>Say where the markers lie, from the start or from the layout that is chosen</source>
+        <source>Enter the marker positions, from scratch or based on the selected layout</source>
         <translation>Angeben, wo die Marker liegen, von Grund auf oder vom gewählten Markerplan aus</translation>
     </message>
     <message>
@@ -13576,7 +13576,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Plan importieren…</translation>
     </message>
     <message>
-        <source>Take the places of the markers from a table</source>
+        <source>Import the marker positions from a table</source>
         <translation>Orte der Marker aus einer Tabelle übernehmen</translation>
     </message>
     <message>
@@ -13588,7 +13588,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Drucken…</translation>
     </message>
     <message>
-        <source>Boards for the lens and markers for the floor, to scale</source>
+        <source>Calibration boards and floor markers, to scale</source>
         <translation>Tafeln für das Objektiv und Marker für den Boden, maßstabsgetreu</translation>
     </message>
     <message>
@@ -13600,15 +13600,15 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Kamera %1 ist eingemessen. %2</translation>
     </message>
     <message>
-        <source>Camera %1 is registered through camera %2. %3</source>
+        <source>Camera %1 is registered via camera %2. %3</source>
         <translation>Kamera %1 ist über Kamera %2 eingemessen. %3</translation>
     </message>
     <message>
-        <source>The cameras of layout %1 are registered together. %2</source>
+        <source>The cameras of layout %1 are registered jointly. %2</source>
         <translation>Die Kameras des Markerplans %1 sind gemeinsam eingemessen. %2</translation>
     </message>
     <message>
-        <source>Intrinsics of a camera</source>
+        <source>Lens calibration of a camera</source>
         <translation>Objektivdaten einer Kamera</translation>
     </message>
     <message>
@@ -13616,7 +13616,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Kalibrierungen (*.yaml *.yml);;Alle Dateien (*)</translation>
     </message>
     <message>
-        <source>Import intrinsics</source>
+        <source>Import lens calibration</source>
         <translation>Objektivdaten importieren</translation>
     </message>
     <message>
@@ -13624,11 +13624,11 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Kamera:</translation>
     </message>
     <message>
-        <source>The lens of camera %1 was taken from %2.</source>
+        <source>Lens calibration of camera %1 imported from %2.</source>
         <translation>Das Objektiv von Kamera %1 wurde aus %2 übernommen.</translation>
     </message>
     <message>
-        <source>Places of the markers (label,x_mm,y_mm)</source>
+        <source>Positions of the markers (label,x_mm,y_mm)</source>
         <translation>Orte der Marker (label,x_mm,y_mm)</translation>
     </message>
     <message>
@@ -13643,15 +13643,15 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>odo::ThroughSourcePage</name>
     <message>
-        <source>Picture or video of the camera to register</source>
+        <source>Image or video of the camera to register</source>
         <translation>Bild oder Video der einzumessenden Kamera</translation>
     </message>
     <message>
-        <source>Picture or video of the registered camera</source>
+        <source>Image or video of the registered camera</source>
         <translation>Bild oder Video der eingemessenen Kamera</translation>
     </message>
     <message>
-        <source>A camera cannot be registered through itself: choose two different ones.</source>
+        <source>A camera cannot be registered via itself: choose two different ones.</source>
         <translation>Eine Kamera lässt sich nicht über sich selbst einmessen: Wählen Sie zwei verschiedene.</translation>
     </message>
     <message>
@@ -13663,7 +13663,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Eingemessene Kamera</translation>
     </message>
     <message>
-        <source>A camera that sees no markers can be registered by points of the floor that a registered camera sees as well: corners of tiles, ends of tape, screws. Four are enough, six or more spread over the common part are better. Neither camera may be moved afterwards.</source>
+        <source>Register a camera that sees no markers by floor points that a registered camera also sees: corners of tiles, ends of tape, screws. Four are enough; six or more, spread over the common area, are better. Do not move either camera afterwards.</source>
         <translation>Eine Kamera, die keine Marker sieht, lässt sich über Punkte des Bodens einmessen, die auch eine eingemessene Kamera sieht: Ecken von Fliesen, Enden von Klebeband, Schrauben. Vier genügen, sechs oder mehr, über den gemeinsamen Teil verteilt, sind besser. Danach darf keine der beiden Kameras bewegt werden.</translation>
     </message>
     <message>
@@ -13671,22 +13671,22 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Einzumessende &amp;Kamera</translation>
     </message>
     <message>
-        <source>&amp;Through camera</source>
+        <source>&amp;Via camera</source>
         <translation>Ü&amp;ber Kamera</translation>
     </message>
     <message>
-        <source>Its picture</source>
+        <source>Its image</source>
         <translation>Ihr Bild</translation>
     </message>
     <message>
-        <source>The registered camera&apos;s picture</source>
+        <source>The registered camera&apos;s image</source>
         <translation>Das Bild der eingemessenen Kamera</translation>
     </message>
 </context>
 <context>
     <name>odo::ThroughWizard</name>
     <message>
-        <source>Register through another camera</source>
+        <source>Register via another camera</source>
         <translation>Über andere Kamera einmessen</translation>
     </message>
     <message>
@@ -13694,15 +13694,15 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>&amp;Speichern</translation>
     </message>
     <message>
-        <source>Two cameras and their pictures</source>
+        <source>Two cameras and their images</source>
         <translation>Zwei Kameras und ihre Bilder</translation>
     </message>
     <message>
-        <source>The same points in both pictures</source>
+        <source>The same points in both images</source>
         <translation>Dieselben Punkte in beiden Bildern</translation>
     </message>
     <message>
-        <source>Getting the pictures…</source>
+        <source>Loading the images…</source>
         <translation>Bilder werden geholt…</translation>
     </message>
 </context>
@@ -13740,7 +13740,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Rückwärts abspielen, erneut: schneller</translation>
     </message>
     <message>
-        <source>&amp;Stop; held, the two beside go by one frame</source>
+        <source>&amp;Stop; while held, the keys beside it step one frame</source>
         <translation>&amp;Stopp; gehalten: die Tasten daneben gehen ein Bild weiter</translation>
     </message>
     <message>
@@ -13818,7 +13818,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>odo::TrackDialog</name>
     <message>
-        <source>Robots to follow</source>
+        <source>Robots to track</source>
         <translation>Zu verfolgende Roboter</translation>
     </message>
     <message>
@@ -13877,7 +13877,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Gepackte Projekte (*%1)</translation>
     </message>
     <message>
-        <source>The project is packed into %1. Elsewhere it is unpacked by &quot;Unpack a packed project&quot;.</source>
+        <source>Project packed into %1. To use it on another computer, choose &quot;Unpack a packed project&quot; there.</source>
         <translation>Das Projekt ist in %1 gepackt. Anderswo wird es mit „Gepacktes Projekt entpacken“ entpackt.</translation>
     </message>
     <message>
@@ -13893,15 +13893,15 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Gepackte Projekte (*%1);;Alle Dateien (*)</translation>
     </message>
     <message>
-        <source>Where shall the project be unpacked?</source>
+        <source>Choose a folder for the unpacked project</source>
         <translation>Wohin soll das Projekt entpackt werden?</translation>
     </message>
     <message>
-        <source>In which folder, or below, may the lost videos lie?</source>
+        <source>Choose the folder to search for the lost videos (with subfolders)</source>
         <translation>In oder unter welchem Ordner könnten die verlorenen Videos liegen?</translation>
     </message>
     <message>
-        <source>%1 of %2 lost videos were found, by their content.</source>
+        <source>Found %1 of %2 lost videos by their content.</source>
         <translation>%1 von %2 verlorenen Videos wurden anhand ihres Inhalts gefunden.</translation>
     </message>
     <message>
@@ -13924,7 +13924,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         </translation>
     </message>
     <message>
-        <source>Videos can become trials of their own. Removed files are gone for good.</source>
+        <source>You can add videos as trials. Removed files are gone for good.</source>
         <translation>Videos können eigene Versuche werden. Entfernte Dateien sind endgültig gelöscht.</translation>
     </message>
     <message>
@@ -13950,7 +13950,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n other file(s), listed last, stay: missing recordings, projects, and what is neither a video nor a picture.</source>
+        <source>%n other file(s), listed last, stay: missing recordings, projects, and files that are neither videos nor images.</source>
         <translation>
             <numerusform>%n andere Datei, am Ende aufgeführt, bleibt: eine vermisste Aufnahme, ein Projekt oder was weder Video noch Bild ist.</numerusform>
             <numerusform>%n andere Dateien, am Ende aufgeführt, bleiben: vermisste Aufnahmen, Projekte und was weder Video noch Bild ist.</numerusform>
@@ -14019,11 +14019,11 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>&amp;Roboter hinzufügen…</translation>
     </message>
     <message>
-        <source>The sample at %1 of %2 is not used. Undo takes it back.</source>
+        <source>The sample at %1 of %2 is not used. Choose Undo to use it.</source>
         <translation>Der Messpunkt bei %1 von %2 wird nicht verwendet. Rückgängig nimmt es zurück.</translation>
     </message>
     <message>
-        <source>The sample at %1 of %2 is used. Undo takes it back.</source>
+        <source>The sample at %1 of %2 is used. Choose Undo to reverse this.</source>
         <translation>Der Messpunkt bei %1 von %2 wird verwendet. Rückgängig nimmt es zurück.</translation>
     </message>
     <message>
@@ -14035,11 +14035,11 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>MP4-Videos (*.mp4)</translation>
     </message>
     <message>
-        <source>The video of %1 is there: %2</source>
+        <source>Video of %1 saved as %2</source>
         <translation>Das Video von %1 ist da: %2</translation>
     </message>
     <message>
-        <source>Robot %1 is known now.</source>
+        <source>Robot %1 added.</source>
         <translation>Roboter %1 ist jetzt bekannt.</translation>
     </message>
 </context>
@@ -14243,7 +14243,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>nicht verfolgt</translation>
     </message>
     <message>
-        <source>measure again</source>
+        <source>reanalyse</source>
         <translation>neu auswerten</translation>
     </message>
     <message>
@@ -14332,7 +14332,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Rückgängig gemacht: %1.</translation>
     </message>
     <message>
-        <source>Made again: %1.</source>
+        <source>Redone: %1.</source>
         <translation>Wiederholt: %1.</translation>
     </message>
     <message>
@@ -14355,7 +14355,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>odo::VideoDialog</name>
     <message>
-        <source>As it was driven</source>
+        <source>Real time</source>
         <translation>Wie gefahren</translation>
     </message>
     <message>
@@ -14379,7 +14379,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Dunkel</translation>
     </message>
     <message>
-        <source>One video with the pictures of all cameras, the map and the speed, to be shown or sent: whoever gets it needs no Odograph.</source>
+        <source>One video with all camera views, the map and the speed, to show or send. It plays without Odograph.</source>
         <translation>Ein Video mit den Bildern aller Kameras, der Karte und der Geschwindigkeit, zum Zeigen oder Verschicken: Wer es bekommt, braucht kein Odograph.</translation>
     </message>
     <message>
@@ -14395,7 +14395,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>&amp;Design</translation>
     </message>
     <message>
-        <source>Choose a place…</source>
+        <source>Choose a file…</source>
         <translation>Ort wählen…</translation>
     </message>
 </context>
@@ -14429,15 +14429,15 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Aus der Bewegung oder einem Blitz</translation>
     </message>
     <message>
-        <source>Begun together</source>
+        <source>Same start time</source>
         <translation>Gleichzeitig begonnen</translation>
     </message>
     <message>
-        <source>By hand: begun later by</source>
+        <source>By hand: time offset</source>
         <translation>Von Hand: später begonnen um</translation>
     </message>
     <message>
-        <source>How view %1 gets in step with the first</source>
+        <source>How to synchronise view %1 with the first</source>
         <translation>Wie Sicht %1 synchron zur ersten wird</translation>
     </message>
     <message>
@@ -14449,11 +14449,11 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation> s</translation>
     </message>
     <message>
-        <source>How much later view %1 began</source>
+        <source>Time offset of view %1</source>
         <translation>Wie viel später Sicht %1 begann</translation>
     </message>
     <message>
-        <source>Below zero: it began earlier than the first view</source>
+        <source>Negative: it started before the first view</source>
         <translation>Unter null: Sie begann früher als die erste Sicht</translation>
     </message>
     <message>
@@ -14476,14 +14476,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Letzte Projekte</translation>
     </message>
     <message>
-        <source>not found any more</source>
+        <source>no longer found</source>
         <translation>nicht mehr gefunden</translation>
     </message>
 </context>
 <context>
     <name>odo::Workspace</name>
     <message>
-        <source>%1: %2. Here it can only be looked at; to change it, close it there and open it here again.</source>
+        <source>%1: %2. It is read-only here; to change it, close it there and reopen it here.</source>
         <translation>%1: %2. Hier lässt es sich nur ansehen; um es zu ändern, schließen Sie es dort und öffnen Sie es hier erneut.</translation>
     </message>
     <message>
@@ -14534,7 +14534,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Zone: &amp;meiden</translation>
     </message>
     <message>
-        <source>The robot&apos;s centre must stay in a zone, or keep out of it. Each is judged by itself; how often, how long and how far it was broken can be scored. Drag corners and edges on the map.</source>
+        <source>The robot&apos;s reference point must stay in a zone or keep out of it. Each zone counts separately; you can score how often, how long and how far a robot broke it. Drag corners and edges on the map.</source>
         <translation>Die Mitte des Roboters muss in einer Zone bleiben oder sie meiden. Jede wird für sich beurteilt; wie oft, wie lange und wie weit sie verletzt wurde, kann gewertet werden. Ziehen Sie Ecken und Ränder auf der Karte.</translation>
     </message>
     <message>
@@ -17391,7 +17391,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>ui.backup_is_sound</name>
     <message>
-        <source>its backup of %1 is sound; what was done since is not in it</source>
+        <source>its backup of %1 is intact; it does not contain later changes</source>
         <translation>seine Sicherungskopie vom %1 ist unversehrt; was seitdem getan wurde, ist nicht darin</translation>
     </message>
 </context>
@@ -17433,7 +17433,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>ui.cannot_make_another</name>
     <message>
-        <source>cannot make another project</source>
+        <source>cannot create another project</source>
         <translation>ein anderes Projekt lässt sich nicht anlegen</translation>
     </message>
 </context>
@@ -17482,7 +17482,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>ui.charuco_numbered_in_two_ways</name>
     <message>
-        <source>a ChArUco board of %1 rows of squares is numbered in two ways by different programs</source>
+        <source>programs number a ChArUco board with %1 rows of squares in two different ways</source>
         <translation>eine ChArUco-Tafel mit %1 Quadratreihen wird von verschiedenen Programmen auf zweierlei Weise nummeriert</translation>
     </message>
 </context>
@@ -17531,7 +17531,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>ui.completing_recording</name>
     <message>
-        <source>Completing a recording that was cut off</source>
+        <source>Completing an interrupted recording</source>
         <translation>Abgebrochene Aufnahme wird vervollständigt</translation>
     </message>
 </context>
@@ -17622,21 +17622,21 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>ui.give_board_size</name>
     <message>
-        <source>give a size as 9x6</source>
+        <source>give a size such as 9x6</source>
         <translation>geben Sie eine Größe an, etwa 9x6</translation>
     </message>
 </context>
 <context>
     <name>ui.give_marker_size</name>
     <message>
-        <source>give its size, as 150mm</source>
+        <source>give its size, such as 150mm</source>
         <translation>geben Sie seine Größe an, etwa 150mm</translation>
     </message>
 </context>
 <context>
     <name>ui.give_square_side</name>
     <message>
-        <source>give the side of a square, as 25mm</source>
+        <source>give the side of a square, such as 25mm</source>
         <translation>geben Sie die Seite eines Quadrats an, etwa 25mm</translation>
     </message>
 </context>
@@ -17657,7 +17657,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>ui.is_printer_ready</name>
     <message>
-        <source>look whether the printer is ready</source>
+        <source>check that the printer is ready</source>
         <translation>sehen Sie nach, ob der Drucker bereit ist</translation>
     </message>
 </context>
@@ -17671,7 +17671,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>ui.lens_of_other_size</name>
     <message>
-        <source>it is %1×%2, but the lens was measured at %3×%4</source>
+        <source>its size is %1×%2, but the lens was calibrated at %3×%4</source>
         <translation>es hat %1×%2, aber das Objektiv wurde bei %3×%4 gemessen</translation>
     </message>
 </context>
@@ -17699,21 +17699,21 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>ui.looking_for_lost</name>
     <message>
-        <source>Looking for lost videos</source>
+        <source>Searching for lost videos</source>
         <translation>Verlorene Videos werden gesucht</translation>
     </message>
 </context>
 <context>
     <name>ui.looking_for_strays</name>
     <message>
-        <source>Looking for stray files</source>
+        <source>Searching for stray files</source>
         <translation>Herrenlose Dateien werden gesucht</translation>
     </message>
 </context>
 <context>
     <name>ui.make_marker_smaller</name>
     <message>
-        <source>make it %1 at most, or take a larger paper</source>
+        <source>make it at most %1, or use larger paper</source>
         <translation>machen Sie ihn höchstens %1 groß, oder nehmen Sie ein größeres Papier</translation>
     </message>
 </context>
@@ -17727,42 +17727,42 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>ui.make_squares_smaller</name>
     <message>
-        <source>make the squares %1 at most, or take a larger paper</source>
+        <source>make the squares at most %1, or use larger paper</source>
         <translation>machen Sie die Quadrate höchstens %1 groß, oder nehmen Sie ein größeres Papier</translation>
     </message>
 </context>
 <context>
     <name>ui.making_demo</name>
     <message>
-        <source>Making the demo lesson</source>
+        <source>Creating the demo lesson</source>
         <translation>Demo-Lektion wird angelegt</translation>
     </message>
 </context>
 <context>
     <name>ui.making_hashes</name>
     <message>
-        <source>Making the hashes of new recordings</source>
+        <source>Computing the hashes of new recordings</source>
         <translation>Prüfsummen neuer Aufnahmen werden gebildet</translation>
     </message>
 </context>
 <context>
     <name>ui.making_report</name>
     <message>
-        <source>Making the report</source>
+        <source>Creating the report</source>
         <translation>Bericht wird erstellt</translation>
     </message>
 </context>
 <context>
     <name>ui.making_video</name>
     <message>
-        <source>Making the video of %1</source>
+        <source>Creating the video of %1</source>
         <translation>Video von %1 wird erstellt</translation>
     </message>
 </context>
 <context>
     <name>ui.making_videos</name>
     <message>
-        <source>Making the video of %1 (%2 of %3)</source>
+        <source>Creating the video of %1 (%2 of %3)</source>
         <translation>Video von %1 wird erstellt (%2 von %3)</translation>
     </message>
 </context>
@@ -17776,21 +17776,21 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>ui.measuring_again</name>
     <message>
-        <source>Measuring %1 again</source>
+        <source>Reanalysing %1</source>
         <translation>%1 wird neu ausgewertet</translation>
     </message>
 </context>
 <context>
     <name>ui.measuring_trials_again</name>
     <message>
-        <source>Measuring %1 again (%2 of %3)</source>
+        <source>Reanalysing %1 (%2 of %3)</source>
         <translation>%1 wird neu ausgewertet (%2 von %3)</translation>
     </message>
 </context>
 <context>
     <name>ui.mend_and_choose_again</name>
     <message>
-        <source>mend what stands there, and choose these trials again</source>
+        <source>correct the listed errors, then select these trials again</source>
         <translation>beheben, was dort steht, und diese Versuche erneut wählen</translation>
     </message>
 </context>
@@ -17804,7 +17804,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>ui.name_one_marker</name>
     <message>
-        <source>name at least one, as O</source>
+        <source>name at least one, for example O</source>
         <translation>nennen Sie mindestens einen, etwa O</translation>
     </message>
 </context>
@@ -17825,7 +17825,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>ui.no_marker_to_print</name>
     <message>
-        <source>there is no marker to print</source>
+        <source>no marker to print</source>
         <translation>kein Marker ist zu drucken</translation>
     </message>
 </context>
@@ -17860,7 +17860,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>ui.no_trial_yet</name>
     <message>
-        <source>there is no trial yet</source>
+        <source>the project has no trial yet</source>
         <translation>es gibt noch keinen Versuch</translation>
     </message>
 </context>
@@ -17874,35 +17874,35 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>ui.nothing_changed_here</name>
     <message>
-        <source>nothing was changed here</source>
+        <source>no change was made here</source>
         <translation>hier wurde nichts geändert</translation>
     </message>
 </context>
 <context>
     <name>ui.only_be_read</name>
     <message>
-        <source>this project can only be read</source>
+        <source>this project is read-only</source>
         <translation>dieses Projekt ist nur lesbar</translation>
     </message>
 </context>
 <context>
     <name>ui.only_one_camera</name>
     <message>
-        <source>there is only one camera</source>
+        <source>the project has only one camera</source>
         <translation>es gibt nur eine Kamera</translation>
     </message>
 </context>
 <context>
     <name>ui.only_so_many_charuco_markers</name>
     <message>
-        <source>there are only 250 markers for a ChArUco board</source>
+        <source>only 250 markers exist for a ChArUco board</source>
         <translation>für eine ChArUco-Tafel gibt es nur 250 Marker</translation>
     </message>
 </context>
 <context>
     <name>ui.only_so_many_tags</name>
     <message>
-        <source>there are only %1 tags</source>
+        <source>only %1 tags exist</source>
         <translation>es gibt nur %1 Tags</translation>
     </message>
 </context>
@@ -17916,7 +17916,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>ui.open_project_first</name>
     <message>
-        <source>open or make a project first</source>
+        <source>open or create a project first</source>
         <translation>zuerst ein Projekt öffnen oder anlegen</translation>
     </message>
 </context>
@@ -17951,7 +17951,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>ui.picture</name>
     <message>
-        <source>the picture</source>
+        <source>the image</source>
         <translation>das Bild</translation>
     </message>
 </context>
@@ -18021,7 +18021,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>ui.registration_through_another</name>
     <message>
-        <source>registration through another camera</source>
+        <source>registration via another camera</source>
         <translation>Einmessung über eine andere Kamera</translation>
     </message>
 </context>
@@ -18084,7 +18084,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>ui.save_copy</name>
     <message>
-        <source>save a copy and work on that</source>
+        <source>save a copy and work on the copy</source>
         <translation>eine Kopie speichern und mit ihr arbeiten</translation>
     </message>
 </context>
@@ -18119,21 +18119,21 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>ui.take_at_that_resolution</name>
     <message>
-        <source>take it at that resolution, or measure the lens again</source>
+        <source>use that resolution, or calibrate the lens again</source>
         <translation>nehmen Sie es in jener Auflösung auf, oder messen Sie das Objektiv neu</translation>
     </message>
 </context>
 <context>
     <name>ui.take_even_rows</name>
     <message>
-        <source>take an even number of rows of inner corners, as 9x6</source>
+        <source>use an even number of rows of inner corners, such as 9x6</source>
         <translation>nehmen Sie eine gerade Anzahl von Reihen innerer Ecken, etwa 9x6</translation>
     </message>
 </context>
 <context>
     <name>ui.take_fewer_squares</name>
     <message>
-        <source>take fewer squares</source>
+        <source>use fewer squares</source>
         <translation>nehmen Sie weniger Quadrate</translation>
     </message>
 </context>
@@ -18147,7 +18147,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>ui.taking_over_setup</name>
     <message>
-        <source>Taking over the set-up</source>
+        <source>Copying the set-up</source>
         <translation>Der Aufbau wird übernommen</translation>
     </message>
 </context>
@@ -18196,7 +18196,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>ui.trials_measured_again</name>
     <message>
-        <source>Trials measured again: %1 of %2</source>
+        <source>Trials reanalysed: %1 of %2</source>
         <translation>Neu ausgewertete Versuche: %1 von %2</translation>
     </message>
 </context>
@@ -18210,7 +18210,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>ui.unarchive_task</name>
     <message>
-        <source>take task %1 out of the archive</source>
+        <source>restore task %1 from the archive</source>
         <translation>Aufgabe %1 aus dem Archiv holen</translation>
     </message>
 </context>
@@ -18245,7 +18245,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>ui.undo_in_menu</name>
     <message>
-        <source>what was changed before is taken back in the window&apos;s menu Edit</source>
+        <source>use the window&apos;s Edit menu to undo earlier changes</source>
         <translation>frühere Änderungen im Menü Bearbeiten des Fensters zurücknehmen</translation>
     </message>
 </context>
@@ -18287,7 +18287,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>ui.videos_made</name>
     <message>
-        <source>Videos made: %1 of %2</source>
+        <source>Videos created: %1 of %2</source>
         <translation>Erstellte Videos: %1 von %2</translation>
     </message>
 </context>

@@ -85,10 +85,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%1 of %n trial(s) removed for good; the rest is still there.</source>
+        <source>Removed %1 of %n trial(s) for good; the rest is still in the bin.</source>
         <translation>
-            <numerusform>%1 of %n trial was removed for good; the rest is still there.</numerusform>
-            <numerusform>%1 of %n trials were removed for good; the rest is still there.</numerusform>
+            <numerusform>Removed %1 of %n trial for good; the rest is still in the bin.</numerusform>
+            <numerusform>Removed %1 of %n trials for good; the rest is still in the bin.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -180,10 +180,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>The course as it was before it was changed: %n result(s) measured by it keep it.</source>
+        <source>Earlier version of the course: %n result(s) still use it.</source>
         <translation>
-            <numerusform>The course as it was before it was changed: %n result measured by it keeps it.</numerusform>
-            <numerusform>The course as it was before it was changed: %n results measured by it keep it.</numerusform>
+            <numerusform>Earlier version of the course: %n result still uses it.</numerusform>
+            <numerusform>Earlier version of the course: %n results still use it.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -194,24 +194,24 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n of them measured by another course: times at gates and distances from the path are of that one, and there is no score until they are measured again.</source>
+        <source>%n of them were measured with another course: their gate times and distances from the path belong to that one, and they have no score until you reanalyse them.</source>
         <translation>
-            <numerusform>%n of them was measured by another course: times at gates and distances from the path are of that one, and there is no score until it is measured again.</numerusform>
-            <numerusform>%n of them were measured by another course: times at gates and distances from the path are of that one, and there is no score until they are measured again.</numerusform>
+            <numerusform>%n of them was measured with another course: its gate times and distances from the path belong to that one, and it has no score until you reanalyse it.</numerusform>
+            <numerusform>%n of them were measured with another course: their gate times and distances from the path belong to that one, and they have no score until you reanalyse them.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>It is scored by %n figure(s).</source>
+        <source>It is scored by %n metric(s).</source>
         <translation>
-            <numerusform>It is scored by %n figure.</numerusform>
-            <numerusform>It is scored by %n figures.</numerusform>
+            <numerusform>It is scored by %n metric.</numerusform>
+            <numerusform>It is scored by %n metrics.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n result(s) measured by this course stay true: a course that is changed is kept for them as an earlier version. The trials go over to the new one; their times and scores follow once they are measured again.</source>
+        <source>%n result(s) measured with this course stay valid: if you change the course, they keep the earlier version. Reanalyse the trials to update their times and scores.</source>
         <translation>
-            <numerusform>%n result measured by this course stays true: a course that is changed is kept for it as an earlier version. The trial goes over to the new one; its times and score follow once it is measured again.</numerusform>
-            <numerusform>%n results measured by this course stay true: a course that is changed is kept for them as an earlier version. The trials go over to the new one; their times and scores follow once they are measured again.</numerusform>
+            <numerusform>%n result measured with this course stays valid: if you change the course, it keeps the earlier version. Reanalyse the trial to update its times and score.</numerusform>
+            <numerusform>%n results measured with this course stay valid: if you change the course, they keep the earlier version. Reanalyse the trials to update their times and scores.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -273,10 +273,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n other file(s), listed last, stay: missing recordings, projects, and what is neither a video nor a picture.</source>
+        <source>%n other file(s), listed last, stay: missing recordings, projects, and files that are neither videos nor images.</source>
         <translation>
-            <numerusform>%n other file, listed last, stays: a missing recording, a project, or what is neither a video nor a picture.</numerusform>
-            <numerusform>%n other files, listed last, stay: missing recordings, projects, and what is neither a video nor a picture.</numerusform>
+            <numerusform>%n other file, listed last, stays: a missing recording, a project, or a file that is neither a video nor an image.</numerusform>
+            <numerusform>%n other files, listed last, stay: missing recordings, projects, and files that are neither videos nor images.</numerusform>
         </translation>
     </message>
 </context>

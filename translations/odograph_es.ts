@@ -4,7 +4,7 @@
 <context>
     <name>AccuracyLayer</name>
     <message>
-        <source>expected ±, hatched: not seen</source>
+        <source>expected ±, hatched: not visible</source>
         <translation>± previsto; rayado: no se ve</translation>
     </message>
     <message>
@@ -19,11 +19,11 @@
         <translation>%1 ms</translation>
     </message>
     <message>
-        <source>begun %1 earlier</source>
+        <source>started %1 earlier</source>
         <translation>iniciada %1 antes</translation>
     </message>
     <message>
-        <source>begun %1 later</source>
+        <source>started %1 later</source>
         <translation>iniciada %1 después</translation>
     </message>
     <message>
@@ -43,31 +43,31 @@
         <translation>ninguno: diferencias directas</translation>
     </message>
     <message>
-        <source>%1, as told by hand</source>
+        <source>%1, set by hand</source>
         <translation>%1, según se indicó a mano</translation>
     </message>
     <message>
-        <source>in step to %1, found from the motion; %2</source>
+        <source>synchronised to %1 by the motion; %2</source>
         <translation>sincronizada a %1 por el movimiento; %2</translation>
     </message>
     <message>
-        <source>in step to %1, found from a flash of light; %2</source>
+        <source>synchronised to %1 by a flash of light; %2</source>
         <translation>sincronizada a %1 por un destello de luz; %2</translation>
     </message>
     <message>
-        <source>in step to %1, by the cameras&apos; time stamps; %2</source>
+        <source>synchronised to %1 by the cameras&apos; time stamps; %2</source>
         <translation>sincronizada a %1 por las marcas de tiempo de las cámaras; %2</translation>
     </message>
     <message>
-        <source>taken as begun together</source>
+        <source>assumed to start at the same time</source>
         <translation>se supone iniciada a la vez</translation>
     </message>
     <message>
-        <source>, its clock %1 ppm fast</source>
+        <source>, clock %1 ppm fast</source>
         <translation>, su reloj adelanta %1 ppm</translation>
     </message>
     <message>
-        <source>, its clock %1 ppm slow</source>
+        <source>, clock %1 ppm slow</source>
         <translation>, su reloj atrasa %1 ppm</translation>
     </message>
     <message>
@@ -210,19 +210,19 @@
 <context>
     <name>ComparisonExplanation</name>
     <message>
-        <source>There is no difference.</source>
+        <source>No difference.</source>
         <translation>No hay diferencia.</translation>
     </message>
     <message>
-        <source>Both are exact, so that any difference is one.</source>
+        <source>Both values are exact: any difference is real.</source>
         <translation>Ambos son exactos, de modo que cualquier diferencia es real.</translation>
     </message>
     <message>
-        <source>It is %1 σ, more than 1.96: were there no difference, chance would give as much in less than 5 of 100 cases.</source>
+        <source>%1 σ, above 1.96: without a real difference, chance would give this much in fewer than 5 of 100 cases.</source>
         <translation>Es de %1 σ, más de 1,96: si no hubiera diferencia, el azar daría una así en menos de 5 de cada 100 casos.</translation>
     </message>
     <message>
-        <source>It is %1 σ, not more than 1.96: within the error, so that no difference can be claimed.</source>
+        <source>%1 σ, not above 1.96: the difference is not significant.</source>
         <translation>Es de %1 σ, no más de 1,96: queda dentro del error, así que no se puede afirmar ninguna diferencia.</translation>
     </message>
     <message>
@@ -230,7 +230,7 @@
         <translation>a lo largo de la trayectoria de referencia de la tarea</translation>
     </message>
     <message>
-        <source>along the way of %1</source>
+        <source>along the path of %1</source>
         <translation>a lo largo del camino de %1</translation>
     </message>
     <message>
@@ -242,19 +242,19 @@
         <translation>tiempo 0: cada uno empieza a moverse</translation>
     </message>
     <message>
-        <source>time 0: each first comes to the same place of the way</source>
+        <source>time 0: each first reaches the same point of the path</source>
         <translation>tiempo 0: cada uno llega por primera vez al mismo lugar del camino</translation>
     </message>
     <message>
-        <source>time 0: told by hand, to a frame</source>
+        <source>time 0: set by hand, to one frame</source>
         <translation>tiempo 0: indicado a mano, con precisión de un fotograma</translation>
     </message>
     <message>
-        <source>both by the same registrations and for the same solid: what the calibration adds is common, and only its difference counts</source>
+        <source>both with the same registrations and robot shape: the calibration uncertainty is common, so only its difference counts</source>
         <translation>ambos con los mismos registros y para el mismo sólido: lo que añade la calibración es común y solo cuenta su diferencia</translation>
     </message>
     <message>
-        <source>not by the same registrations, or not for the same solid: what the calibration adds counts for both in full</source>
+        <source>different registrations or robot shapes: the calibration uncertainty counts in full for both</source>
         <translation>no con los mismos registros o no para el mismo sólido: lo que añade la calibración cuenta por completo para ambos</translation>
     </message>
     <message>
@@ -262,7 +262,7 @@
         <translation>ninguno</translation>
     </message>
     <message>
-        <source>%1: %2 less %3</source>
+        <source>%1: %2 minus %3</source>
         <translation>%1: %2 menos %3</translation>
     </message>
     <message>
@@ -270,11 +270,11 @@
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>only one of the two has it</source>
+        <source>only one of the two runs has it</source>
         <translation>solo uno de los dos lo tiene</translation>
     </message>
     <message>
-        <source>the figure of %1 less that of %2</source>
+        <source>the value of %1 minus that of %2</source>
         <translation>el indicador de %1 menos el de %2</translation>
     </message>
     <message>
@@ -282,15 +282,15 @@
         <translation>Cada uno: %1</translation>
     </message>
     <message>
-        <source>√(σ₁² + σ₂²), both as independent; where the runs share their calibration, its error of scale leaves only its part of the difference</source>
+        <source>√(σ₁² + σ₂²), treated as independent; where the runs share their calibration, its scale uncertainty counts only for the difference</source>
         <translation>√(σ₁² + σ₂²), ambos como independientes; si los recorridos comparten la calibración, el error de escala de esta aporta solo su parte de la diferencia</translation>
     </message>
     <message>
-        <source>not seen at an end</source>
+        <source>not visible at one end</source>
         <translation>no visto en un extremo</translation>
     </message>
     <message>
-        <source>Sector %1 to %2: %3 less %4</source>
+        <source>Sector %1 to %2: %3 minus %4</source>
         <translation>Sector de %1 a %2: %3 menos %4</translation>
     </message>
     <message>
@@ -302,15 +302,15 @@
         <translation>fin</translation>
     </message>
     <message>
-        <source>The time from the first arrival at the one gate to the first arrival at the next, of each run, by its place along the common path; waiting counts.</source>
+        <source>For each run, the time from its first arrival at one gate to its first arrival at the next, by its position along the common path; waiting counts.</source>
         <translation>El tiempo desde la primera llegada a una puerta hasta la primera llegada a la siguiente, en cada recorrido, según su lugar en la trayectoria común; las esperas cuentan.</translation>
     </message>
     <message>
-        <source>of each arrival: σ of the place along the path over the speed; displacements at two gates count as independent</source>
+        <source>of each arrival: σ of the position along the path divided by the speed; displacements at two gates count as independent</source>
         <translation>de cada llegada: σ de la posición a lo largo de la trayectoria dividida por la velocidad; los desplazamientos en dos puertas cuentan como independientes</translation>
     </message>
     <message>
-        <source>from %1 to %2 of the way</source>
+        <source>from %1 to %2 along the path</source>
         <translation>de %1 a %2 del camino</translation>
     </message>
     <message>
@@ -318,11 +318,11 @@
         <translation>Δt de %1 frente a %2 en %3</translation>
     </message>
     <message>
-        <source>The time of the first arrival at this place of the common path, each from its own time 0: that of %1 less that of %2. Above 0 it is later.</source>
+        <source>The time of the first arrival at this point of the common path, each from its own time 0: that of %1 minus that of %2. Positive means later.</source>
         <translation>El tiempo de la primera llegada a este lugar de la trayectoria común, cada uno desde su propio tiempo 0: el de %1 menos el de %2. Por encima de 0 llega más tarde.</translation>
     </message>
     <message>
-        <source>of both arrivals: σ of the place along the path over the speed, and of both times 0</source>
+        <source>of both arrivals: σ of the position along the path divided by the speed, and of both times 0</source>
         <translation>de ambas llegadas: σ de la posición a lo largo de la trayectoria dividida por la velocidad, y de ambos tiempos 0</translation>
     </message>
     <message>
@@ -330,11 +330,11 @@
         <translation>Velocidad de %1 en %2</translation>
     </message>
     <message>
-        <source>|v| of the smoothed curve where the run first comes to this place of the common path, between frames interpolated</source>
+        <source>|v| of the smoothed curve where the run first reaches this point of the common path, interpolated between frames</source>
         <translation>|v| de la curva suavizada donde el recorrido llega por primera vez a este lugar de la trayectoria común, interpolada entre fotogramas</translation>
     </message>
     <message>
-        <source>σ of the smoothed velocity there, with the calibration&apos;s error of scale</source>
+        <source>σ of the smoothed velocity there, including the calibration&apos;s scale uncertainty</source>
         <translation>σ del vector velocidad suavizado allí, con el error de escala de la calibración</translation>
     </message>
 </context>
@@ -439,7 +439,7 @@
 <context>
     <name>Explanation</name>
     <message>
-        <source>that of the smoothed curve there, and the calibration&apos;s error of scale</source>
+        <source>that of the smoothed curve there, and the calibration&apos;s scale uncertainty</source>
         <translation>el de la curva suavizada allí, y el error de escala de la calibración</translation>
     </message>
     <message>
@@ -447,7 +447,7 @@
         <translation>Del inicio del movimiento a la última parada. Moverse significa ir a más de 20 mm/s y de tres σ de la velocidad, durante al menos tres fotogramas; el instante entre dos fotogramas se interpola.</translation>
     </message>
     <message>
-        <source>of both moments: σ of the speed over its steepness there</source>
+        <source>of both moments: σ of the speed divided by its slope there</source>
         <translation>de ambos instantes: σ de la velocidad dividida por su pendiente allí</translation>
     </message>
     <message>
@@ -455,7 +455,7 @@
         <translation>∫|v|dt mientras se mueve, por la regla del trapecio sobre la velocidad suavizada. Un hueco sin puentear cuenta como recta.</translation>
     </message>
     <message>
-        <source>of the ends&apos; positions, of errors across the path where it turns, and the calibration&apos;s error of scale</source>
+        <source>of the end positions, of lateral errors where the path turns, and the calibration&apos;s scale uncertainty</source>
         <translation>de las posiciones de los extremos, de los errores transversales a la trayectoria donde esta gira, y el error de escala de la calibración</translation>
     </message>
     <message>
@@ -463,11 +463,11 @@
         <translation>distancia recorrida / tiempo</translation>
     </message>
     <message>
-        <source>of both, taken as independent</source>
+        <source>of both, treated as independent</source>
         <translation>de ambos, tomados como independientes</translation>
     </message>
     <message>
-        <source>The speed |v| of the smoothed curve where |v| − 2σ is largest, so that a badly known point does not win by its error.</source>
+        <source>The speed |v| of the smoothed curve where |v| − 2σ is largest. A point does not win only because its uncertainty is large.</source>
         <translation>La velocidad |v| de la curva suavizada donde |v| − 2σ es máxima, para que un punto mal conocido no gane por su error.</translation>
     </message>
     <message>
@@ -475,7 +475,7 @@
         <translation>√(media de |v|²) mientras se mueve</translation>
     </message>
     <message>
-        <source>the bound for errors that all go together, and the calibration&apos;s error of scale</source>
+        <source>the bound for fully correlated errors, and the calibration&apos;s scale uncertainty</source>
         <translation>la cota para errores totalmente correlacionados, y el error de escala de la calibración</translation>
     </message>
     <message>
@@ -487,11 +487,11 @@
         <translation>√(media de |a|²) mientras se mueve</translation>
     </message>
     <message>
-        <source>distance from the first to the last place of the motion / path length</source>
+        <source>distance from the first to the last position of the motion / path length</source>
         <translation>distancia de la primera a la última posición del movimiento / distancia recorrida</translation>
     </message>
     <message>
-        <source>of the ends&apos; positions</source>
+        <source>of the end positions</source>
         <translation>de las posiciones de los extremos</translation>
     </message>
     <message>
@@ -499,7 +499,7 @@
         <translation>El tiempo durante el cual se mueve: a más de 20 mm/s y de tres σ de la velocidad.</translation>
     </message>
     <message>
-        <source>of each start and stop: σ of the speed over its steepness</source>
+        <source>of each start and stop: σ of the speed divided by its slope</source>
         <translation>de cada arranque y parada: σ de la velocidad dividida por su pendiente</translation>
     </message>
     <message>
@@ -519,7 +519,7 @@
         <translation>La velocidad que no se supera durante la mitad del tiempo en movimiento.</translation>
     </message>
     <message>
-        <source>of the stretches within 1.5 σ of it, each by its mean</source>
+        <source>of the intervals within 1.5 σ of it, each by its mean</source>
         <translation>de los tramos a menos de 1,5 σ de ella, cada uno por su media</translation>
     </message>
     <message>
@@ -531,7 +531,7 @@
         <translation>La aceleración que no se supera durante el 95 % del tiempo en movimiento.</translation>
     </message>
     <message>
-        <source>(vx·ay − vy·ax)/|v|² of the smoothed curve, either way, where it less 2σ is largest.</source>
+        <source>(vx·ay − vy·ax)/|v|² of the smoothed curve, to the left or right, where its amount minus 2σ is largest.</source>
         <translation>(vx·ay − vy·ax)/|v|² de la curva suavizada, en uno u otro sentido, donde su valor menos 2σ es máximo.</translation>
     </message>
     <message>
@@ -539,11 +539,11 @@
         <translation>σ² = σa²/|v|² + |a|²σv²/|v|⁴, primer orden</translation>
     </message>
     <message>
-        <source>The circle with the least squared distances from the places of the motion.</source>
+        <source>The least-squares circle through the positions of the motion.</source>
         <translation>La circunferencia con la menor suma de cuadrados de las distancias a las posiciones del movimiento.</translation>
     </message>
     <message>
-        <source>of the distances&apos; scatter, neighbours counted as fewer by 1 + 2Σρ, and the calibration&apos;s error of scale</source>
+        <source>of the scatter of the distances, with their number divided by 1 + 2Σρ for correlated neighbours, and the calibration&apos;s scale uncertainty</source>
         <translation>de la dispersión de las distancias, con el número efectivo de puntos reducido por 1 + 2Σρ, y el error de escala de la calibración</translation>
     </message>
     <message>
@@ -551,7 +551,7 @@
         <translation>Del paso por la puerta de salida al paso por la meta, ambos interpolados entre fotogramas.</translation>
     </message>
     <message>
-        <source>of both passages: σ of the position across the gate over the speed</source>
+        <source>of both passages: σ of the position across the gate divided by the speed</source>
         <translation>de ambos pasos: σ de la posición perpendicular a la puerta dividida por la velocidad</translation>
     </message>
     <message>
@@ -563,7 +563,7 @@
         <translation>La vuelta más rápida.</translation>
     </message>
     <message>
-        <source>of its two passages; the calibration&apos;s error of a gate passed twice cancels</source>
+        <source>of its two passages; the calibration uncertainty of a gate passed twice cancels</source>
         <translation>de sus dos pasos; el error de calibración de una puerta por la que se pasa dos veces se cancela</translation>
     </message>
     <message>
@@ -575,15 +575,15 @@
         <translation>del primer y el último paso, dividido por el número de vueltas</translation>
     </message>
     <message>
-        <source>The mean distance from the reference path, over the way.</source>
+        <source>The distance from the reference path, averaged along the path.</source>
         <translation>La media, a lo largo del camino, de la distancia a la trayectoria de referencia.</translation>
     </message>
     <message>
-        <source>of the position across the path, and of its noise, which has no sign there</source>
+        <source>of the position across the path, and of its noise: the distance has no sign, so noise does not cancel</source>
         <translation>de la posición transversal a la trayectoria, y de su ruido, que allí no tiene signo</translation>
     </message>
     <message>
-        <source>√(mean of the squared distance from the reference path), over the way</source>
+        <source>√(mean of the squared distance from the reference path), averaged along the path</source>
         <translation>√(media del cuadrado de la distancia a la trayectoria de referencia), a lo largo del camino</translation>
     </message>
     <message>
@@ -607,23 +607,23 @@
         <translation>de la posición transversal a la trayectoria, sobre todo la de la calibración</translation>
     </message>
     <message>
-        <source>The share of the reference path that was followed.</source>
+        <source>The share of the reference path that the robot followed.</source>
         <translation>La parte de la trayectoria de referencia que se siguió.</translation>
     </message>
     <message>
-        <source>How often the robot&apos;s centre left a zone to stay in, or came into one to keep out of. It counts where it is beyond the edge by more than three σ of the track&apos;s own noise.</source>
+        <source>How often the robot&apos;s reference point left a zone to stay in or entered a zone to keep out of. It counts if the point is beyond the edge by more than three σ of the track&apos;s noise.</source>
         <translation>Cuántas veces el centro del robot salió de una zona de permanencia o entró en una zona prohibida. Cuenta cuando rebasa el borde en más de tres σ del ruido propio de la traza.</translation>
     </message>
     <message>
-        <source>The time in which the robot&apos;s centre was beyond the edge of a zone, interpolated between frames; in two zones at once it counts twice.</source>
+        <source>The time for which the robot&apos;s reference point was beyond the edge of a zone, interpolated between frames; in two zones at once it counts twice.</source>
         <translation>El tiempo durante el cual el centro del robot rebasó el borde de una zona, interpolado entre fotogramas; en dos zonas a la vez cuenta doble.</translation>
     </message>
     <message>
-        <source>of each moment at an edge: σ of the position across it over the speed; and what the time differs by when the calibration puts the track nearer or further</source>
+        <source>of each crossing of an edge: σ of the position across it divided by the speed; and the change of the time when the calibration uncertainty shifts the track</source>
         <translation>de cada instante en un borde: σ de la posición perpendicular a él dividida por la velocidad; y lo que cambia el tiempo cuando la calibración acerca o aleja la traza</translation>
     </message>
     <message>
-        <source>How far the robot&apos;s centre was beyond the edge of a zone at most.</source>
+        <source>The largest distance of the robot&apos;s reference point beyond the edge of a zone.</source>
         <translation>Cuánto rebasó como máximo el centro del robot el borde de una zona.</translation>
     </message>
     <message>
@@ -659,7 +659,7 @@
         <translation>análisis %1 con Odograph %2</translation>
     </message>
     <message>
-        <source>σ of the smoothed velocity there, with the calibration&apos;s error of scale</source>
+        <source>σ of the smoothed velocity there, including the calibration&apos;s scale uncertainty</source>
         <translation>σ del vector velocidad suavizado allí, con el error de escala de la calibración</translation>
     </message>
     <message>
@@ -675,11 +675,11 @@
         <translation>Aceleración</translation>
     </message>
     <message>
-        <source>a·v/|v| of the smoothed curve at this frame: along the path, so that braking is negative; |a| while it stands</source>
+        <source>a·v/|v| of the smoothed curve at this frame: along the path, negative when braking; |a| while the robot stands still</source>
         <translation>a·v/|v| de la curva suavizada en este fotograma: a lo largo de la trayectoria, de modo que al frenar es negativa; |a| mientras está quieto</translation>
     </message>
     <message>
-        <source>σ of the smoothed acceleration there, with the calibration&apos;s error of scale</source>
+        <source>σ of the smoothed acceleration there, including the calibration&apos;s scale uncertainty</source>
         <translation>σ de la aceleración suavizada allí, con el error de escala de la calibración</translation>
     </message>
     <message>
@@ -687,11 +687,11 @@
         <translation>Rumbo</translation>
     </message>
     <message>
-        <source>atan2(vy, vx) of the smoothed curve at this frame, anticlockwise from X, without steps of a whole turn</source>
+        <source>atan2(vy, vx) of the smoothed curve at this frame, anticlockwise from X, without jumps of a whole turn</source>
         <translation>atan2(vy, vx) de la curva suavizada en este fotograma, en sentido antihorario desde X, sin saltos de una vuelta completa</translation>
     </message>
     <message>
-        <source>σ of the velocity across the motion over the speed</source>
+        <source>σ of the velocity across the motion divided by the speed</source>
         <translation>σ del vector velocidad en dirección transversal al movimiento, dividida por la velocidad</translation>
     </message>
     <message>
@@ -715,11 +715,11 @@
         <translation>la curva suavizada en este fotograma</translation>
     </message>
     <message>
-        <source>σ of the smoothed position, with the calibration&apos;s part</source>
+        <source>σ of the smoothed position, including the calibration&apos;s part</source>
         <translation>σ de la posición suavizada, con la parte de la calibración</translation>
     </message>
     <message>
-        <source>at this frame no view found the robot: the curve goes across</source>
+        <source>no view found the robot in this frame: the curve bridges the gap</source>
         <translation>en este fotograma ninguna vista encontró el robot: la curva puentea el hueco</translation>
     </message>
     <message>
@@ -731,23 +731,23 @@
         <translation>por %1</translation>
     </message>
     <message>
-        <source>it is flagged and not used: the curve comes from its neighbours</source>
+        <source>it is flagged and not used: the curve follows its neighbours</source>
         <translation>está señalada y no se usa: la curva sale de las muestras vecinas</translation>
     </message>
     <message>
-        <source>Jump: the place is beyond what the motion before and after allows for (χ² of two degrees of freedom, 99.9 %).</source>
+        <source>Jump: the position does not fit the motion before and after (χ² with two degrees of freedom, 99.9 %).</source>
         <translation>Salto: la posición está fuera de lo que admite el movimiento anterior y posterior (χ² con dos grados de libertad, 99,9 %).</translation>
     </message>
     <message>
-        <source>Limit: to get there it had to be faster than the limit of the task or of the analysis.</source>
+        <source>Limit: to get there, the robot had to exceed the speed limit of the task or of the analysis.</source>
         <translation>Límite: para llegar allí tuvo que ir más rápido que el límite de la tarea o del análisis.</translation>
     </message>
     <message>
-        <source>Limit: to get there it had to accelerate harder than the limit of the task or of the analysis.</source>
+        <source>Limit: to get there, the robot had to exceed the acceleration limit of the task or of the analysis.</source>
         <translation>Límite: para llegar allí tuvo que acelerar más que el límite de la tarea o del análisis.</translation>
     </message>
     <message>
-        <source>Views disagree: their places differ by more than their errors and their usual disagreement explain (χ², 99.9 %).</source>
+        <source>Views disagree: their floor positions differ by more than their uncertainty and their usual disagreement explain (χ², 99.9 %).</source>
         <translation>Las vistas discrepan: sus posiciones difieren más de lo que explican sus errores y su discrepancia habitual (χ², 99,9 %).</translation>
     </message>
     <message>
@@ -759,15 +759,15 @@
         <translation>Perdido: ninguna vista encontró el robot.</translation>
     </message>
     <message>
-        <source>Repeated picture: the camera gave the same picture twice, so its time is not known.</source>
+        <source>Repeated frame: the camera delivered the same frame twice, so its time is unknown.</source>
         <translation>Imagen repetida: la cámara dio dos veces la misma imagen, así que no se conoce su tiempo.</translation>
     </message>
     <message>
-        <source>Bridged: the curve goes across without a measurement.</source>
+        <source>Bridged: the curve crosses a gap without measurements.</source>
         <translation>Puenteado: la curva pasa sin medición.</translation>
     </message>
     <message>
-        <source>By hand: a person judged it, over the analysis.</source>
+        <source>By hand: a manual override replaces the result of the analysis.</source>
         <translation>A mano: lo decidió una persona, por encima del análisis.</translation>
     </message>
     <message>
@@ -799,7 +799,7 @@
         <translation>vistas: %1</translation>
     </message>
     <message>
-        <source>%1: from %2 to %3, %4 beyond the edge at most</source>
+        <source>%1: from %2 to %3, at most %4 beyond the edge</source>
         <translation>%1: de %2 a %3, rebasa el borde en %4 como máximo</translation>
     </message>
     <message>
@@ -815,11 +815,11 @@
         <translation>La muestra se conserva, pero no se usa para la curva.</translation>
     </message>
     <message>
-        <source>The sample is used for the curve nevertheless: what is wrong with it was left out, or a person restored it.</source>
+        <source>The curve uses the sample nevertheless: its faulty part was left out, or a manual override restored it.</source>
         <translation>La muestra se usa para la curva de todos modos: se descartó lo que tiene de erróneo o una persona la restauró.</translation>
     </message>
     <message>
-        <source>the views are %1 apart there</source>
+        <source>the views&apos; floor positions differ by %1 there</source>
         <translation>las vistas distan %1 allí</translation>
     </message>
 </context>
@@ -908,39 +908,39 @@
         <translation>Reproducir un recorrido</translation>
     </message>
     <message>
-        <source>Two cameras watched a robot drive. Press Space: both videos, the map and the curves play in step. Space again stops.</source>
+        <source>Two cameras filmed a robot. Press Space: both videos, the map and the curves play together. Press Space again to stop.</source>
         <translation>Dos cámaras observaron cómo se movía un robot. Pulse Espacio: ambos videos, el mapa y las curvas se reproducen sincronizados. Espacio otra vez los detiene.</translation>
     </message>
     <message>
-        <source>Read a figure</source>
+        <source>Read a result</source>
         <translation>Leer un indicador</translation>
     </message>
     <message>
-        <source>Click into the speed curve. The bubble tells the speed at that moment and its ±: how far off it may be. The band around the curve is where the truth lies in 95 of 100 cases.</source>
+        <source>Click the speed curve. The bubble shows the speed at that moment and its uncertainty (±). The band around the curve contains the true speed in 95 of 100 cases.</source>
         <translation>Haga clic en la curva de velocidad. La burbuja indica la velocidad en ese instante y su ±: cuánto puede desviarse. La banda que rodea la curva contiene el valor verdadero en 95 de cada 100 casos.</translation>
     </message>
     <message>
-        <source>Look at what was flagged</source>
+        <source>Check the flagged samples</source>
         <translation>Mirar lo señalado</translation>
     </message>
     <message>
-        <source>Go through the trials with Ctrl+Page Up and Ctrl+Page Down to one whose list of spikes, at the right, is not empty. A spike is a moment at which what was measured cannot be true; the list says why.</source>
+        <source>Press Ctrl+Page Up or Ctrl+Page Down until the list of spikes on the right is not empty. A spike is a measurement that cannot be true; the list gives the reason.</source>
         <translation>Recorra los ensayos con Ctrl+Re Pág y Ctrl+Av Pág hasta uno cuya lista de valores atípicos, a la derecha, no esté vacía. Un valor atípico es un instante en el que lo medido no puede ser cierto; la lista dice por qué.</translation>
     </message>
     <message>
-        <source>Overrule it</source>
+        <source>Override it</source>
         <translation>Decidir otra cosa</translation>
     </message>
     <message>
-        <source>Click a spike in the list and look at the videos: was the robot really there? Press U to use the sample all the same. Nothing that was measured is ever lost.</source>
+        <source>Click a spike in the list and watch the videos: was the robot really there? Press U to use the sample nevertheless. Odograph never deletes a measurement.</source>
         <translation>Haga clic en un valor atípico de la lista y mire los videos: ¿estaba el robot realmente allí? Pulse U para usar la muestra de todos modos. Nada de lo medido se pierde nunca.</translation>
     </message>
     <message>
-        <source>Take it back</source>
+        <source>Undo it</source>
         <translation>Deshacerlo</translation>
     </message>
     <message>
-        <source>Press Ctrl+Z. Whatever you change is saved at once, and can be taken back.</source>
+        <source>Press Ctrl+Z. Odograph saves every change at once, and you can undo it.</source>
         <translation>Pulse Ctrl+Z. Todo cambio se guarda al momento y se puede deshacer.</translation>
     </message>
     <message>
@@ -948,7 +948,7 @@
         <translation>Comparar dos recorridos</translation>
     </message>
     <message>
-        <source>Press Ctrl+4. Choose two runs at the right: where was one faster, and is that more than the error? What is grey is not.</source>
+        <source>Press Ctrl+4. Choose two runs on the right: where was one faster? Grey differences are not significant.</source>
         <translation>Pulse Ctrl+4. Elija dos recorridos a la derecha: ¿dónde fue más rápido uno, y es eso más que el error? Lo que está en gris no lo es.</translation>
     </message>
     <message>
@@ -956,15 +956,15 @@
         <translation>Volver a encontrarlo</translation>
     </message>
     <message>
-        <source>Press Ctrl+5. History holds the whole year: type a team&apos;s name to search, open a run with Enter, and see under Teams who made progress.</source>
+        <source>Press Ctrl+5. History lists the whole year: type a team&apos;s name to search, press Enter to open a run, and see under Teams who made progress.</source>
         <translation>Pulse Ctrl+5. Historial guarda todo el año: escriba el nombre de un equipo para buscar, abra un recorrido con Intro y vea en Equipos quién ha progresado.</translation>
     </message>
     <message>
-        <source>That was it</source>
+        <source>That&apos;s it</source>
         <translation>Eso es todo</translation>
     </message>
     <message>
-        <source>With your own robots: make a project (Ctrl+N), set up the floor in Testbed (Ctrl+1), then record (Ctrl+2) or bring in videos (Ctrl+I). F1 explains each page.</source>
+        <source>For your own robots: create a project (Ctrl+N), set up the floor in Testbed (Ctrl+1), then record (Ctrl+2) or import videos (Ctrl+I). F1 explains each page.</source>
         <translation>Con sus propios robots: cree un proyecto (Ctrl+N), prepare el suelo en Banco (Ctrl+1) y después grabe (Ctrl+2) o importe videos (Ctrl+I). F1 explica cada página.</translation>
     </message>
 </context>
@@ -1070,7 +1070,7 @@ El método sigue a S. Park, “Computational Vision for Automatic Tracking and O
 <context>
     <name>OwnChanges</name>
     <message>
-        <source>Done: %1. Ctrl+Z takes it back.</source>
+        <source>Done: %1. Press Ctrl+Z to undo it.</source>
         <translation>Hecho: %1. Ctrl+Z lo revierte.</translation>
     </message>
     <message>
@@ -1078,7 +1078,7 @@ El método sigue a S. Park, “Computational Vision for Automatic Tracking and O
         <translation>Deshecho: %1.</translation>
     </message>
     <message>
-        <source>Made again: %1.</source>
+        <source>Redone: %1.</source>
         <translation>Rehecho: %1.</translation>
     </message>
 </context>
@@ -1620,11 +1620,11 @@ El método sigue a S. Park, “Computational Vision for Automatic Tracking and O
         <translation>RMS %1, mediana %2</translation>
     </message>
     <message>
-        <source>expected by the errors: %1</source>
+        <source>expected from the uncertainty: %1</source>
         <translation>esperado por los errores: %1</translation>
     </message>
     <message>
-        <source>%1 – more than they explain</source>
+        <source>%1 – more than it explains</source>
         <translation>%1 – más de lo que explican</translation>
     </message>
     <message>
@@ -1632,15 +1632,15 @@ El método sigue a S. Park, “Computational Vision for Automatic Tracking and O
         <translation>Discrepancia entre vistas</translation>
     </message>
     <message>
-        <source>Each view alone puts the robot at a place on the floor. Shown is how far these places are apart in each frame in which two views or more saw it (of more than two, the largest distance); RMS is √(mean of the squares). Samples that are not used are left out.
-Expected is √(tr A + tr B + (v·σs)²) from the covariances A and B of two views (pixels and calibration), the speed v and the views&apos; step σs.
-Much more than expected means that something is not as it was told: the views are not in step (then it grows with the speed), a camera has moved or is badly registered (then it depends on the place), or the robot&apos;s height is wrong (then it points to and from the cameras).</source>
+        <source>Each view alone gives a floor position of the robot. The chart shows the distance between these positions in each frame with two views or more (of more than two, the largest distance); RMS is √(mean of the squares). Unused samples are left out.
+Expected is √(tr A + tr B + (v·σs)²) from the covariances A and B of two views (pixels and calibration), the speed v and the synchronisation uncertainty σs of the views.
+Much more than expected means that a setting is wrong: the views are not synchronised (the distance grows with the speed), a camera has moved or is badly registered (it depends on the position), or the robot&apos;s height is wrong (it points to and from the cameras).</source>
         <translation>Cada vista por sí sola sitúa el robot en un lugar del suelo. Se muestra cuánto distan estos lugares en cada fotograma en que lo vieron dos o más vistas (con más de dos, la mayor distancia); RMS es √(media de los cuadrados). Se omiten las muestras que no se usan.
 Lo esperado es √(tr A + tr B + (v·σs)²) a partir de las covarianzas A y B de dos vistas (píxeles y calibración), la velocidad v y la sincronía σs de las vistas.
 Mucho más de lo esperado significa que algo no es como se indicó: las vistas no están sincronizadas (entonces crece con la velocidad), una cámara se ha movido o está mal registrada (entonces depende del lugar), o la altura del robot es errónea (entonces apunta hacia las cámaras o en sentido contrario).</translation>
     </message>
     <message>
-        <source>%1 frames seen by two views or more; largest %2; views in step to %3 ms</source>
+        <source>%1 frames with two views or more; largest %2; views synchronised to %3 ms</source>
         <translation>%1 fotogramas vistos por dos o más vistas; la mayor, %2; vistas sincronizadas a %3 ms</translation>
     </message>
 </context>
@@ -1667,11 +1667,11 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>de %1</translation>
     </message>
     <message>
-        <source>the sum of the points of each line; a line gives points × (figure − none at) / (all at − none at), from 0 to all</source>
+        <source>the sum of the points of each line; a line gives points × (metric − none at) / (all at − none at), from 0 to all</source>
         <translation>la suma de los puntos de todas las líneas; una línea da puntos × (indicador − ninguno con) / (todos con − ninguno con), de 0 a todos</translation>
     </message>
     <message>
-        <source>of each line half of what its points differ by when its figure is one σ more or less; root of the sum of the squares</source>
+        <source>for each line, half the difference in points between its metric plus and minus one σ; root of the sum of the squares</source>
         <translation>de cada línea, la mitad de lo que difieren sus puntos si su indicador es una σ mayor o menor; raíz de la suma de los cuadrados</translation>
     </message>
     <message>
@@ -1760,11 +1760,11 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Marcador de suelo %1 (anillo), %2</translation>
     </message>
     <message>
-        <source>Print at 100 % (actual size). Glue it flat onto something stiff, measure a square, and tell Odograph what you measured.</source>
+        <source>Print at 100 % (actual size). Glue it flat onto something stiff, measure a square, and enter its side in Odograph.</source>
         <translation>Imprima al 100 % (tamaño real). Péguelo plano sobre algo rígido, mida una casilla e indique a Odograph lo que midió.</translation>
     </message>
     <message>
-        <source>Print at 100 % (actual size). Lay it flat; the marker&apos;s place is its middle, where the four lines at the edges point.</source>
+        <source>Print at 100 % (actual size). Lay it flat; the marker&apos;s position is its middle, where the four lines at the edges point.</source>
         <translation>Imprima al 100 % (tamaño real). Póngalo plano; el lugar del marcador es su centro, adonde apuntan las cuatro líneas de los bordes.</translation>
     </message>
 </context>
@@ -1783,11 +1783,11 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>ojo de pez</translation>
     </message>
     <message>
-        <source>Picture</source>
-        <translation>Imagen</translation>
+        <source>Image size</source>
+        <translation>Tamaño de imagen</translation>
     </message>
     <message>
-        <source>Lens</source>
+        <source>Calibration</source>
         <translation>Lente</translation>
     </message>
     <message>
@@ -1803,7 +1803,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Error del tablero</translation>
     </message>
     <message>
-        <source>%1 px in %2 pictures</source>
+        <source>%1 px in %2 images</source>
         <translation>%1 px en %2 imágenes</translation>
     </message>
     <message>
@@ -1831,7 +1831,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Última comprobación</translation>
     </message>
     <message>
-        <source>Place</source>
+        <source>Position</source>
         <translation>Lugar</translation>
     </message>
     <message>
@@ -1843,15 +1843,15 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Marcadores</translation>
     </message>
     <message>
-        <source>Attention</source>
+        <source>Warning</source>
         <translation>Atención</translation>
     </message>
     <message>
-        <source>not calibrated: taken as free of distortion</source>
+        <source>not calibrated: no distortion assumed</source>
         <translation>sin calibrar: se supone sin distorsión</translation>
     </message>
     <message>
-        <source>not registered: positions cannot be measured yet</source>
+        <source>not registered: cannot measure positions yet</source>
         <translation>sin registrar: aún no se pueden medir posiciones</translation>
     </message>
 </context>
@@ -8169,7 +8169,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>&amp;Quitar</translation>
     </message>
     <message>
-        <source>&amp;Best place</source>
+        <source>Find &amp;best position</source>
         <translation>&amp;Mejor lugar</translation>
     </message>
     <message>
@@ -8181,7 +8181,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Exactitud prevista en palabras</translation>
     </message>
     <message>
-        <source>What is wrong</source>
+        <source>Problems</source>
         <translation>Qué está mal</translation>
     </message>
     <message>
@@ -8189,11 +8189,11 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Cerrar</translation>
     </message>
     <message>
-        <source>Cameras that count</source>
+        <source>Cameras included</source>
         <translation>Cámaras que cuentan</translation>
     </message>
     <message>
-        <source>All ticked cameras together</source>
+        <source>All ticked cameras (joint)</source>
         <translation>Todas las cámaras marcadas juntas</translation>
     </message>
     <message>
@@ -8221,15 +8221,15 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation> m</translation>
     </message>
     <message>
-        <source>As under a ceiling; a tripod would stand in the robots&apos; way</source>
+        <source>On a ceiling, for example; a tripod would be in the robots&apos; way</source>
         <translation>Como bajo un techo; un trípode estorbaría a los robots</translation>
     </message>
     <message>
-        <source>Puts the camera where, with the others that are ticked, the worst place of the floor is known best</source>
+        <source>Moves the camera to where it, together with the other ticked cameras, minimises the largest uncertainty on the floor</source>
         <translation>Pone la cámara donde, con las demás marcadas, mejor se conoce el peor lugar del suelo</translation>
     </message>
     <message>
-        <source>Room beyond the &amp;markers</source>
+        <source>Margin beyond the &amp;markers</source>
         <translation>Margen &amp;fuera de los marcadores</translation>
     </message>
     <message>
@@ -8249,7 +8249,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>%1: %2; %3.</translation>
     </message>
     <message>
-        <source>Looking for the best place…</source>
+        <source>Searching for the best position…</source>
         <translation>Buscando el mejor lugar…</translation>
     </message>
 </context>
@@ -8275,7 +8275,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>odo::BoardCanvas</name>
     <message>
-        <source>Picture of the board</source>
+        <source>Image of the board</source>
         <translation>Imagen del tablero</translation>
     </message>
     <message>
@@ -8286,18 +8286,18 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>odo::BoardSearchWorker</name>
     <message>
-        <source>picture %1</source>
+        <source>image %1</source>
         <translation>imagen %1</translation>
     </message>
     <message>
-        <source>in none of its pictures is a board that is still, sharp and new</source>
+        <source>none of its images shows a board that is still, sharp and in a new position</source>
         <translation>en ninguna de sus imágenes hay un tablero quieto, nítido y nuevo</translation>
     </message>
 </context>
 <context>
     <name>odo::BoxCanvas</name>
     <message>
-        <source>Picture; arrow keys move the box round the robot, with Shift they change its size</source>
+        <source>Video frame; arrow keys move the box round the robot, Shift + arrow keys resize it</source>
         <translation>Imagen; las flechas mueven el recuadro del robot, con Mayús cambian su tamaño</translation>
     </message>
 </context>
@@ -8383,7 +8383,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Cámara</translation>
     </message>
     <message>
-        <source>Lens</source>
+        <source>Calibration</source>
         <translation>Lente</translation>
     </message>
     <message>
@@ -8508,7 +8508,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>deshecho</translation>
     </message>
     <message>
-        <source>made again</source>
+        <source>redone</source>
         <translation>rehecho</translation>
     </message>
     <message>
@@ -8527,15 +8527,15 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>odo::ChangesDialog</name>
     <message>
-        <source>Changes of the project</source>
+        <source>Project changes</source>
         <translation>Cambios del proyecto</translation>
     </message>
     <message>
-        <source>Nothing has been changed yet.</source>
+        <source>No changes yet.</source>
         <translation>Aún no se ha cambiado nada.</translation>
     </message>
     <message>
-        <source>What was changed, in this window and by the command line, the newest first. Recordings, imports and tracking are told too; they cannot be undone.</source>
+        <source>All changes made in this window and on the command line, newest first. The list includes recordings, imports and tracking, but you cannot undo them.</source>
         <translation>Lo que se cambió, en esta ventana y por la línea de comandos, lo más reciente primero. También constan grabaciones, importaciones y rastreos; no se pueden deshacer.</translation>
     </message>
     <message>
@@ -8600,15 +8600,15 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>odo::CheckTools</name>
     <message>
-        <source>&amp;Check the cameras…</source>
+        <source>&amp;Check camera positions…</source>
         <translation>&amp;Comprobar las cámaras…</translation>
     </message>
     <message>
-        <source>Moved?</source>
-        <translation>¿Movida?</translation>
+        <source>Check camera positions…</source>
+        <translation>Comprobar las cámaras…</translation>
     </message>
     <message>
-        <source>Look whether each camera still stands where it was registered, before the robots run</source>
+        <source>Check before the robots run that no camera has moved since its registration</source>
         <translation>Mirar si cada cámara sigue donde se registró, antes de los recorridos</translation>
     </message>
     <message>
@@ -8616,11 +8616,11 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Comprobar una &amp;longitud…</translation>
     </message>
     <message>
-        <source>Length…</source>
-        <translation>Longitud…</translation>
+        <source>Check a known length…</source>
+        <translation>Comprobar una longitud…</translation>
     </message>
     <message>
-        <source>Measure something of known length in a camera&apos;s picture, and see whether the camera is as good as it promises</source>
+        <source>Measure an object of known length in a camera&apos;s image to check the camera&apos;s stated uncertainty</source>
         <translation>Medir algo de longitud conocida en la imagen de una cámara y ver si la cámara es tan buena como promete</translation>
     </message>
     <message>
@@ -8632,7 +8632,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Exactitud…</translation>
     </message>
     <message>
-        <source>See how well each place of the floor will be known, also with cameras that are only planned</source>
+        <source>Show the expected uncertainty everywhere on the floor, also with planned cameras</source>
         <translation>Ver con qué exactitud se conocerá cada lugar del suelo, también con cámaras solo planificadas</translation>
     </message>
     <message>
@@ -8644,15 +8644,15 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Revisiones…</translation>
     </message>
     <message>
-        <source>See every calibration and registration of a camera, put an older one in force, measure trials again</source>
+        <source>Show all calibrations and registrations of a camera, switch to an older one, reanalyse trials</source>
         <translation>Ver todas las calibraciones y registros de una cámara, volver a usar uno anterior, volver a medir ensayos</translation>
     </message>
     <message>
-        <source>The cameras are checked: see their badges.</source>
+        <source>Cameras checked: see their badges.</source>
         <translation>Cámaras comprobadas: vea sus distintivos.</translation>
     </message>
     <message>
-        <source>Calibrations and trials are as they were chosen.</source>
+        <source>The chosen calibrations and analyses are now current.</source>
         <translation>Las calibraciones y los ensayos quedan como se eligió.</translation>
     </message>
 </context>
@@ -8956,15 +8956,15 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Cobertura</translation>
     </message>
     <message>
-        <source>%1 pictures: enough. More do no harm.</source>
+        <source>%1 images: enough. More do no harm.</source>
         <translation>%1 imágenes: suficientes. Más no estorban.</translation>
     </message>
     <message>
-        <source>1 picture; ten or more are wanted.</source>
+        <source>1 image; take ten or more.</source>
         <translation>1 imagen; hacen falta diez o más.</translation>
     </message>
     <message>
-        <source>%1 pictures; ten or more are wanted.</source>
+        <source>%1 images; take ten or more.</source>
         <translation>%1 imágenes; hacen falta diez o más.</translation>
     </message>
 </context>
@@ -8975,11 +8975,11 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Odograph terminó de forma inesperada</translation>
     </message>
     <message>
-        <source>The last time, Odograph ended by a fault of its own. What was saved is safe. A recording that was cut off is kept up to its last second as soon as its project is opened again.</source>
+        <source>Odograph crashed the last time. Saved data is safe. If a recording was cut off, open its project to recover it up to the last second.</source>
         <translation>La última vez, Odograph terminó por un fallo propio. Lo guardado está a salvo. Una grabación interrumpida se conserva hasta su último segundo en cuanto se vuelve a abrir su proyecto.</translation>
     </message>
     <message>
-        <source>The last time, Odograph ended by a fault of its own. What was saved is safe.</source>
+        <source>Odograph crashed the last time. Saved data is safe.</source>
         <translation>La última vez, Odograph terminó por un fallo propio. Lo guardado está a salvo.</translation>
     </message>
     <message>
@@ -9014,23 +9014,23 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>%1 a %2</translation>
     </message>
     <message>
-        <source>Only one of the two has it</source>
+        <source>Only one of the two runs has it</source>
         <translation>Solo uno de los dos lo tiene</translation>
     </message>
     <message>
-        <source>%1: beyond the error (95 %)</source>
+        <source>%1: significant (95 %)</source>
         <translation>%1: mayor que el error (95 %)</translation>
     </message>
     <message>
-        <source>%1: within the error (95 %), no difference can be claimed</source>
+        <source>%1: not significant (95 %)</source>
         <translation>%1: dentro del error (95 %), no se puede afirmar ninguna diferencia</translation>
     </message>
     <message>
-        <source>beyond the error</source>
+        <source>significant</source>
         <translation>mayor que el error</translation>
     </message>
     <message>
-        <source>within the error</source>
+        <source>not significant</source>
         <translation>dentro del error</translation>
     </message>
     <message>
@@ -9328,7 +9328,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Proyectos de Odograph (*.odo);;Todos los archivos (*)</translation>
     </message>
     <message>
-        <source>Where shall the demo lesson be made?</source>
+        <source>Choose a folder for the demo lesson</source>
         <translation>¿Dónde crear la lección demo?</translation>
     </message>
     <message>
@@ -9344,7 +9344,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Guardar copia</translation>
     </message>
     <message>
-        <source>A copy was saved as %1. Its videos stay where they are.</source>
+        <source>Copy saved as %1. Its videos stay where they are.</source>
         <translation>Se guardó una copia como %1. Sus videos quedan donde están.</translation>
     </message>
     <message>
@@ -9359,7 +9359,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>odo::FilmStrip</name>
     <message>
-        <source>&amp;Take out</source>
+        <source>&amp;Remove</source>
         <translation>&amp;Quitar</translation>
     </message>
     <message>
@@ -9367,7 +9367,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>&amp;Deshacer</translation>
     </message>
     <message>
-        <source>Pictures that count</source>
+        <source>Accepted images</source>
         <translation>Imágenes que cuentan</translation>
     </message>
 </context>
@@ -9421,7 +9421,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>%1, a %2 m de altura</translation>
     </message>
     <message>
-        <source>Markers and cameras are drawn here once there is a layout or a registered camera.</source>
+        <source>This sketch shows markers and cameras once the testbed has a layout or a registered camera.</source>
         <translation>Los marcadores y las cámaras se dibujan aquí en cuanto hay un plano o una cámara registrada.</translation>
     </message>
     <message>
@@ -9432,11 +9432,11 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>odo::FloorSourcePage</name>
     <message>
-        <source>Picture or video of the markers</source>
+        <source>Image or video of the markers</source>
         <translation>Imagen o video de los marcadores</translation>
     </message>
     <message>
-        <source>Markers whose places on the floor are known tell where the camera stands. Four are enough, a fifth checks them. Afterwards the camera must not be moved.</source>
+        <source>Markers with known floor positions determine the camera position. Four are enough; a fifth checks them. Do not move the camera afterwards.</source>
         <translation>Los marcadores cuyos lugares en el suelo se conocen indican dónde está la cámara. Bastan cuatro; un quinto los comprueba. Después no se debe mover la cámara.</translation>
     </message>
     <message>
@@ -9448,15 +9448,15 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>&amp;Plano de marcadores</translation>
     </message>
     <message>
-        <source>Where the markers are seen</source>
+        <source>Image of the markers</source>
         <translation>Dónde se ven los marcadores</translation>
     </message>
     <message>
-        <source>Its lens is measured.</source>
+        <source>Its lens is calibrated.</source>
         <translation>Su lente está medida.</translation>
     </message>
     <message>
-        <source>Its lens was not measured: it is taken as free of distortion, and its focal length is estimated from the markers where they tell it.</source>
+        <source>Its lens is not calibrated. Odograph assumes no distortion and estimates the focal length from the markers if they determine it.</source>
         <translation>Su lente no se midió: se supone sin distorsión y su distancia focal se estima con los marcadores cuando estos la determinan.</translation>
     </message>
 </context>
@@ -9475,11 +9475,11 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>La cámara y sus marcadores</translation>
     </message>
     <message>
-        <source>The markers in the picture</source>
+        <source>The markers in the image</source>
         <translation>Los marcadores en la imagen</translation>
     </message>
     <message>
-        <source>Looking for the markers…</source>
+        <source>Detecting the markers…</source>
         <translation>Buscando los marcadores…</translation>
     </message>
 </context>
@@ -9506,7 +9506,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>&amp;Quitar</translation>
     </message>
     <message>
-        <source>&amp;Other way</source>
+        <source>Reverse directi&amp;on</source>
         <translation>O&amp;tro sentido</translation>
     </message>
     <message>
@@ -9534,7 +9534,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>y₂, mm</translation>
     </message>
     <message>
-        <source>Gates in the order in which they are passed</source>
+        <source>Gates in passing order</source>
         <translation>Puertas en el orden en que se pasan</translation>
     </message>
     <message>
@@ -9542,7 +9542,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Añadi&amp;r puerta</translation>
     </message>
     <message>
-        <source>The chosen gate is passed the other way</source>
+        <source>Robots pass the selected gate the other way</source>
         <translation>La puerta elegida se pasa en el otro sentido</translation>
     </message>
     <message>
@@ -9557,7 +9557,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>odo::GeneralPage</name>
     <message>
-        <source>Odograph shows it when it is started again.</source>
+        <source>Restart Odograph to see the change.</source>
         <translation>Odograph lo muestra cuando se inicia de nuevo.</translation>
     </message>
     <message>
@@ -9569,7 +9569,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>&amp;Unidades de resultados</translation>
     </message>
     <message>
-        <source>Floors and targets are set up in millimetres, as they are printed. Exported files have the units that their format asks for.</source>
+        <source>Floors and targets always use millimetres, as printed. Exported files use the units of their format.</source>
         <translation>Los suelos y los patrones se definen en milímetros, tal como se imprimen. Los archivos exportados llevan las unidades que pide su formato.</translation>
     </message>
     <message>
@@ -9581,7 +9581,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>&amp;Colores de los mapas</translation>
     </message>
     <message>
-        <source>Both can be told apart by people who do not see red or green, and in a print without colours.</source>
+        <source>Both remain readable for people with red-green colour blindness and in black-and-white prints.</source>
         <translation>Ambas escalas las distinguen las personas que no ven el rojo o el verde, y también valen en una impresión sin colores.</translation>
     </message>
     <message>
@@ -9605,7 +9605,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Idioma</translation>
     </message>
     <message>
-        <source>As the computer has it</source>
+        <source>As set on the computer</source>
         <translation>Como el equipo</translation>
     </message>
     <message>
@@ -9613,7 +9613,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Tema</translation>
     </message>
     <message>
-        <source>As the desktop has it</source>
+        <source>As set on the desktop</source>
         <translation>Como el escritorio</translation>
     </message>
     <message>
@@ -9682,11 +9682,11 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Importar lis&amp;ta…</translation>
     </message>
     <message>
-        <source>&amp;Changes of the project…</source>
+        <source>Show project &amp;changes…</source>
         <translation>&amp;Cambios del proyecto…</translation>
     </message>
     <message>
-        <source>Import a roster: a table with the columns class and team, perhaps pseudonym</source>
+        <source>Import a roster: a table with the columns class, team and optionally pseudonym</source>
         <translation>Importar una lista de clase: una tabla con las columnas class y team, y opcionalmente pseudonym</translation>
     </message>
     <message>
@@ -9694,7 +9694,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Tablas CSV (*.csv)</translation>
     </message>
     <message>
-        <source>The roster is imported. Teams that are new: %1, changed: %2, as before: %3.</source>
+        <source>Roster imported. New teams: %1, changed: %2, unchanged: %3.</source>
         <translation>Lista de clase importada. Equipos nuevos: %1, cambiados: %2, como antes: %3.</translation>
     </message>
     <message numerus="yes">
@@ -9719,7 +9719,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         </translation>
     </message>
     <message numerus="yes">
-        <source>%1 of %n trial(s) removed for good; the rest is still there.</source>
+        <source>Removed %1 of %n trial(s) for good; the rest is still in the bin.</source>
         <translation>
             <numerusform>%1 de %n ensayo eliminado definitivamente; el resto sigue ahí.</numerusform>
             <numerusform>%1 de %n ensayos eliminados definitivamente; el resto sigue ahí.</numerusform>
@@ -9826,7 +9826,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>ninguna</translation>
     </message>
     <message>
-        <source>Positions that another program has measured, or Odograph has exported: TUM, CSV or Tracker&apos;s text. They are measured as a run without video.</source>
+        <source>Positions measured by another program or exported by Odograph: TUM, CSV or Tracker text. Odograph analyses them as a run without video.</source>
         <translation>Posiciones que midió otro programa o exportó Odograph: TUM, CSV o texto de Tracker. Se miden como un recorrido sin video.</translation>
     </message>
     <message>
@@ -9858,7 +9858,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Robot de la traza %1</translation>
     </message>
     <message>
-        <source>A name that is new makes a new robot</source>
+        <source>A new name creates a new robot</source>
         <translation>Un nombre nuevo crea un robot nuevo</translation>
     </message>
     <message>
@@ -9913,7 +9913,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Videos</translation>
     </message>
     <message>
-        <source>In &amp;step</source>
+        <source>&amp;Synchronise</source>
         <translation>&amp;Sincronía</translation>
     </message>
     <message>
@@ -9937,7 +9937,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Frecuencia real</translation>
     </message>
     <message>
-        <source>For slow motion: the file plays slower than the camera took it</source>
+        <source>For slow motion: the file plays slower than the camera recorded it</source>
         <translation>Para cámara lenta: el archivo se reproduce más despacio de lo que la cámara grabó</translation>
     </message>
     <message>
@@ -9983,11 +9983,11 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Cámara</translation>
     </message>
     <message>
-        <source>Known to, before</source>
+        <source>Uncertainty before</source>
         <translation>Error antes</translation>
     </message>
     <message>
-        <source>Known to, together</source>
+        <source>Uncertainty, joint</source>
         <translation>Error conjunto</translation>
     </message>
     <message>
@@ -10015,11 +10015,11 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Marcadores</translation>
     </message>
     <message>
-        <source>Register all cameras together</source>
+        <source>Register all cameras (joint)</source>
         <translation>Registrar todas las cámaras juntas</translation>
     </message>
     <message>
-        <source>The cameras of layout %1 are fitted again at once, by the markers they were registered with: where they see the same markers, they agree better afterwards, and a marker that was measured wrongly is found.</source>
+        <source>This fits all cameras of layout %1 jointly to the markers they were registered with. Cameras that see the same markers then agree better, and wrongly measured markers show up.</source>
         <translation>Las cámaras del plano %1 se vuelven a ajustar a la vez, con los marcadores con los que se registraron: donde ven los mismos marcadores concuerdan mejor después, y se descubre un marcador mal medido.</translation>
     </message>
     <message>
@@ -10027,19 +10027,19 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation> mm</translation>
     </message>
     <message>
-        <source>Error of the tape measure</source>
+        <source>Uncertainty of the tape measure</source>
         <translation>Error de la cinta métrica</translation>
     </message>
     <message>
-        <source>The markers&apos; places were &amp;measured to</source>
+        <source>Marker positions &amp;measured to</source>
         <translation>Los marcadores se &amp;midieron con error de</translation>
     </message>
     <message>
-        <source>Fitting the cameras together…</source>
+        <source>Fitting the cameras jointly…</source>
         <translation>Ajustando las cámaras juntas…</translation>
     </message>
     <message>
-        <source>What is known together reckons with the markers&apos; places being measured to %1 mm, which a camera that is registered by itself takes as exact. Nothing is changed before you save; trials keep the registration they were analysed with.</source>
+        <source>The joint uncertainty assumes marker positions measured to %1 mm; registering a single camera assumes them exact. Nothing changes until you save; trials keep the registration they were analysed with.</source>
         <translation>El error conjunto cuenta con que los lugares de los marcadores se midieron con un error de %1 mm, mientras que una cámara registrada por sí sola los toma por exactos. Nada cambia antes de guardar; los ensayos conservan el registro con el que se analizaron.</translation>
     </message>
     <message>
@@ -10055,7 +10055,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>%1 ± %2</translation>
     </message>
     <message>
-        <source>measure it again</source>
+        <source>check its position</source>
         <translation>vuelva a medirlo</translation>
     </message>
     <message>
@@ -10074,7 +10074,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>&amp;Sin atajo</translation>
     </message>
     <message>
-        <source>&amp;All as usual</source>
+        <source>Reset &amp;all</source>
         <translation>Restablecer t&amp;odo</translation>
     </message>
     <message>
@@ -10094,15 +10094,15 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Atajo</translation>
     </message>
     <message>
-        <source>New key of the chosen command</source>
+        <source>New key for the selected command</source>
         <translation>Nuevo atajo del comando elegido</translation>
     </message>
     <message>
-        <source>Choose a command to give it another key.</source>
+        <source>Select a command to change its key.</source>
         <translation>Elija un comando para darle otro atajo.</translation>
     </message>
     <message>
-        <source>%1 is the key of “%2”, which would have none.</source>
+        <source>%1 is the key of “%2”. That command would lose it.</source>
         <translation>%1 es el atajo de “%2”, que se quedaría sin ninguno.</translation>
     </message>
     <message>
@@ -10125,11 +10125,11 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Suelo</translation>
     </message>
     <message>
-        <source>What is wrong</source>
+        <source>Problems</source>
         <translation>Qué está mal</translation>
     </message>
     <message>
-        <source>Where the markers lie on the floor, measured with a tape: millimetres from the origin. X goes to the right, Y away from you, seen from above.</source>
+        <source>Enter the floor positions of the markers, measured with a tape in millimetres from the origin. Seen from above, X points right and Y away from you.</source>
         <translation>Dónde están los marcadores en el suelo, medidos con cinta métrica: milímetros desde el origen. X va hacia la derecha e Y se aleja de usted, visto desde arriba.</translation>
     </message>
     <message>
@@ -10189,15 +10189,15 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>&amp;Media vuelta</translation>
     </message>
     <message>
-        <source>They were &amp;centimetres</source>
+        <source>Convert from &amp;centimetres</source>
         <translation>Eran cen&amp;tímetros</translation>
     </message>
     <message>
-        <source>They were &amp;metres</source>
+        <source>Convert from &amp;metres</source>
         <translation>Eran m&amp;etros</translation>
     </message>
     <message>
-        <source>They were &amp;inches</source>
+        <source>Convert from &amp;inches</source>
         <translation>Eran &amp;pulgadas</translation>
     </message>
     <message>
@@ -10205,7 +10205,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>&amp;Importar…</translation>
     </message>
     <message>
-        <source>Places of the markers (label,x_mm,y_mm)</source>
+        <source>Positions of the markers (label,x_mm,y_mm)</source>
         <translation>Lugares de los marcadores (label,x_mm,y_mm)</translation>
     </message>
     <message>
@@ -10213,7 +10213,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>&amp;Exportar…</translation>
     </message>
     <message>
-        <source>Places of the markers</source>
+        <source>Positions of the markers</source>
         <translation>Lugares de los marcadores</translation>
     </message>
     <message>
@@ -10221,7 +10221,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>El plano no tiene nombre.</translation>
     </message>
     <message>
-        <source>There is a layout of that name: cameras may stand on it, so it is not overwritten. Give another name.</source>
+        <source>A layout with this name exists, and cameras may use it. Enter another name.</source>
         <translation>Ya hay un plano con ese nombre: puede haber cámaras que se basen en él, así que no se sobrescribe. Indique otro nombre.</translation>
     </message>
     <message>
@@ -10233,19 +10233,19 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Dos marcadores se llaman %1.</translation>
     </message>
     <message>
-        <source>The place of %1 is not a number.</source>
+        <source>The position of %1 is not a number.</source>
         <translation>El lugar de %1 no es un número.</translation>
     </message>
     <message>
-        <source>Four markers are needed, there are %1.</source>
+        <source>The layout needs four markers; it has %1.</source>
         <translation>Hacen falta cuatro marcadores; hay %1.</translation>
     </message>
     <message>
-        <source>%1 and %2 lie at one place.</source>
+        <source>%1 and %2 have the same position.</source>
         <translation>%1 y %2 están en el mismo lugar.</translation>
     </message>
     <message>
-        <source>The markers lie nearly on a line: they do not tell where the camera stands. Lay one aside.</source>
+        <source>The markers are nearly on a line and cannot determine the camera position. Move one to the side.</source>
         <translation>Los marcadores están casi en línea recta: así no indican dónde está la cámara. Desplace uno hacia un lado.</translation>
     </message>
 </context>
@@ -10263,11 +10263,11 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>odo::LengthPage</name>
     <message>
-        <source>Take what lies &amp;near a click</source>
+        <source>S&amp;nap to what is near a click</source>
         <translation>Tomar lo que está &amp;cerca del clic</translation>
     </message>
     <message>
-        <source>Picture with both ends; arrow keys move the chosen one, Space snaps it</source>
+        <source>Image with both ends; arrow keys move the selected one, Space snaps it</source>
         <translation>Imagen con ambos extremos; las flechas mueven el elegido, Espacio lo ajusta</translation>
     </message>
     <message>
@@ -10295,7 +10295,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation> mm</translation>
     </message>
     <message>
-        <source>lies on the floor</source>
+        <source>on the floor</source>
         <translation>está en el suelo</translation>
     </message>
     <message>
@@ -10335,7 +10335,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Medido</translation>
     </message>
     <message>
-        <source>Lay something of known length anywhere on the floor, a metre stick or two markers of known distance, and click both its ends. By keys: the arrows move an end (Ctrl: fast, Shift: a pixel), Space snaps it.</source>
+        <source>Put an object of known length anywhere on the floor, such as a metre stick or two markers at a known distance, and click both ends. Keys: arrows move an end (Ctrl: fast, Shift: one pixel), Space snaps it.</source>
         <translation>Ponga algo de longitud conocida en cualquier lugar del suelo, una regla de un metro o dos marcadores a distancia conocida, y haga clic en ambos extremos. Con el teclado: las flechas mueven un extremo (Ctrl: rápido, Mayús: un píxel), Espacio lo ajusta.</translation>
     </message>
     <message>
@@ -10343,15 +10343,15 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>%1 ± %2 mm</translation>
     </message>
     <message>
-        <source>inside the expected error</source>
+        <source>within uncertainty</source>
         <translation>dentro del error previsto</translation>
     </message>
     <message>
-        <source>outside the expected error</source>
+        <source>outside uncertainty</source>
         <translation>fuera del error previsto</translation>
     </message>
     <message>
-        <source> Give its true length to see whether that is right.</source>
+        <source> Enter its true length to check the result.</source>
         <translation> Indique su longitud real para ver si es correcto.</translation>
     </message>
     <message>
@@ -10363,7 +10363,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>más allá del horizonte</translation>
     </message>
     <message>
-        <source>not put yet</source>
+        <source>not set yet</source>
         <translation>aún sin colocar</translation>
     </message>
 </context>
@@ -10378,11 +10378,11 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>&amp;Listo</translation>
     </message>
     <message>
-        <source>Picture or video of the length</source>
+        <source>Image or video of the length</source>
         <translation>Imagen o video de la longitud</translation>
     </message>
     <message>
-        <source>The camera and its picture</source>
+        <source>The camera and its image</source>
         <translation>La cámara y su imagen</translation>
     </message>
     <message>
@@ -10390,7 +10390,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Ambos extremos de la longitud</translation>
     </message>
     <message>
-        <source>Lay something of known length on the floor, away from the markers, and see whether the camera measures it as well as it promises. Nothing is changed by it.</source>
+        <source>Put an object of known length on the floor, away from the markers, to check the camera&apos;s stated uncertainty. This changes nothing.</source>
         <translation>Ponga en el suelo algo de longitud conocida, lejos de los marcadores, y vea si la cámara lo mide tan bien como promete. Esto no cambia nada.</translation>
     </message>
     <message>
@@ -10398,22 +10398,22 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Cá&amp;mara</translation>
     </message>
     <message>
-        <source>Where the length is seen</source>
+        <source>Image of the length</source>
         <translation>Dónde se ve la longitud</translation>
     </message>
     <message>
-        <source>Getting the picture…</source>
+        <source>Loading the image…</source>
         <translation>Obteniendo la imagen…</translation>
     </message>
 </context>
 <context>
     <name>odo::LensPicturesPage</name>
     <message>
-        <source>Move it to the left of the picture</source>
+        <source>Move it to the left of the image</source>
         <translation>Muévalo hacia la izquierda de la imagen</translation>
     </message>
     <message>
-        <source>Move it to the right of the picture</source>
+        <source>Move it to the right of the image</source>
         <translation>Muévalo hacia la derecha de la imagen</translation>
     </message>
     <message>
@@ -10453,7 +10453,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Manténgalo quieto</translation>
     </message>
     <message>
-        <source>&amp;Take a picture now</source>
+        <source>&amp;Take an image now</source>
         <translation>&amp;Tomar imagen ahora</translation>
     </message>
     <message>
@@ -10461,19 +10461,19 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Qué hacer</translation>
     </message>
     <message>
-        <source>No picture from the camera</source>
+        <source>No image from the camera</source>
         <translation>Sin imagen de la cámara</translation>
     </message>
     <message>
-        <source>Pictures that do not count</source>
+        <source>Rejected images</source>
         <translation>Imágenes que no cuentan</translation>
     </message>
     <message>
-        <source>What the pictures cover</source>
+        <source>Coverage of the images</source>
         <translation>Lo que cubren las imágenes</translation>
     </message>
     <message>
-        <source>Not counted</source>
+        <source>Rejected</source>
         <translation>No cuentan</translation>
     </message>
     <message>
@@ -10481,7 +10481,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Esperando a la cámara…</translation>
     </message>
     <message>
-        <source>Looking for the board…</source>
+        <source>Detecting the board…</source>
         <translation>Buscando el tablero…</translation>
     </message>
     <message>
@@ -10489,11 +10489,11 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Sostenga el tablero ante la cámara</translation>
     </message>
     <message>
-        <source>Looking for the board</source>
+        <source>Detecting the board</source>
         <translation>Buscando el tablero</translation>
     </message>
     <message>
-        <source>A picture is taken by itself whenever the board is still, sharp and in a new place.</source>
+        <source>Odograph takes an image whenever the board is still, sharp and in a new position.</source>
         <translation>Se toma una imagen automáticamente cada vez que el tablero está quieto, nítido y en un lugar nuevo.</translation>
     </message>
     <message>
@@ -10509,15 +10509,15 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>faltan %1</translation>
     </message>
     <message>
-        <source>No picture counts</source>
+        <source>No image accepted</source>
         <translation>Ninguna imagen cuenta</translation>
     </message>
     <message>
-        <source>The reasons stand at the right. Add others by dropping them here.</source>
+        <source>See the reasons on the right. Drop other images here to add them.</source>
         <translation>Los motivos están a la derecha. Añada otras soltándolas aquí.</translation>
     </message>
     <message>
-        <source>Looked at all</source>
+        <source>All images checked</source>
         <translation>Todas revisadas</translation>
     </message>
     <message>
@@ -10525,7 +10525,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Son suficientes.</translation>
     </message>
     <message>
-        <source>More pictures can be dropped here; the bars show what is missing.</source>
+        <source>Drop more images here; the bars show what is missing.</source>
         <translation>Se pueden soltar más imágenes aquí; las barras muestran lo que falta.</translation>
     </message>
 </context>
@@ -10560,7 +10560,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Calculando</translation>
     </message>
     <message>
-        <source>Lens model chosen by itself</source>
+        <source>Automatic choice of the lens model</source>
         <translation>Modelo de lente elegido automáticamente</translation>
     </message>
     <message>
@@ -10580,15 +10580,15 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Modelo de lente</translation>
     </message>
     <message>
-        <source>Choose a bar to see its picture.</source>
+        <source>Select a bar to see its image.</source>
         <translation>Elija una barra para ver su imagen.</translation>
     </message>
     <message>
-        <source>Stands here once the lens is known.</source>
+        <source>Appears here after the calibration.</source>
         <translation>Aparece aquí cuando se conoce la lente.</translation>
     </message>
     <message>
-        <source>Picture and &amp;residuals</source>
+        <source>Image and &amp;residuals</source>
         <translation>Imagen y &amp;residuos</translation>
     </message>
     <message>
@@ -10596,15 +10596,15 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Sin &amp;distorsión</translation>
     </message>
     <message>
-        <source>Error by picture</source>
+        <source>Error by image</source>
         <translation>Error por imagen</translation>
     </message>
     <message>
-        <source>Lens</source>
+        <source>Calibration</source>
         <translation>Lente</translation>
     </message>
     <message>
-        <source>What is known of the lens</source>
+        <source>Lens calibration</source>
         <translation>Lo que se sabe de la lente</translation>
     </message>
     <message>
@@ -10616,11 +10616,11 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>los bordes rectos deben verse rectos</translation>
     </message>
     <message>
-        <source>Storing the lens and its pictures…</source>
+        <source>Storing the lens calibration and its images…</source>
         <translation>Guardando la lente y sus imágenes…</translation>
     </message>
     <message>
-        <source>The lens was not stored. %1</source>
+        <source>The lens calibration was not stored. %1</source>
         <translation>La lente no se guardó. %1</translation>
     </message>
     <message>
@@ -10632,7 +10632,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>Pictures</source>
+        <source>Images</source>
         <translation>Imágenes</translation>
     </message>
     <message>
@@ -10648,7 +10648,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Error de validación</translation>
     </message>
     <message>
-        <source>needs six pictures</source>
+        <source>needs six images</source>
         <translation>requiere seis imágenes</translation>
     </message>
     <message>
@@ -10671,11 +10671,11 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>odo::LensSourcePage</name>
     <message>
-        <source>Be&amp;fore the camera: hold the board, pictures are taken by themselves</source>
+        <source>&amp;From the camera: hold up the board, Odograph takes the images</source>
         <translation>An&amp;te la cámara: sostenga el tablero y las imágenes se toman automáticamente</translation>
     </message>
     <message>
-        <source>From &amp;pictures or a video that you have taken</source>
+        <source>From existing images or a &amp;video</source>
         <translation>De &amp;imágenes o un video ya tomados</translation>
     </message>
     <message>
@@ -10687,7 +10687,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Im&amp;primir tablero…</translation>
     </message>
     <message>
-        <source>A flat board of squares, seen from many sides, tells how the lens draws. Checkerboard or ChArUco, of any size: which it is, is found out. Measure one square on the paper; it decides every later length. The lens must not be refocused or zoomed afterwards.</source>
+        <source>Show a flat calibration board from many sides to calibrate the lens. Odograph recognises checkerboard and ChArUco boards of any size. Measure one square on the paper: every later length depends on it. Do not refocus or zoom afterwards.</source>
         <translation>Un tablero plano de casillas, visto desde muchos lados, revela cómo proyecta la lente. De ajedrez o ChArUco, de cualquier tamaño: se reconoce automáticamente. Mida una casilla en el papel; de ella dependen todas las longitudes posteriores. Después no se debe cambiar el enfoque ni el zoom de la lente.</translation>
     </message>
     <message>
@@ -10699,11 +10699,11 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Lado de una &amp;casilla, medido</translation>
     </message>
     <message>
-        <source>Where the pictures of the board come from</source>
+        <source>Source of the board images</source>
         <translation>De dónde vienen las imágenes del tablero</translation>
     </message>
     <message>
-        <source>Pictures and videos of the board</source>
+        <source>Images and videos of the board</source>
         <translation>Imágenes y videos del tablero</translation>
     </message>
     <message>
@@ -10715,11 +10715,11 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>&amp;Quitar</translation>
     </message>
     <message>
-        <source>Pictures and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
         <translation>Imágenes y videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Todos los archivos (*)</translation>
     </message>
     <message>
-        <source>Files can also be dropped here.</source>
+        <source>You can also drop files here.</source>
         <translation>También se pueden soltar archivos aquí.</translation>
     </message>
 </context>
@@ -10738,7 +10738,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>La cámara y el tablero</translation>
     </message>
     <message>
-        <source>Pictures of the board</source>
+        <source>Images of the board</source>
         <translation>Imágenes del tablero</translation>
     </message>
     <message>
@@ -10881,7 +10881,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>A&amp;yuda</translation>
     </message>
     <message>
-        <source>The pages follow when the project is opened again, for a recording goes on.</source>
+        <source>A recording is running. The change takes effect when you reopen the project.</source>
         <translation>Las páginas se actualizan al volver a abrir el proyecto, pues hay una grabación en curso.</translation>
     </message>
     <message>
@@ -10889,23 +10889,23 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Restaurar la copia de seguridad</translation>
     </message>
     <message>
-        <source>“%1” was deleted, renamed or replaced by another program. What is in it is rescued as soon as the running work has ended.</source>
+        <source>Another program deleted, renamed or replaced “%1”. Odograph will rescue its contents when the running job has ended.</source>
         <translation>Otro programa eliminó, renombró o sustituyó «%1». Su contenido se rescatará en cuanto termine el trabajo en curso.</translation>
     </message>
     <message>
-        <source>“%1” was deleted, renamed or replaced by another program. What was in it is rescued in “%2”, which is open now.</source>
+        <source>Another program deleted, renamed or replaced “%1”. Odograph rescued its contents in “%2” and opened that project.</source>
         <translation>Otro programa eliminó, renombró o sustituyó «%1». Su contenido se ha rescatado en «%2», que ahora está abierto.</translation>
     </message>
     <message>
-        <source>Another program wrote over “%1”. What it holds now is opened as soon as the running work has ended.</source>
+        <source>Another program overwrote “%1”. Odograph will open the new contents when the running job has ended.</source>
         <translation>Otro programa ha sobrescrito «%1». Lo que contiene ahora se abrirá en cuanto termine el trabajo en curso.</translation>
     </message>
     <message>
-        <source>“%1” was renamed with its videos by another program. It is open as “%2” now.</source>
+        <source>Another program renamed “%1” and its videos. It is now open as “%2”.</source>
         <translation>Otro programa ha cambiado el nombre de «%1» junto con sus vídeos. Ahora está abierto como «%2».</translation>
     </message>
     <message>
-        <source>Another program wrote over “%1” while it was open: what it held before is gone. What it holds now is shown.</source>
+        <source>Another program overwrote “%1” while it was open. Its earlier contents are gone; the window shows the new ones.</source>
         <translation>Otro programa ha sobrescrito «%1» mientras estaba abierto: lo que contenía antes se ha perdido. Se muestra lo que contiene ahora.</translation>
     </message>
 </context>
@@ -10977,14 +10977,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>odo::MarkerCanvas</name>
     <message>
-        <source>Picture with the markers; arrow keys move the chosen one</source>
+        <source>Image with the markers; arrow keys move the selected one</source>
         <translation>Imagen con los marcadores; las flechas mueven el elegido</translation>
     </message>
 </context>
 <context>
     <name>odo::MarkerPage</name>
     <message>
-        <source>&amp;Take out</source>
+        <source>&amp;Remove</source>
         <translation>&amp;Quitar</translation>
     </message>
     <message>
@@ -10996,7 +10996,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Marcador</translation>
     </message>
     <message>
-        <source>Place, mm</source>
+        <source>Position, mm</source>
         <translation>Lugar, mm</translation>
     </message>
     <message>
@@ -11016,7 +11016,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>encontrado</translation>
     </message>
     <message>
-        <source>Choose a marker in the table and click where it is; what lies near the click is taken to the tenth of a pixel.</source>
+        <source>Select a marker in the table and click its position. The click snaps to what is near it, to a tenth of a pixel.</source>
         <translation>Elija un marcador en la tabla y haga clic donde esté; lo que haya cerca del clic se localiza hasta la décima de píxel.</translation>
     </message>
     <message>
@@ -11028,7 +11028,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>%1, %2</translation>
     </message>
     <message>
-        <source>not seen</source>
+        <source>not visible</source>
         <translation>no se ve</translation>
     </message>
 </context>
@@ -11050,7 +11050,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>odo::MetricModel</name>
     <message>
-        <source>Figure</source>
+        <source>Metric</source>
         <translation>Indicador</translation>
     </message>
     <message>
@@ -11088,7 +11088,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>&amp;Registrar de nuevo…</translation>
     </message>
     <message>
-        <source>Check the cameras</source>
+        <source>Check camera positions</source>
         <translation>Comprobar las cámaras</translation>
     </message>
     <message>
@@ -11096,7 +11096,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Cámara</translation>
     </message>
     <message>
-        <source>New picture</source>
+        <source>New image</source>
         <translation>Imagen nueva</translation>
     </message>
     <message>
@@ -11108,7 +11108,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Cámaras registradas</translation>
     </message>
     <message>
-        <source>A camera that was pushed measures wrongly and nothing shows it. Before the robots run, each camera&apos;s markers are looked for again in a new picture.</source>
+        <source>A camera that someone has pushed measures wrong positions without any sign of it. Before the robots run, check each camera&apos;s markers in a new image.</source>
         <translation>Una cámara que recibió un empujón mide mal y nada lo delata. Antes de los recorridos se vuelven a buscar los marcadores de cada cámara en una imagen nueva.</translation>
     </message>
     <message>
@@ -11116,11 +11116,11 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Cerrar</translation>
     </message>
     <message>
-        <source>What was found</source>
+        <source>Results of the check</source>
         <translation>Lo que se encontró</translation>
     </message>
     <message>
-        <source>New picture of camera %1</source>
+        <source>New image of camera %1</source>
         <translation>Imagen nueva de la cámara %1</translation>
     </message>
     <message>
@@ -11132,23 +11132,23 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Sin comprobar</translation>
     </message>
     <message>
-        <source>A picture or video…</source>
+        <source>An image or video…</source>
         <translation>Una imagen o un video…</translation>
     </message>
     <message>
-        <source>Pictures and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
         <translation>Imágenes y videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Todos los archivos (*)</translation>
     </message>
     <message>
-        <source>looking…</source>
+        <source>detecting…</source>
         <translation>buscando…</translation>
     </message>
     <message>
-        <source>not told</source>
+        <source>undetermined</source>
         <translation>sin respuesta</translation>
     </message>
     <message>
-        <source>Two markers at least must be seen. Nothing is moved or changed by the check.</source>
+        <source>At least two markers must be visible. The check changes nothing.</source>
         <translation>Deben verse al menos dos marcadores. La comprobación no mueve ni cambia nada.</translation>
     </message>
     <message>
@@ -11163,15 +11163,15 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>&amp;Enviar posiciones en vivo por la red</translation>
     </message>
     <message>
-        <source>%1: this machine only</source>
+        <source>%1: this computer only</source>
         <translation>%1: solo esta máquina</translation>
     </message>
     <message>
-        <source>%1: not there now</source>
+        <source>%1: not available now</source>
         <translation>%1: ahora no está</translation>
     </message>
     <message>
-        <source>The places of the robots that Record follows, as packets of SSL-Vision, for controllers and programs of your own. No name of a team or a robot is in them.</source>
+        <source>Positions of the robots that Record tracks, as SSL-Vision packets for your own controllers and programs. The packets contain no names of teams or robots.</source>
         <translation>Las posiciones de los robots que sigue Grabar, como paquetes de SSL-Vision, para controladores y programas propios. No contienen nombres de equipos ni de robots.</translation>
     </message>
     <message>
@@ -11187,23 +11187,23 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Inter&amp;faz</translation>
     </message>
     <message>
-        <source>Nothing is sent.</source>
+        <source>Odograph sends nothing.</source>
         <translation>No se envía nada.</translation>
     </message>
     <message>
-        <source>This is no IPv4 address; write it like 224.5.23.2.</source>
+        <source>This is not an IPv4 address; enter one such as 224.5.23.2.</source>
         <translation>No es una dirección IPv4; escríbala como 224.5.23.2.</translation>
     </message>
     <message>
-        <source>They go to the one machine that has this address.</source>
+        <source>They go only to the computer with this address.</source>
         <translation>Van a la única máquina que tiene esta dirección.</translation>
     </message>
     <message>
-        <source>They do not leave this machine.</source>
+        <source>They do not leave this computer.</source>
         <translation>No salen de esta máquina.</translation>
     </message>
     <message>
-        <source>Whoever is on that network can read where the robots are.</source>
+        <source>Anyone on that network can read the robots&apos; positions.</source>
         <translation>Cualquiera que esté en esa red puede leer dónde están los robots.</translation>
     </message>
 </context>
@@ -11221,7 +11221,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>odo::PickColourDialog</name>
     <message>
-        <source>Robot&apos;s colour from a picture</source>
+        <source>Pick the robot&apos;s colour</source>
         <translation>Color del robot desde una imagen</translation>
     </message>
     <message>
@@ -11237,15 +11237,15 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>&amp;Fotograma</translation>
     </message>
     <message>
-        <source>Choose a video in which the robot is seen.</source>
+        <source>Choose a video that shows the robot.</source>
         <translation>Elija un video en el que se vea el robot.</translation>
     </message>
     <message>
-        <source>Take this colour</source>
+        <source>Use this colour</source>
         <translation>Tomar este color</translation>
     </message>
     <message>
-        <source>Video in which the robot is seen</source>
+        <source>Video that shows the robot</source>
         <translation>Video en el que se ve el robot</translation>
     </message>
     <message>
@@ -11261,7 +11261,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>El color del robot aquí: %1. Llena el %2 % del recuadro.</translation>
     </message>
     <message>
-        <source>Draw a box closely round the robot with the mouse; or with the arrow keys, which move the box, and with Shift make it larger or smaller.</source>
+        <source>Draw a tight box round the robot with the mouse, or use the keyboard: arrow keys move the box, Shift + arrow keys resize it.</source>
         <translation>Dibuje con el ratón un recuadro ceñido al robot; o con las flechas, que mueven el recuadro y, con Mayús, lo agrandan o reducen.</translation>
     </message>
     <message>
@@ -11283,7 +11283,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>odo::PictureBars</name>
     <message>
-        <source>Error of each picture, with a threshold</source>
+        <source>Error of each image, with a threshold</source>
         <translation>Error de cada imagen, con un umbral</translation>
     </message>
     <message>
@@ -11291,33 +11291,33 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>%1: %2 px</translation>
     </message>
     <message>
-        <source>pictures; above %1 px they do not count</source>
+        <source>images; rejected above %1 px</source>
         <translation>imágenes; por encima de %1 px no cuentan</translation>
     </message>
 </context>
 <context>
     <name>odo::PictureChoice</name>
     <message>
-        <source>In the camera&apos;s &amp;newest recording</source>
+        <source>The camera&apos;s &amp;newest recording</source>
         <translation>En la última g&amp;rabación de la cámara</translation>
     </message>
     <message>
-        <source>In what a &amp;connected camera sees now</source>
+        <source>The current image of a &amp;connected camera</source>
         <translation>En lo que ve ahora una cámara &amp;conectada</translation>
     </message>
     <message>
-        <source>In a &amp;picture or video</source>
+        <source>An image or a &amp;video</source>
         <translation>En una &amp;imagen o un video</translation>
     </message>
     <message>
-        <source>Pictures and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
         <translation>Imágenes y videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Todos los archivos (*)</translation>
     </message>
 </context>
 <context>
     <name>odo::PlannedCameraForm</name>
     <message>
-        <source>Stands at x</source>
+        <source>Position x</source>
         <translation>Situada en x</translation>
     </message>
     <message>
@@ -11325,7 +11325,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation> mm</translation>
     </message>
     <message>
-        <source>Stands at y</source>
+        <source>Position y</source>
         <translation>Situada en y</translation>
     </message>
     <message>
@@ -11341,7 +11341,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Mira a y</translation>
     </message>
     <message>
-        <source>Direction in which it looks</source>
+        <source>Viewing direction</source>
         <translation>Dirección en la que mira</translation>
     </message>
     <message>
@@ -11353,19 +11353,19 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Campo visual</translation>
     </message>
     <message>
-        <source>0° is along X, 90° along Y; turning it turns the point that it looks at about the camera</source>
+        <source>0° is along X, 90° along Y; the point that the camera looks at turns with it</source>
         <translation>0° es a lo largo de X, 90° a lo largo de Y; al girarla, el punto al que mira gira alrededor de la cámara</translation>
     </message>
     <message>
-        <source>Across the picture&apos;s width: a webcam has some 60° to 80°, a phone 65°</source>
+        <source>Across the image width: a webcam has about 60° to 80°, a phone 65°</source>
         <translation>A lo ancho de la imagen: una webcam tiene unos 60° a 80°, un teléfono 65°</translation>
     </message>
     <message>
-        <source>Size of its pictures</source>
+        <source>Image size</source>
         <translation>Tamaño de sus imágenes</translation>
     </message>
     <message>
-        <source>&amp;Stands at x, y</source>
+        <source>Po&amp;sition x, y</source>
         <translation>&amp;Situada en x, y</translation>
     </message>
     <message>
@@ -11392,7 +11392,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Preferencias</translation>
     </message>
     <message>
-        <source>Kinds of preferences</source>
+        <source>Categories of preferences</source>
         <translation>Tipos de preferencias</translation>
     </message>
     <message>
@@ -11576,7 +11576,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>odo::RegistrationVerdict</name>
     <message>
-        <source>Where the camera stands</source>
+        <source>Camera position</source>
         <translation>Dónde está la cámara</translation>
     </message>
     <message>
@@ -11584,7 +11584,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Veredicto</translation>
     </message>
     <message>
-        <source>It stands at x %1 m, y %2 m, %3 m above the floor.</source>
+        <source>Camera position: x %1 m, y %2 m, %3 m above the floor.</source>
         <translation>Está en x %1 m, y %2 m, a %3 m sobre el suelo.</translation>
     </message>
     <message>
@@ -11630,11 +11630,11 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Archivos PDF (*.pdf)</translation>
     </message>
     <message>
-        <source>The report is in %1.</source>
+        <source>Report saved as %1.</source>
         <translation>El informe está en %1.</translation>
     </message>
     <message>
-        <source>The report is with the printer %1.</source>
+        <source>Report sent to printer %1.</source>
         <translation>El informe está en la impresora %1.</translation>
     </message>
 </context>
@@ -11748,7 +11748,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>E&amp;scuela</translation>
     </message>
     <message>
-        <source>stands at the head of each page</source>
+        <source>shown at the top of each page</source>
         <translation>aparece en la cabecera de cada página</translation>
     </message>
     <message>
@@ -11756,7 +11756,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Logotipo</translation>
     </message>
     <message>
-        <source>Pictures (*.png *.jpg *.jpeg *.svg)</source>
+        <source>Images (*.png *.jpg *.jpeg *.svg)</source>
         <translation>Imágenes (*.png *.jpg *.jpeg *.svg)</translation>
     </message>
     <message>
@@ -11764,15 +11764,15 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>&amp;Logotipo</translation>
     </message>
     <message>
-        <source>How the logo looks</source>
+        <source>Preview of the logo</source>
         <translation>Cómo se ve el logotipo</translation>
     </message>
     <message>
-        <source>&amp;At the foot</source>
+        <source>&amp;At the bottom</source>
         <translation>Al &amp;pie</translation>
     </message>
     <message>
-        <source>for example: who answers questions</source>
+        <source>for example: whom to ask</source>
         <translation>por ejemplo: quién responde preguntas</translation>
     </message>
 </context>
@@ -11783,7 +11783,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>ninguno</translation>
     </message>
     <message>
-        <source>&amp;Measure again</source>
+        <source>&amp;Reanalyse</source>
         <translation>Volver a &amp;medir</translation>
     </message>
     <message>
@@ -11791,7 +11791,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>&amp;Conservar</translation>
     </message>
     <message>
-        <source>Measure trials again</source>
+        <source>Reanalyse trials</source>
         <translation>Volver a medir ensayos</translation>
     </message>
     <message>
@@ -11799,7 +11799,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Robot</translation>
     </message>
     <message>
-        <source>Figure</source>
+        <source>Metric</source>
         <translation>Indicador</translation>
     </message>
     <message>
@@ -11823,7 +11823,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Lo que cambia, en palabras</translation>
     </message>
     <message>
-        <source>What was seen in the videos stays as it is; where it lies on the floor is computed with the registrations in force now. Look at what changes, then keep it or not: the older analysis stays in the project too.</source>
+        <source>What was detected in the videos stays as it is; its floor positions are recomputed with the current registrations. Check what changes, then keep it or not: the older analysis stays in the project too.</source>
         <translation>Lo que se vio en los videos queda como está; su lugar en el suelo se calcula con los registros vigentes ahora. Vea lo que cambia y después consérvelo o no: el análisis anterior también queda en el proyecto.</translation>
     </message>
     <message>
@@ -11918,15 +11918,15 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>odo::RevisionPicture</name>
     <message>
-        <source>Picture that it was made from</source>
+        <source>Source image</source>
         <translation>Imagen a partir de la cual se hizo</translation>
     </message>
     <message>
-        <source>Reading the picture…</source>
+        <source>Reading the image…</source>
         <translation>Leyendo la imagen…</translation>
     </message>
     <message>
-        <source>The picture cannot be read.</source>
+        <source>Cannot read the image.</source>
         <translation>La imagen no se puede leer.</translation>
     </message>
 </context>
@@ -11937,11 +11937,11 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>&amp;Usar esta</translation>
     </message>
     <message>
-        <source>&amp;Register with this lens</source>
+        <source>&amp;Register with this calibration</source>
         <translation>&amp;Registrar con esta lente</translation>
     </message>
     <message>
-        <source>&amp;Measure trials again…</source>
+        <source>Reanalyse &amp;trials…</source>
         <translation>&amp;Volver a medir ensayos…</translation>
     </message>
     <message>
@@ -11973,7 +11973,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Ensayos</translation>
     </message>
     <message>
-        <source>In force</source>
+        <source>Current</source>
         <translation>Vigente</translation>
     </message>
     <message>
@@ -11981,11 +11981,11 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Revisiones</translation>
     </message>
     <message>
-        <source>Puts the chosen revision in force for what is measured from now on; trials keep theirs</source>
+        <source>Makes the selected revision the current one for new measurements; trials keep theirs</source>
         <translation>Pone en vigor la revisión elegida para lo que se mida desde ahora; los ensayos conservan la suya</translation>
     </message>
     <message>
-        <source>Computes the registration in force anew from the same markers, with the lens in force</source>
+        <source>Recomputes the current registration from the same markers, with the current lens calibration</source>
         <translation>Calcula de nuevo el registro vigente con los mismos marcadores y la lente vigente</translation>
     </message>
     <message>
@@ -12017,27 +12017,27 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Registro %1</translation>
     </message>
     <message>
-        <source>in force</source>
+        <source>current</source>
         <translation>vigente</translation>
     </message>
     <message>
-        <source>No trial was measured with it.</source>
+        <source>No trial uses it.</source>
         <translation>Ningún ensayo se midió con ella.</translation>
     </message>
     <message>
-        <source>Trials measured with it: %1.</source>
+        <source>Trials that use it: %1.</source>
         <translation>Ensayos medidos con ella: %1.</translation>
     </message>
     <message>
-        <source>%1 is in force. The registrations keep the lens that they were made with: register the camera with this one.</source>
+        <source>%1 is now current. The registrations keep the lens calibration that they were made with: register the camera with this one.</source>
         <translation>Vigente ahora: %1. Los registros conservan la lente con la que se hicieron: registre la cámara con esta.</translation>
     </message>
     <message>
-        <source>%1 is in force. Trials keep theirs until they are measured again.</source>
+        <source>%1 is now current. Trials keep theirs until you reanalyse them.</source>
         <translation>Vigente ahora: %1. Los ensayos conservan la suya hasta que se vuelvan a medir.</translation>
     </message>
     <message>
-        <source>Registration %1 is in force: the same markers, with this lens. %2</source>
+        <source>Registration %1 is now current: the same markers, with this lens calibration. %2</source>
         <translation>El registro %1 está vigente: los mismos marcadores, con esta lente. %2</translation>
     </message>
 </context>
@@ -12048,7 +12048,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Añadir robot</translation>
     </message>
     <message>
-        <source>Found from the views</source>
+        <source>Estimated from the views</source>
         <translation>Hallada con las vistas</translation>
     </message>
     <message>
@@ -12072,7 +12072,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>&amp;Nombre</translation>
     </message>
     <message>
-        <source>From a &amp;picture…</source>
+        <source>&amp;Pick from a video…</source>
         <translation>De una &amp;imagen…</translation>
     </message>
     <message>
@@ -12096,7 +12096,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Cambiar robot</translation>
     </message>
     <message>
-        <source>How it differs from the floor</source>
+        <source>Its silhouette</source>
         <translation>Lo que lo distingue del suelo</translation>
     </message>
     <message>
@@ -12104,19 +12104,19 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Un color propio</translation>
     </message>
     <message>
-        <source>A robot of any look is found by how it differs from the floor. A colour of its own helps where several things move.</source>
+        <source>The silhouette works for any robot. A colour of its own helps if several things move.</source>
         <translation>Un robot de cualquier aspecto se encuentra por lo que lo distingue del suelo. Un color propio ayuda cuando se mueven varias cosas.</translation>
     </message>
     <message>
-        <source>&amp;Found by</source>
+        <source>D&amp;etected by</source>
         <translation>&amp;Se encuentra por</translation>
     </message>
     <message>
-        <source>In charts and maps, whatever the robot looks like</source>
+        <source>Colour in charts and maps; the robot itself may have another</source>
         <translation>En gráficos y mapas, sea cual sea el aspecto del robot</translation>
     </message>
     <message>
-        <source>From the middle of what the robot covers of the floor; 0 and 0 is the middle itself.</source>
+        <source>Offset from the middle of the robot&apos;s footprint; 0 and 0 is the middle itself.</source>
         <translation>Desde el centro de lo que el robot cubre del suelo; 0 y 0 es el propio centro.</translation>
     </message>
     <message>
@@ -12124,7 +12124,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation> mm adelante</translation>
     </message>
     <message>
-        <source>Measured point, forward of the robot&apos;s middle</source>
+        <source>Reference point, forward of the robot&apos;s middle</source>
         <translation>Punto medido, por delante del centro del robot</translation>
     </message>
     <message>
@@ -12132,11 +12132,11 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation> mm a la izquierda</translation>
     </message>
     <message>
-        <source>Measured point, left of the robot&apos;s middle</source>
+        <source>Reference point, left of the robot&apos;s middle</source>
         <translation>Punto medido, a la izquierda del centro del robot</translation>
     </message>
     <message>
-        <source>&amp;Measured point</source>
+        <source>&amp;Reference point</source>
         <translation>&amp;Punto medido</translation>
     </message>
 </context>
@@ -12177,7 +12177,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>odo::RobotsDialog</name>
     <message>
-        <source>found from the views</source>
+        <source>estimated from the views</source>
         <translation>hallada con las vistas</translation>
     </message>
     <message>
@@ -12217,11 +12217,11 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Largo × ancho</translation>
     </message>
     <message>
-        <source>Another colour or height counts from the next tracking on; what was measured before stays as it is.</source>
+        <source>A new colour or height applies from the next tracking on; earlier results stay as they are.</source>
         <translation>Otro color u otra altura cuentan desde el próximo rastreo; lo medido antes queda como está.</translation>
     </message>
     <message>
-        <source>What was done</source>
+        <source>Latest change</source>
         <translation>Lo que se hizo</translation>
     </message>
     <message>
@@ -12237,7 +12237,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>su silueta</translation>
     </message>
     <message>
-        <source>Found by</source>
+        <source>Detected by</source>
         <translation>Se encuentra por</translation>
     </message>
 </context>
@@ -12464,11 +12464,11 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>&amp;Quitar línea</translation>
     </message>
     <message>
-        <source>Each line gives all of its points where the figure is at the one bound or better, none at the other or worse, and evenly between them. Points below zero are a penalty.</source>
+        <source>Each line gives all its points if the metric reaches the first bound, none at the second bound or worse, and a proportional share between them. Negative points are a penalty.</source>
         <translation>Cada línea da todos sus puntos si el indicador está en un límite o mejor, ninguno si está en el otro o peor, y en proporción entre ambos. Los puntos por debajo de cero son una penalización.</translation>
     </message>
     <message>
-        <source>Figure</source>
+        <source>Metric</source>
         <translation>Indicador</translation>
     </message>
     <message>
@@ -12496,7 +12496,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Añadi&amp;r línea</translation>
     </message>
     <message>
-        <source>Figure that counts</source>
+        <source>Scored metric</source>
         <translation>Indicador que cuenta</translation>
     </message>
     <message>
@@ -12504,7 +12504,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Sin ninguna línea, los recorridos de la tarea no se puntúan.</translation>
     </message>
     <message>
-        <source>In all %1 points.</source>
+        <source>Total: %1 points.</source>
         <translation>En total, %1 puntos.</translation>
     </message>
 </context>
@@ -12522,7 +12522,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>odo::SharedPointsPage</name>
     <message>
-        <source>&amp;Take out</source>
+        <source>&amp;Remove</source>
         <translation>&amp;Quitar</translation>
     </message>
     <message>
@@ -12530,11 +12530,11 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>&amp;Deshacer</translation>
     </message>
     <message>
-        <source>Picture of the camera to register; arrow keys move the chosen point</source>
+        <source>Image of the camera to register; arrow keys move the selected point</source>
         <translation>Imagen de la cámara por registrar; las flechas mueven el punto elegido</translation>
     </message>
     <message>
-        <source>Picture of the registered camera; arrow keys move the chosen point</source>
+        <source>Image of the registered camera; arrow keys move the selected point</source>
         <translation>Imagen de la cámara registrada; las flechas mueven el punto elegido</translation>
     </message>
     <message>
@@ -12554,7 +12554,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Error</translation>
     </message>
     <message>
-        <source>Points of the floor</source>
+        <source>Floor points</source>
         <translation>Puntos del suelo</translation>
     </message>
     <message>
@@ -12571,7 +12571,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>P%1</translation>
     </message>
     <message>
-        <source>Click a point of the floor in the left picture, then the same one in the right picture. What lies near a click is taken to the tenth of a pixel; the arrow keys move the chosen point, Space snaps it.</source>
+        <source>Click a floor point in the left image, then the same point in the right image. A click snaps to what is near it, to a tenth of a pixel; arrow keys move the selected point, Space snaps it.</source>
         <translation>Haga clic en un punto del suelo en la imagen izquierda y después en el mismo en la derecha. Lo que haya cerca del clic se localiza hasta la décima de píxel; las flechas mueven el punto elegido, Espacio lo ajusta.</translation>
     </message>
     <message>
@@ -12587,7 +12587,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>%1 mm</translation>
     </message>
     <message>
-        <source>both pictures</source>
+        <source>both images</source>
         <translation>ambas imágenes</translation>
     </message>
     <message>
@@ -12599,7 +12599,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>solo derecha</translation>
     </message>
     <message>
-        <source>not put yet</source>
+        <source>not set yet</source>
         <translation>aún sin colocar</translation>
     </message>
 </context>
@@ -12684,7 +12684,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Motivo</translation>
     </message>
     <message>
-        <source>%1 doubtful</source>
+        <source>%1 ambiguous</source>
         <translation>%1 en duda</translation>
     </message>
     <message>
@@ -12699,7 +12699,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>elija una tarea</translation>
     </message>
     <message>
-        <source>three trials at different times tell</source>
+        <source>needs three trials at different times</source>
         <translation>desde tres momentos distintos</translation>
     </message>
     <message>
@@ -12719,7 +12719,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>un ensayo</translation>
     </message>
     <message>
-        <source>One more than the teams that are better beyond doubt: their medians differ by more than 1.96 σ. Runs of different tasks are not ranked</source>
+        <source>One more than the number of significantly better teams (medians differ by more than 1.96 σ). Runs of different tasks are not ranked</source>
         <translation>Uno más que los equipos mejores sin lugar a dudas: sus medianas difieren más de 1,96 σ. Los recorridos de tareas distintas no se clasifican</translation>
     </message>
     <message>
@@ -12759,7 +12759,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Dispersión</translation>
     </message>
     <message>
-        <source>Change through the term by a straight line; beyond the spread by Student&apos;s test, 95 %</source>
+        <source>Change over the term by a straight-line fit; Student&apos;s t-test (95 %) decides if it exceeds the spread</source>
         <translation>Cambio a lo largo del periodo según una recta; más allá de la dispersión según la prueba t de Student, 95 %</translation>
     </message>
     <message>
@@ -12833,7 +12833,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Análisis %1, Odograph %2</translation>
     </message>
     <message>
-        <source>Units of lengths, speeds and times; to be chosen in the preferences</source>
+        <source>Units of lengths, speeds and times; change them in the preferences</source>
         <translation>Unidades de longitudes, velocidades y tiempos; se eligen en las preferencias</translation>
     </message>
     <message>
@@ -12963,7 +12963,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Una hoja. Después mida una casilla en el papel: las impresoras suelen reducir de un 2 a un 4 %.</translation>
     </message>
     <message>
-        <source>One sheet for each marker. A tag&apos;s number is the place of its label in the layout.</source>
+        <source>One sheet for each marker. A tag&apos;s number is the position of its label in the layout.</source>
         <translation>Una hoja por marcador. El número de un AprilTag es la posición de su rótulo en el plano.</translation>
     </message>
     <message>
@@ -13056,7 +13056,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>&amp;Puntuación</translation>
     </message>
     <message>
-        <source>What is wrong</source>
+        <source>Problems</source>
         <translation>Qué está mal</translation>
     </message>
     <message>
@@ -13068,7 +13068,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Cancelar</translation>
     </message>
     <message>
-        <source>Take gates, path, limits and zones from a task file (JSON)</source>
+        <source>Import gates, path, limits and zones from a task file (JSON)</source>
         <translation>Tomar puertas, trayectoria, límites y zonas de un archivo de tarea (JSON)</translation>
     </message>
     <message>
@@ -13084,7 +13084,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Límite de ac&amp;eleración</translation>
     </message>
     <message>
-        <source>What no robot in the task can do: a measurement beyond it is a spike</source>
+        <source>No robot in the task can exceed it: a measurement beyond it is a spike</source>
         <translation>Lo que ningún robot puede hacer en la tarea: una medición que lo supere es un valor atípico</translation>
     </message>
     <message>
@@ -13100,7 +13100,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>La tarea no tiene nombre.</translation>
     </message>
     <message>
-        <source>There is a task of that name. Give another name.</source>
+        <source>A task with this name exists. Enter another name.</source>
         <translation>Ya hay una tarea con ese nombre. Indique otro nombre.</translation>
     </message>
     <message>
@@ -13139,7 +13139,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>E&amp;liminar</translation>
     </message>
     <message>
-        <source>&amp;Measure them again</source>
+        <source>Reanalyse &amp;them</source>
         <translation>&amp;Volver a medirlos</translation>
     </message>
     <message>
@@ -13151,7 +13151,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Lo que depende de la tarea</translation>
     </message>
     <message>
-        <source>What was done</source>
+        <source>Latest change</source>
         <translation>Lo que se hizo</translation>
     </message>
     <message>
@@ -13171,7 +13171,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Usada por</translation>
     </message>
     <message>
-        <source>An archived task is not offered any more; its trials, results and scores stay as they are</source>
+        <source>Archived tasks no longer appear in lists; their trials, results and scores stay as they are</source>
         <translation>Una tarea archivada ya no se ofrece; sus ensayos, resultados y puntuaciones quedan como están</translation>
     </message>
     <message numerus="yes">
@@ -13201,11 +13201,11 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>%1, archivada</translation>
     </message>
     <message>
-        <source>No task yet. New makes one from a template: its gates, path and scoring say what is to be driven, and how well it was.</source>
+        <source>No task yet. New creates one from a template. Its gates, path and scoring define the course and rate the runs.</source>
         <translation>Aún no hay tareas. Nueva crea una a partir de una plantilla: sus puertas, trayectoria y puntuación dicen qué hay que recorrer y lo bien que se hizo.</translation>
     </message>
     <message numerus="yes">
-        <source>The course as it was before it was changed: %n result(s) measured by it keep it.</source>
+        <source>Earlier version of the course: %n result(s) still use it.</source>
         <translation>
             <numerusform>El circuito tal como era antes de cambiarlo: lo conserva %n resultado medido con él.</numerusform>
             <numerusform>El circuito tal como era antes de cambiarlo: lo conservan %n resultados medidos con él.</numerusform>
@@ -13223,14 +13223,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Ningún ensayo tiene esta tarea.</translation>
     </message>
     <message numerus="yes">
-        <source>%n of them measured by another course: times at gates and distances from the path are of that one, and there is no score until they are measured again.</source>
+        <source>%n of them were measured with another course: their gate times and distances from the path belong to that one, and they have no score until you reanalyse them.</source>
         <translation>
             <numerusform>%n de ellos se midió con otro circuito: los tiempos en las puertas y las distancias a la trayectoria son de aquel, y no hay puntuación hasta que se vuelva a medir.</numerusform>
             <numerusform>%n de ellos se midieron con otro circuito: los tiempos en las puertas y las distancias a la trayectoria son de aquel, y no hay puntuación hasta que se vuelvan a medir.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>It is scored by %n figure(s).</source>
+        <source>It is scored by %n metric(s).</source>
         <translation>
             <numerusform>Se puntúa con %n indicador.</numerusform>
             <numerusform>Se puntúa con %n indicadores.</numerusform>
@@ -13241,19 +13241,19 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>No se puntúa.</translation>
     </message>
     <message>
-        <source>Out of the &amp;archive</source>
+        <source>Restore from &amp;archive</source>
         <translation>Des&amp;archivar</translation>
     </message>
     <message>
-        <source>Trials have this task, or were measured by it: it stays, so that their figures say what they were measured by</source>
+        <source>Trials have this task or were measured with it: it stays to document their metrics</source>
         <translation>Hay ensayos con esta tarea o medidos con ella: se conserva, para que sus indicadores digan con qué se midieron</translation>
     </message>
     <message>
-        <source>Deletes the task (Del); Ctrl+Z takes it back</source>
+        <source>Deletes the task (Del); Ctrl+Z undoes this</source>
         <translation>Elimina la tarea (Supr); Ctrl+Z la recupera</translation>
     </message>
     <message numerus="yes">
-        <source>%n result(s) measured by this course stay true: a course that is changed is kept for them as an earlier version. The trials go over to the new one; their times and scores follow once they are measured again.</source>
+        <source>%n result(s) measured with this course stay valid: if you change the course, they keep the earlier version. Reanalyse the trials to update their times and scores.</source>
         <translation>
             <numerusform>%n resultado medido con este circuito sigue siendo válido: si el circuito se cambia, se conserva para él como versión anterior. Los ensayos pasan al nuevo; sus tiempos y puntuaciones llegan cuando se vuelven a medir.</numerusform>
             <numerusform>%n resultados medidos con este circuito siguen siendo válidos: si el circuito se cambia, se conserva para ellos como versión anterior. Los ensayos pasan al nuevo; sus tiempos y puntuaciones llegan cuando se vuelven a medir.</numerusform>
@@ -13406,7 +13406,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>&amp;Ancho</translation>
     </message>
     <message>
-        <source>The way it is driven: 0° along X, 90° along Y</source>
+        <source>Driving direction: 0° along X, 90° along Y</source>
         <translation>El sentido en que se recorre: 0° a lo largo de X, 90° a lo largo de Y</translation>
     </message>
     <message>
@@ -13457,7 +13457,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Aún no hay cámaras</translation>
     </message>
     <message>
-        <source>A testbed is a floor with markers and the cameras that watch it. Begin with the lens of the first camera, or with the places of the markers.</source>
+        <source>A testbed is a floor with markers and the cameras that watch it. Start with the lens calibration of the first camera, or with the marker positions.</source>
         <translation>Un banco de pruebas es un suelo con marcadores y las cámaras que lo observan. Empiece por la lente de la primera cámara o por los lugares de los marcadores.</translation>
     </message>
     <message>
@@ -13465,7 +13465,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Ta&amp;reas…</translation>
     </message>
     <message>
-        <source>What is driven on this floor: gates, paths, limits, scoring</source>
+        <source>Courses on this floor: gates, paths, limits, scoring</source>
         <translation>Lo que se recorre en este suelo: puertas, trayectorias, límites, puntuación</translation>
     </message>
     <message>
@@ -13473,7 +13473,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Cámaras</translation>
     </message>
     <message>
-        <source>What is known of the camera</source>
+        <source>Details of the camera</source>
         <translation>Lo que se sabe de la cámara</translation>
     </message>
     <message>
@@ -13485,12 +13485,12 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Planos de marcadores</translation>
     </message>
     <message>
-        <source>Picture</source>
-        <translation>Imagen</translation>
-    </message>
-    <message>
         <source>Camera %1</source>
         <translation>Cámara %1</translation>
+    </message>
+    <message>
+        <source>Image</source>
+        <translation>Imagen</translation>
     </message>
 </context>
 <context>
@@ -13504,7 +13504,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Calibrar…</translation>
     </message>
     <message>
-        <source>Measure a camera&apos;s lens from pictures of a board</source>
+        <source>Calibrate a camera with images of a board</source>
         <translation>Medir la lente de una cámara con imágenes de un tablero</translation>
     </message>
     <message>
@@ -13516,43 +13516,43 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Registrar…</translation>
     </message>
     <message>
-        <source>Find where a camera stands from the floor markers</source>
+        <source>Determine a camera&apos;s position from the floor markers</source>
         <translation>Hallar dónde está una cámara con los marcadores del suelo</translation>
     </message>
     <message>
-        <source>Register t&amp;hrough another camera…</source>
+        <source>Register via anot&amp;her camera…</source>
         <translation>Registrar &amp;mediante otra cámara…</translation>
     </message>
     <message>
-        <source>Through another…</source>
+        <source>Via another…</source>
         <translation>Mediante otra…</translation>
     </message>
     <message>
-        <source>Find where a camera stands that sees no markers, from points of the floor that another camera sees as well</source>
+        <source>Determine the position of a camera that sees no markers, from floor points that another camera also sees</source>
         <translation>Hallar dónde está una cámara que no ve marcadores, con puntos del suelo que también ve otra cámara</translation>
     </message>
     <message>
-        <source>Register all cameras to&amp;gether…</source>
+        <source>Re&amp;gister all cameras (joint)…</source>
         <translation>Registrar todas las cámaras &amp;juntas…</translation>
     </message>
     <message>
-        <source>All together…</source>
+        <source>All cameras (joint)…</source>
         <translation>Todas juntas…</translation>
     </message>
     <message>
-        <source>Fit the cameras of the chosen layout at once, so that they agree, and find markers that were measured wrongly</source>
+        <source>Fit all cameras of the selected layout jointly to make them agree, and find wrongly measured markers</source>
         <translation>Ajustar a la vez las cámaras del plano elegido, para que concuerden, y descubrir marcadores mal medidos</translation>
     </message>
     <message>
-        <source>Import &amp;intrinsics…</source>
+        <source>&amp;Import lens calibration…</source>
         <translation>Importar parámetros i&amp;ntrínsecos…</translation>
     </message>
     <message>
-        <source>Import lens…</source>
+        <source>Import calibration…</source>
         <translation>Importar lente…</translation>
     </message>
     <message>
-        <source>Take a camera&apos;s lens from a ROS or OpenCV YAML file</source>
+        <source>Import a camera&apos;s lens calibration from a ROS or OpenCV YAML file</source>
         <translation>Tomar la lente de una cámara de un archivo YAML de ROS u OpenCV</translation>
     </message>
     <message>
@@ -13564,7 +13564,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Nuevo plano…</translation>
     </message>
     <message>
-        <source>Say where the markers lie, from the start or from the layout that is chosen</source>
+        <source>Enter the marker positions, from scratch or based on the selected layout</source>
         <translation>Indicar dónde están los marcadores, desde cero o a partir del plano elegido</translation>
     </message>
     <message>
@@ -13576,7 +13576,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Importar plano…</translation>
     </message>
     <message>
-        <source>Take the places of the markers from a table</source>
+        <source>Import the marker positions from a table</source>
         <translation>Tomar los lugares de los marcadores de una tabla</translation>
     </message>
     <message>
@@ -13588,7 +13588,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Imprimir…</translation>
     </message>
     <message>
-        <source>Boards for the lens and markers for the floor, to scale</source>
+        <source>Calibration boards and floor markers, to scale</source>
         <translation>Tableros para la lente y marcadores para el suelo, a escala</translation>
     </message>
     <message>
@@ -13600,15 +13600,15 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>La cámara %1 está registrada. %2</translation>
     </message>
     <message>
-        <source>Camera %1 is registered through camera %2. %3</source>
+        <source>Camera %1 is registered via camera %2. %3</source>
         <translation>La cámara %1 está registrada mediante la cámara %2. %3</translation>
     </message>
     <message>
-        <source>The cameras of layout %1 are registered together. %2</source>
+        <source>The cameras of layout %1 are registered jointly. %2</source>
         <translation>Las cámaras del plano %1 están registradas juntas. %2</translation>
     </message>
     <message>
-        <source>Intrinsics of a camera</source>
+        <source>Lens calibration of a camera</source>
         <translation>Parámetros intrínsecos de una cámara</translation>
     </message>
     <message>
@@ -13616,7 +13616,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Calibraciones (*.yaml *.yml);;Todos los archivos (*)</translation>
     </message>
     <message>
-        <source>Import intrinsics</source>
+        <source>Import lens calibration</source>
         <translation>Importar parámetros intrínsecos</translation>
     </message>
     <message>
@@ -13624,11 +13624,11 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Cámara:</translation>
     </message>
     <message>
-        <source>The lens of camera %1 was taken from %2.</source>
+        <source>Lens calibration of camera %1 imported from %2.</source>
         <translation>La lente de la cámara %1 se tomó de %2.</translation>
     </message>
     <message>
-        <source>Places of the markers (label,x_mm,y_mm)</source>
+        <source>Positions of the markers (label,x_mm,y_mm)</source>
         <translation>Lugares de los marcadores (label,x_mm,y_mm)</translation>
     </message>
     <message>
@@ -13643,15 +13643,15 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>odo::ThroughSourcePage</name>
     <message>
-        <source>Picture or video of the camera to register</source>
+        <source>Image or video of the camera to register</source>
         <translation>Imagen o video de la cámara por registrar</translation>
     </message>
     <message>
-        <source>Picture or video of the registered camera</source>
+        <source>Image or video of the registered camera</source>
         <translation>Imagen o video de la cámara registrada</translation>
     </message>
     <message>
-        <source>A camera cannot be registered through itself: choose two different ones.</source>
+        <source>A camera cannot be registered via itself: choose two different ones.</source>
         <translation>Una cámara no se puede registrar mediante sí misma: elija dos distintas.</translation>
     </message>
     <message>
@@ -13663,7 +13663,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Cámara registrada</translation>
     </message>
     <message>
-        <source>A camera that sees no markers can be registered by points of the floor that a registered camera sees as well: corners of tiles, ends of tape, screws. Four are enough, six or more spread over the common part are better. Neither camera may be moved afterwards.</source>
+        <source>Register a camera that sees no markers by floor points that a registered camera also sees: corners of tiles, ends of tape, screws. Four are enough; six or more, spread over the common area, are better. Do not move either camera afterwards.</source>
         <translation>Una cámara que no ve marcadores se puede registrar con puntos del suelo que también ve una cámara registrada: esquinas de baldosas, extremos de cinta, tornillos. Bastan cuatro; seis o más repartidos por la parte común son mejores. Después no se debe mover ninguna de las dos cámaras.</translation>
     </message>
     <message>
@@ -13671,22 +13671,22 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Cá&amp;mara por registrar</translation>
     </message>
     <message>
-        <source>&amp;Through camera</source>
+        <source>&amp;Via camera</source>
         <translation>Median&amp;te la cámara</translation>
     </message>
     <message>
-        <source>Its picture</source>
+        <source>Its image</source>
         <translation>Su imagen</translation>
     </message>
     <message>
-        <source>The registered camera&apos;s picture</source>
+        <source>The registered camera&apos;s image</source>
         <translation>La imagen de la cámara registrada</translation>
     </message>
 </context>
 <context>
     <name>odo::ThroughWizard</name>
     <message>
-        <source>Register through another camera</source>
+        <source>Register via another camera</source>
         <translation>Registrar mediante otra cámara</translation>
     </message>
     <message>
@@ -13694,15 +13694,15 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>&amp;Guardar</translation>
     </message>
     <message>
-        <source>Two cameras and their pictures</source>
+        <source>Two cameras and their images</source>
         <translation>Dos cámaras y sus imágenes</translation>
     </message>
     <message>
-        <source>The same points in both pictures</source>
+        <source>The same points in both images</source>
         <translation>Los mismos puntos en ambas imágenes</translation>
     </message>
     <message>
-        <source>Getting the pictures…</source>
+        <source>Loading the images…</source>
         <translation>Obteniendo las imágenes…</translation>
     </message>
 </context>
@@ -13740,7 +13740,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Reproducir hacia atrás; otra vez: más rápido</translation>
     </message>
     <message>
-        <source>&amp;Stop; held, the two beside go by one frame</source>
+        <source>&amp;Stop; while held, the keys beside it step one frame</source>
         <translation>De&amp;tener; si se mantiene, las dos contiguas mueven un fotograma</translation>
     </message>
     <message>
@@ -13818,7 +13818,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>odo::TrackDialog</name>
     <message>
-        <source>Robots to follow</source>
+        <source>Robots to track</source>
         <translation>Robots que seguir</translation>
     </message>
     <message>
@@ -13877,7 +13877,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Proyectos empaquetados (*%1)</translation>
     </message>
     <message>
-        <source>The project is packed into %1. Elsewhere it is unpacked by &quot;Unpack a packed project&quot;.</source>
+        <source>Project packed into %1. To use it on another computer, choose &quot;Unpack a packed project&quot; there.</source>
         <translation>El proyecto está empaquetado en %1. En otro lugar se desempaqueta con “Desempaquetar proyecto”.</translation>
     </message>
     <message>
@@ -13893,15 +13893,15 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Proyectos empaquetados (*%1);;Todos los archivos (*)</translation>
     </message>
     <message>
-        <source>Where shall the project be unpacked?</source>
+        <source>Choose a folder for the unpacked project</source>
         <translation>¿Dónde desempaquetar el proyecto?</translation>
     </message>
     <message>
-        <source>In which folder, or below, may the lost videos lie?</source>
+        <source>Choose the folder to search for the lost videos (with subfolders)</source>
         <translation>¿En qué carpeta, o por debajo de cuál, pueden estar los videos perdidos?</translation>
     </message>
     <message>
-        <source>%1 of %2 lost videos were found, by their content.</source>
+        <source>Found %1 of %2 lost videos by their content.</source>
         <translation>Se encontraron %1 de %2 videos perdidos, por su contenido.</translation>
     </message>
     <message>
@@ -13924,7 +13924,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         </translation>
     </message>
     <message>
-        <source>Videos can become trials of their own. Removed files are gone for good.</source>
+        <source>You can add videos as trials. Removed files are gone for good.</source>
         <translation>Los videos pueden convertirse en ensayos propios. Los archivos eliminados se pierden definitivamente.</translation>
     </message>
     <message>
@@ -13950,7 +13950,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n other file(s), listed last, stay: missing recordings, projects, and what is neither a video nor a picture.</source>
+        <source>%n other file(s), listed last, stay: missing recordings, projects, and files that are neither videos nor images.</source>
         <translation>
             <numerusform>%n archivo más, al final de la lista, se queda: una grabación perdida, un proyecto o algo que no es ni vídeo ni imagen.</numerusform>
             <numerusform>%n archivos más, al final de la lista, se quedan: grabaciones perdidas, proyectos y lo que no es ni vídeo ni imagen.</numerusform>
@@ -14019,11 +14019,11 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Añadir r&amp;obot…</translation>
     </message>
     <message>
-        <source>The sample at %1 of %2 is not used. Undo takes it back.</source>
+        <source>The sample at %1 of %2 is not used. Choose Undo to use it.</source>
         <translation>La muestra a los %1 de %2 no se usa. Deshacer lo revierte.</translation>
     </message>
     <message>
-        <source>The sample at %1 of %2 is used. Undo takes it back.</source>
+        <source>The sample at %1 of %2 is used. Choose Undo to reverse this.</source>
         <translation>La muestra a los %1 de %2 se usa. Deshacer lo revierte.</translation>
     </message>
     <message>
@@ -14035,11 +14035,11 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Videos MP4 (*.mp4)</translation>
     </message>
     <message>
-        <source>The video of %1 is there: %2</source>
+        <source>Video of %1 saved as %2</source>
         <translation>El video de %1 está listo: %2</translation>
     </message>
     <message>
-        <source>Robot %1 is known now.</source>
+        <source>Robot %1 added.</source>
         <translation>Se añadió el robot %1.</translation>
     </message>
 </context>
@@ -14243,7 +14243,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>sin rastrear</translation>
     </message>
     <message>
-        <source>measure again</source>
+        <source>reanalyse</source>
         <translation>volver a medir</translation>
     </message>
     <message>
@@ -14332,7 +14332,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Deshecho: %1.</translation>
     </message>
     <message>
-        <source>Made again: %1.</source>
+        <source>Redone: %1.</source>
         <translation>Rehecho: %1.</translation>
     </message>
     <message>
@@ -14355,7 +14355,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>odo::VideoDialog</name>
     <message>
-        <source>As it was driven</source>
+        <source>Real time</source>
         <translation>A velocidad real</translation>
     </message>
     <message>
@@ -14379,7 +14379,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Oscuro</translation>
     </message>
     <message>
-        <source>One video with the pictures of all cameras, the map and the speed, to be shown or sent: whoever gets it needs no Odograph.</source>
+        <source>One video with all camera views, the map and the speed, to show or send. It plays without Odograph.</source>
         <translation>Un video con las imágenes de todas las cámaras, el mapa y la velocidad, para mostrarlo o enviarlo: quien lo recibe no necesita Odograph.</translation>
     </message>
     <message>
@@ -14395,7 +14395,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>&amp;Tema</translation>
     </message>
     <message>
-        <source>Choose a place…</source>
+        <source>Choose a file…</source>
         <translation>Elegir un lugar…</translation>
     </message>
 </context>
@@ -14429,15 +14429,15 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Por el movimiento o un destello</translation>
     </message>
     <message>
-        <source>Begun together</source>
+        <source>Same start time</source>
         <translation>Iniciadas a la vez</translation>
     </message>
     <message>
-        <source>By hand: begun later by</source>
+        <source>By hand: time offset</source>
         <translation>A mano: iniciada después en</translation>
     </message>
     <message>
-        <source>How view %1 gets in step with the first</source>
+        <source>How to synchronise view %1 with the first</source>
         <translation>Cómo se sincroniza la vista %1 con la primera</translation>
     </message>
     <message>
@@ -14449,11 +14449,11 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation> s</translation>
     </message>
     <message>
-        <source>How much later view %1 began</source>
+        <source>Time offset of view %1</source>
         <translation>Cuánto después se inició la vista %1</translation>
     </message>
     <message>
-        <source>Below zero: it began earlier than the first view</source>
+        <source>Negative: it started before the first view</source>
         <translation>Por debajo de cero: se inició antes que la primera vista</translation>
     </message>
     <message>
@@ -14476,14 +14476,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Proyectos recientes</translation>
     </message>
     <message>
-        <source>not found any more</source>
+        <source>no longer found</source>
         <translation>ya no se encuentra</translation>
     </message>
 </context>
 <context>
     <name>odo::Workspace</name>
     <message>
-        <source>%1: %2. Here it can only be looked at; to change it, close it there and open it here again.</source>
+        <source>%1: %2. It is read-only here; to change it, close it there and reopen it here.</source>
         <translation>%1: %2. Aquí solo se puede consultar; para modificarlo, ciérrelo allí y vuelva a abrirlo aquí.</translation>
     </message>
     <message>
@@ -14534,7 +14534,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Añadir zona prohi&amp;bida</translation>
     </message>
     <message>
-        <source>The robot&apos;s centre must stay in a zone, or keep out of it. Each is judged by itself; how often, how long and how far it was broken can be scored. Drag corners and edges on the map.</source>
+        <source>The robot&apos;s reference point must stay in a zone or keep out of it. Each zone counts separately; you can score how often, how long and how far a robot broke it. Drag corners and edges on the map.</source>
         <translation>El centro del robot debe permanecer en una zona o no entrar en ella. Cada una se juzga por separado; cuántas veces, cuánto tiempo y en cuánto se infringió se puede puntuar. Arrastre esquinas y bordes en el mapa.</translation>
     </message>
     <message>
@@ -17391,7 +17391,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>ui.backup_is_sound</name>
     <message>
-        <source>its backup of %1 is sound; what was done since is not in it</source>
+        <source>its backup of %1 is intact; it does not contain later changes</source>
         <translation>su copia de seguridad del %1 está íntegra; lo hecho desde entonces no está en ella</translation>
     </message>
 </context>
@@ -17433,7 +17433,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>ui.cannot_make_another</name>
     <message>
-        <source>cannot make another project</source>
+        <source>cannot create another project</source>
         <translation>no se puede crear otro proyecto</translation>
     </message>
 </context>
@@ -17482,7 +17482,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>ui.charuco_numbered_in_two_ways</name>
     <message>
-        <source>a ChArUco board of %1 rows of squares is numbered in two ways by different programs</source>
+        <source>programs number a ChArUco board with %1 rows of squares in two different ways</source>
         <translation>un tablero ChArUco de %1 filas de casillas se numera de dos maneras según el programa</translation>
     </message>
 </context>
@@ -17531,7 +17531,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>ui.completing_recording</name>
     <message>
-        <source>Completing a recording that was cut off</source>
+        <source>Completing an interrupted recording</source>
         <translation>Completando una grabación interrumpida</translation>
     </message>
 </context>
@@ -17622,21 +17622,21 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>ui.give_board_size</name>
     <message>
-        <source>give a size as 9x6</source>
+        <source>give a size such as 9x6</source>
         <translation>dé un tamaño como 9x6</translation>
     </message>
 </context>
 <context>
     <name>ui.give_marker_size</name>
     <message>
-        <source>give its size, as 150mm</source>
+        <source>give its size, such as 150mm</source>
         <translation>dé su tamaño, como 150mm</translation>
     </message>
 </context>
 <context>
     <name>ui.give_square_side</name>
     <message>
-        <source>give the side of a square, as 25mm</source>
+        <source>give the side of a square, such as 25mm</source>
         <translation>dé el lado de una casilla, como 25mm</translation>
     </message>
 </context>
@@ -17657,7 +17657,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>ui.is_printer_ready</name>
     <message>
-        <source>look whether the printer is ready</source>
+        <source>check that the printer is ready</source>
         <translation>mire si la impresora está lista</translation>
     </message>
 </context>
@@ -17671,7 +17671,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>ui.lens_of_other_size</name>
     <message>
-        <source>it is %1×%2, but the lens was measured at %3×%4</source>
+        <source>its size is %1×%2, but the lens was calibrated at %3×%4</source>
         <translation>es de %1×%2, pero la lente se midió a %3×%4</translation>
     </message>
 </context>
@@ -17699,21 +17699,21 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>ui.looking_for_lost</name>
     <message>
-        <source>Looking for lost videos</source>
+        <source>Searching for lost videos</source>
         <translation>Buscando videos perdidos</translation>
     </message>
 </context>
 <context>
     <name>ui.looking_for_strays</name>
     <message>
-        <source>Looking for stray files</source>
+        <source>Searching for stray files</source>
         <translation>Buscando archivos sueltos</translation>
     </message>
 </context>
 <context>
     <name>ui.make_marker_smaller</name>
     <message>
-        <source>make it %1 at most, or take a larger paper</source>
+        <source>make it at most %1, or use larger paper</source>
         <translation>hágalo de %1 como máximo, o tome un papel más grande</translation>
     </message>
 </context>
@@ -17727,42 +17727,42 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>ui.make_squares_smaller</name>
     <message>
-        <source>make the squares %1 at most, or take a larger paper</source>
+        <source>make the squares at most %1, or use larger paper</source>
         <translation>haga las casillas de %1 como máximo, o tome un papel más grande</translation>
     </message>
 </context>
 <context>
     <name>ui.making_demo</name>
     <message>
-        <source>Making the demo lesson</source>
+        <source>Creating the demo lesson</source>
         <translation>Creando la lección demo</translation>
     </message>
 </context>
 <context>
     <name>ui.making_hashes</name>
     <message>
-        <source>Making the hashes of new recordings</source>
+        <source>Computing the hashes of new recordings</source>
         <translation>Calculando los hashes de las grabaciones nuevas</translation>
     </message>
 </context>
 <context>
     <name>ui.making_report</name>
     <message>
-        <source>Making the report</source>
+        <source>Creating the report</source>
         <translation>Creando el informe</translation>
     </message>
 </context>
 <context>
     <name>ui.making_video</name>
     <message>
-        <source>Making the video of %1</source>
+        <source>Creating the video of %1</source>
         <translation>Creando el video de %1</translation>
     </message>
 </context>
 <context>
     <name>ui.making_videos</name>
     <message>
-        <source>Making the video of %1 (%2 of %3)</source>
+        <source>Creating the video of %1 (%2 of %3)</source>
         <translation>Creando el video de %1 (%2 de %3)</translation>
     </message>
 </context>
@@ -17776,21 +17776,21 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>ui.measuring_again</name>
     <message>
-        <source>Measuring %1 again</source>
+        <source>Reanalysing %1</source>
         <translation>Volviendo a medir %1</translation>
     </message>
 </context>
 <context>
     <name>ui.measuring_trials_again</name>
     <message>
-        <source>Measuring %1 again (%2 of %3)</source>
+        <source>Reanalysing %1 (%2 of %3)</source>
         <translation>Volviendo a medir %1 (%2 de %3)</translation>
     </message>
 </context>
 <context>
     <name>ui.mend_and_choose_again</name>
     <message>
-        <source>mend what stands there, and choose these trials again</source>
+        <source>correct the listed errors, then select these trials again</source>
         <translation>corrija lo que se indica allí y vuelva a elegir estos ensayos</translation>
     </message>
 </context>
@@ -17804,7 +17804,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>ui.name_one_marker</name>
     <message>
-        <source>name at least one, as O</source>
+        <source>name at least one, for example O</source>
         <translation>nombre al menos uno, como O</translation>
     </message>
 </context>
@@ -17825,7 +17825,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>ui.no_marker_to_print</name>
     <message>
-        <source>there is no marker to print</source>
+        <source>no marker to print</source>
         <translation>no hay ningún marcador que imprimir</translation>
     </message>
 </context>
@@ -17860,7 +17860,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>ui.no_trial_yet</name>
     <message>
-        <source>there is no trial yet</source>
+        <source>the project has no trial yet</source>
         <translation>aún no hay ningún ensayo</translation>
     </message>
 </context>
@@ -17874,35 +17874,35 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>ui.nothing_changed_here</name>
     <message>
-        <source>nothing was changed here</source>
+        <source>no change was made here</source>
         <translation>aquí no se cambió nada</translation>
     </message>
 </context>
 <context>
     <name>ui.only_be_read</name>
     <message>
-        <source>this project can only be read</source>
+        <source>this project is read-only</source>
         <translation>este proyecto es de solo lectura</translation>
     </message>
 </context>
 <context>
     <name>ui.only_one_camera</name>
     <message>
-        <source>there is only one camera</source>
+        <source>the project has only one camera</source>
         <translation>solo hay una cámara</translation>
     </message>
 </context>
 <context>
     <name>ui.only_so_many_charuco_markers</name>
     <message>
-        <source>there are only 250 markers for a ChArUco board</source>
+        <source>only 250 markers exist for a ChArUco board</source>
         <translation>solo hay 250 marcadores para un tablero ChArUco</translation>
     </message>
 </context>
 <context>
     <name>ui.only_so_many_tags</name>
     <message>
-        <source>there are only %1 tags</source>
+        <source>only %1 tags exist</source>
         <translation>solo hay %1 AprilTags</translation>
     </message>
 </context>
@@ -17916,7 +17916,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>ui.open_project_first</name>
     <message>
-        <source>open or make a project first</source>
+        <source>open or create a project first</source>
         <translation>primero abra o cree un proyecto</translation>
     </message>
 </context>
@@ -17951,7 +17951,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>ui.picture</name>
     <message>
-        <source>the picture</source>
+        <source>the image</source>
         <translation>la imagen</translation>
     </message>
 </context>
@@ -18021,7 +18021,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>ui.registration_through_another</name>
     <message>
-        <source>registration through another camera</source>
+        <source>registration via another camera</source>
         <translation>registro mediante otra cámara</translation>
     </message>
 </context>
@@ -18084,7 +18084,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>ui.save_copy</name>
     <message>
-        <source>save a copy and work on that</source>
+        <source>save a copy and work on the copy</source>
         <translation>guarde una copia y trabaje en ella</translation>
     </message>
 </context>
@@ -18119,21 +18119,21 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>ui.take_at_that_resolution</name>
     <message>
-        <source>take it at that resolution, or measure the lens again</source>
+        <source>use that resolution, or calibrate the lens again</source>
         <translation>tómela con esa resolución, o mida de nuevo la lente</translation>
     </message>
 </context>
 <context>
     <name>ui.take_even_rows</name>
     <message>
-        <source>take an even number of rows of inner corners, as 9x6</source>
+        <source>use an even number of rows of inner corners, such as 9x6</source>
         <translation>tome un número par de filas de esquinas interiores, como 9x6</translation>
     </message>
 </context>
 <context>
     <name>ui.take_fewer_squares</name>
     <message>
-        <source>take fewer squares</source>
+        <source>use fewer squares</source>
         <translation>tome menos casillas</translation>
     </message>
 </context>
@@ -18147,7 +18147,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>ui.taking_over_setup</name>
     <message>
-        <source>Taking over the set-up</source>
+        <source>Copying the set-up</source>
         <translation>Se toma la configuración</translation>
     </message>
 </context>
@@ -18196,7 +18196,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>ui.trials_measured_again</name>
     <message>
-        <source>Trials measured again: %1 of %2</source>
+        <source>Trials reanalysed: %1 of %2</source>
         <translation>Ensayos vueltos a medir: %1 de %2</translation>
     </message>
 </context>
@@ -18210,7 +18210,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>ui.unarchive_task</name>
     <message>
-        <source>take task %1 out of the archive</source>
+        <source>restore task %1 from the archive</source>
         <translation>desarchivar la tarea %1</translation>
     </message>
 </context>
@@ -18245,7 +18245,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>ui.undo_in_menu</name>
     <message>
-        <source>what was changed before is taken back in the window&apos;s menu Edit</source>
+        <source>use the window&apos;s Edit menu to undo earlier changes</source>
         <translation>los cambios anteriores se deshacen en el menú Editar de la ventana</translation>
     </message>
 </context>
@@ -18287,7 +18287,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>ui.videos_made</name>
     <message>
-        <source>Videos made: %1 of %2</source>
+        <source>Videos created: %1 of %2</source>
         <translation>Videos creados: %1 de %2</translation>
     </message>
 </context>

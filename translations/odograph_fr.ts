@@ -4,7 +4,7 @@
 <context>
     <name>AccuracyLayer</name>
     <message>
-        <source>expected ±, hatched: not seen</source>
+        <source>expected ±, hatched: not visible</source>
         <translation>± attendu, hachures&#xa0;: non vu</translation>
     </message>
     <message>
@@ -19,11 +19,11 @@
         <translation>%1 ms</translation>
     </message>
     <message>
-        <source>begun %1 earlier</source>
+        <source>started %1 earlier</source>
         <translation>commencée %1 plus tôt</translation>
     </message>
     <message>
-        <source>begun %1 later</source>
+        <source>started %1 later</source>
         <translation>commencée %1 plus tard</translation>
     </message>
     <message>
@@ -43,31 +43,31 @@
         <translation>aucun&#xa0;: différences brutes</translation>
     </message>
     <message>
-        <source>%1, as told by hand</source>
+        <source>%1, set by hand</source>
         <translation>%1, indiqué à la main</translation>
     </message>
     <message>
-        <source>in step to %1, found from the motion; %2</source>
+        <source>synchronised to %1 by the motion; %2</source>
         <translation>synchronisée à %1 près, d’après le mouvement&#xa0;; %2</translation>
     </message>
     <message>
-        <source>in step to %1, found from a flash of light; %2</source>
+        <source>synchronised to %1 by a flash of light; %2</source>
         <translation>synchronisée à %1 près, d’après un éclair de lumière&#xa0;; %2</translation>
     </message>
     <message>
-        <source>in step to %1, by the cameras&apos; time stamps; %2</source>
+        <source>synchronised to %1 by the cameras&apos; time stamps; %2</source>
         <translation>synchronisée à %1 près, par l’horodatage des caméras&#xa0;; %2</translation>
     </message>
     <message>
-        <source>taken as begun together</source>
+        <source>assumed to start at the same time</source>
         <translation>supposée commencée en même temps</translation>
     </message>
     <message>
-        <source>, its clock %1 ppm fast</source>
+        <source>, clock %1 ppm fast</source>
         <translation>, horloge trop rapide de %1 ppm</translation>
     </message>
     <message>
-        <source>, its clock %1 ppm slow</source>
+        <source>, clock %1 ppm slow</source>
         <translation>, horloge trop lente de %1 ppm</translation>
     </message>
     <message>
@@ -210,19 +210,19 @@
 <context>
     <name>ComparisonExplanation</name>
     <message>
-        <source>There is no difference.</source>
+        <source>No difference.</source>
         <translation>Il n’y a pas de différence.</translation>
     </message>
     <message>
-        <source>Both are exact, so that any difference is one.</source>
+        <source>Both values are exact: any difference is real.</source>
         <translation>Les deux sont exacts&#xa0;: la moindre différence en est une.</translation>
     </message>
     <message>
-        <source>It is %1 σ, more than 1.96: were there no difference, chance would give as much in less than 5 of 100 cases.</source>
+        <source>%1 σ, above 1.96: without a real difference, chance would give this much in fewer than 5 of 100 cases.</source>
         <translation>Elle vaut %1 σ, plus de 1,96&#xa0;: s’il n’y avait pas de différence, le hasard en donnerait autant dans moins de 5 cas sur 100.</translation>
     </message>
     <message>
-        <source>It is %1 σ, not more than 1.96: within the error, so that no difference can be claimed.</source>
+        <source>%1 σ, not above 1.96: the difference is not significant.</source>
         <translation>Elle vaut %1 σ, pas plus de 1,96&#xa0;: elle est dans la marge d’erreur et l’on ne peut conclure à aucune différence.</translation>
     </message>
     <message>
@@ -230,7 +230,7 @@
         <translation>le long du tracé de référence de l’épreuve</translation>
     </message>
     <message>
-        <source>along the way of %1</source>
+        <source>along the path of %1</source>
         <translation>le long du trajet de %1</translation>
     </message>
     <message>
@@ -242,19 +242,19 @@
         <translation>temps 0&#xa0;: chacun se met en mouvement</translation>
     </message>
     <message>
-        <source>time 0: each first comes to the same place of the way</source>
+        <source>time 0: each first reaches the same point of the path</source>
         <translation>temps 0&#xa0;: chacun arrive pour la première fois au même endroit du trajet</translation>
     </message>
     <message>
-        <source>time 0: told by hand, to a frame</source>
+        <source>time 0: set by hand, to one frame</source>
         <translation>temps 0&#xa0;: indiqué à la main, à une image près</translation>
     </message>
     <message>
-        <source>both by the same registrations and for the same solid: what the calibration adds is common, and only its difference counts</source>
+        <source>both with the same registrations and robot shape: the calibration uncertainty is common, so only its difference counts</source>
         <translation>tous deux avec les mêmes localisations et pour le même solide&#xa0;: la part de l’étalonnage est commune, seule sa différence compte</translation>
     </message>
     <message>
-        <source>not by the same registrations, or not for the same solid: what the calibration adds counts for both in full</source>
+        <source>different registrations or robot shapes: the calibration uncertainty counts in full for both</source>
         <translation>pas avec les mêmes localisations, ou pas pour le même solide&#xa0;: la part de l’étalonnage compte en entier pour les deux</translation>
     </message>
     <message>
@@ -262,7 +262,7 @@
         <translation>aucun</translation>
     </message>
     <message>
-        <source>%1: %2 less %3</source>
+        <source>%1: %2 minus %3</source>
         <translation>%1&#xa0;: %2 moins %3</translation>
     </message>
     <message>
@@ -270,11 +270,11 @@
         <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
-        <source>only one of the two has it</source>
+        <source>only one of the two runs has it</source>
         <translation>un seul des deux l’a</translation>
     </message>
     <message>
-        <source>the figure of %1 less that of %2</source>
+        <source>the value of %1 minus that of %2</source>
         <translation>la valeur de %1 moins celle de %2</translation>
     </message>
     <message>
@@ -282,15 +282,15 @@
         <translation>Chacun&#xa0;: %1</translation>
     </message>
     <message>
-        <source>√(σ₁² + σ₂²), both as independent; where the runs share their calibration, its error of scale leaves only its part of the difference</source>
+        <source>√(σ₁² + σ₂²), treated as independent; where the runs share their calibration, its scale uncertainty counts only for the difference</source>
         <translation>√(σ₁² + σ₂²), les deux étant indépendants&#xa0;; si les passages partagent leur étalonnage, l’erreur d’échelle de celui-ci ne laisse que sa part de la différence</translation>
     </message>
     <message>
-        <source>not seen at an end</source>
+        <source>not visible at one end</source>
         <translation>non vu à une extrémité</translation>
     </message>
     <message>
-        <source>Sector %1 to %2: %3 less %4</source>
+        <source>Sector %1 to %2: %3 minus %4</source>
         <translation>Secteur de %1 à %2&#xa0;: %3 moins %4</translation>
     </message>
     <message>
@@ -302,15 +302,15 @@
         <translation>fin</translation>
     </message>
     <message>
-        <source>The time from the first arrival at the one gate to the first arrival at the next, of each run, by its place along the common path; waiting counts.</source>
+        <source>For each run, the time from its first arrival at one gate to its first arrival at the next, by its position along the common path; waiting counts.</source>
         <translation>Le temps de la première arrivée à une porte à la première arrivée à la suivante, pour chaque passage, d’après sa place sur le tracé commun&#xa0;; les attentes comptent.</translation>
     </message>
     <message>
-        <source>of each arrival: σ of the place along the path over the speed; displacements at two gates count as independent</source>
+        <source>of each arrival: σ of the position along the path divided by the speed; displacements at two gates count as independent</source>
         <translation>de chaque arrivée&#xa0;: σ de la place le long du tracé, divisé par la vitesse&#xa0;; les déplacements à deux portes sont pris comme indépendants</translation>
     </message>
     <message>
-        <source>from %1 to %2 of the way</source>
+        <source>from %1 to %2 along the path</source>
         <translation>de %1 à %2 du trajet</translation>
     </message>
     <message>
@@ -318,11 +318,11 @@
         <translation>Δt de %1 par rapport à %2 à %3</translation>
     </message>
     <message>
-        <source>The time of the first arrival at this place of the common path, each from its own time 0: that of %1 less that of %2. Above 0 it is later.</source>
+        <source>The time of the first arrival at this point of the common path, each from its own time 0: that of %1 minus that of %2. Positive means later.</source>
         <translation>Le temps de la première arrivée à cet endroit du tracé commun, chacun depuis son propre temps 0&#xa0;: celui de %1 moins celui de %2. Au-dessus de 0, il est en retard.</translation>
     </message>
     <message>
-        <source>of both arrivals: σ of the place along the path over the speed, and of both times 0</source>
+        <source>of both arrivals: σ of the position along the path divided by the speed, and of both times 0</source>
         <translation>des deux arrivées&#xa0;: σ de la place le long du tracé, divisé par la vitesse, et des deux temps 0</translation>
     </message>
     <message>
@@ -330,11 +330,11 @@
         <translation>Vitesse de %1 à %2</translation>
     </message>
     <message>
-        <source>|v| of the smoothed curve where the run first comes to this place of the common path, between frames interpolated</source>
+        <source>|v| of the smoothed curve where the run first reaches this point of the common path, interpolated between frames</source>
         <translation>|v| de la courbe lissée là où le passage arrive pour la première fois à cet endroit du tracé commun, interpolée entre les images</translation>
     </message>
     <message>
-        <source>σ of the smoothed velocity there, with the calibration&apos;s error of scale</source>
+        <source>σ of the smoothed velocity there, including the calibration&apos;s scale uncertainty</source>
         <translation>σ de la vitesse lissée à cet endroit, avec l’erreur d’échelle de l’étalonnage</translation>
     </message>
 </context>
@@ -439,7 +439,7 @@
 <context>
     <name>Explanation</name>
     <message>
-        <source>that of the smoothed curve there, and the calibration&apos;s error of scale</source>
+        <source>that of the smoothed curve there, and the calibration&apos;s scale uncertainty</source>
         <translation>celui de la courbe lissée à cet endroit, et l’erreur d’échelle de l’étalonnage</translation>
     </message>
     <message>
@@ -447,7 +447,7 @@
         <translation>Du début du mouvement au dernier arrêt. Être en mouvement, c’est aller plus vite que 20 mm/s et que trois σ de la vitesse, pendant au moins trois images&#xa0;; l’instant entre deux images est interpolé.</translation>
     </message>
     <message>
-        <source>of both moments: σ of the speed over its steepness there</source>
+        <source>of both moments: σ of the speed divided by its slope there</source>
         <translation>des deux instants&#xa0;: σ de la vitesse, divisé par sa pente à cet instant</translation>
     </message>
     <message>
@@ -455,7 +455,7 @@
         <translation>∫|v|dt pendant le mouvement, par la méthode des trapèzes sur la vitesse lissée. Un trou non comblé est compté en ligne droite.</translation>
     </message>
     <message>
-        <source>of the ends&apos; positions, of errors across the path where it turns, and the calibration&apos;s error of scale</source>
+        <source>of the end positions, of lateral errors where the path turns, and the calibration&apos;s scale uncertainty</source>
         <translation>des positions des extrémités, des erreurs en travers de la trajectoire là où elle tourne, et l’erreur d’échelle de l’étalonnage</translation>
     </message>
     <message>
@@ -463,11 +463,11 @@
         <translation>distance parcourue / temps</translation>
     </message>
     <message>
-        <source>of both, taken as independent</source>
+        <source>of both, treated as independent</source>
         <translation>des deux, pris comme indépendants</translation>
     </message>
     <message>
-        <source>The speed |v| of the smoothed curve where |v| − 2σ is largest, so that a badly known point does not win by its error.</source>
+        <source>The speed |v| of the smoothed curve where |v| − 2σ is largest. A point does not win only because its uncertainty is large.</source>
         <translation>La vitesse |v| de la courbe lissée là où |v| − 2σ est maximal, pour qu’un point mal connu ne l’emporte pas par son erreur.</translation>
     </message>
     <message>
@@ -475,7 +475,7 @@
         <translation>√(moyenne de |v|²) pendant le mouvement</translation>
     </message>
     <message>
-        <source>the bound for errors that all go together, and the calibration&apos;s error of scale</source>
+        <source>the bound for fully correlated errors, and the calibration&apos;s scale uncertainty</source>
         <translation>la borne pour des erreurs toutes de même sens, et l’erreur d’échelle de l’étalonnage</translation>
     </message>
     <message>
@@ -487,11 +487,11 @@
         <translation>√(moyenne de |a|²) pendant le mouvement</translation>
     </message>
     <message>
-        <source>distance from the first to the last place of the motion / path length</source>
+        <source>distance from the first to the last position of the motion / path length</source>
         <translation>distance du premier au dernier point du mouvement / distance parcourue</translation>
     </message>
     <message>
-        <source>of the ends&apos; positions</source>
+        <source>of the end positions</source>
         <translation>des positions des extrémités</translation>
     </message>
     <message>
@@ -499,7 +499,7 @@
         <translation>Le temps pendant lequel il est en mouvement&#xa0;: plus rapide que 20 mm/s et que trois σ de la vitesse.</translation>
     </message>
     <message>
-        <source>of each start and stop: σ of the speed over its steepness</source>
+        <source>of each start and stop: σ of the speed divided by its slope</source>
         <translation>de chaque démarrage et arrêt&#xa0;: σ de la vitesse, divisé par sa pente</translation>
     </message>
     <message>
@@ -519,7 +519,7 @@
         <translation>La vitesse qui n’est pas dépassée pendant la moitié du temps en mouvement.</translation>
     </message>
     <message>
-        <source>of the stretches within 1.5 σ of it, each by its mean</source>
+        <source>of the intervals within 1.5 σ of it, each by its mean</source>
         <translation>des intervalles à moins de 1,5 σ de cette valeur, chacun par sa moyenne</translation>
     </message>
     <message>
@@ -531,7 +531,7 @@
         <translation>L’accélération qui n’est pas dépassée pendant 95&#xa0;% du temps en mouvement.</translation>
     </message>
     <message>
-        <source>(vx·ay − vy·ax)/|v|² of the smoothed curve, either way, where it less 2σ is largest.</source>
+        <source>(vx·ay − vy·ax)/|v|² of the smoothed curve, to the left or right, where its amount minus 2σ is largest.</source>
         <translation>(vx·ay − vy·ax)/|v|² de la courbe lissée, dans un sens ou dans l’autre, là où sa valeur moins 2σ est maximale.</translation>
     </message>
     <message>
@@ -539,11 +539,11 @@
         <translation>σ² = σa²/|v|² + |a|²σv²/|v|⁴, au premier ordre</translation>
     </message>
     <message>
-        <source>The circle with the least squared distances from the places of the motion.</source>
+        <source>The least-squares circle through the positions of the motion.</source>
         <translation>Le cercle dont les carrés des distances aux points du mouvement ont la plus petite somme.</translation>
     </message>
     <message>
-        <source>of the distances&apos; scatter, neighbours counted as fewer by 1 + 2Σρ, and the calibration&apos;s error of scale</source>
+        <source>of the scatter of the distances, with their number divided by 1 + 2Σρ for correlated neighbours, and the calibration&apos;s scale uncertainty</source>
         <translation>de la dispersion des distances, le nombre de points voisins étant réduit du facteur 1 + 2Σρ, et l’erreur d’échelle de l’étalonnage</translation>
     </message>
     <message>
@@ -551,7 +551,7 @@
         <translation>Du franchissement de la porte de départ à celui de l’arrivée, chacun interpolé entre les images.</translation>
     </message>
     <message>
-        <source>of both passages: σ of the position across the gate over the speed</source>
+        <source>of both passages: σ of the position across the gate divided by the speed</source>
         <translation>des deux franchissements&#xa0;: σ de la position en travers de la porte, divisé par la vitesse</translation>
     </message>
     <message>
@@ -563,7 +563,7 @@
         <translation>Le tour le plus court.</translation>
     </message>
     <message>
-        <source>of its two passages; the calibration&apos;s error of a gate passed twice cancels</source>
+        <source>of its two passages; the calibration uncertainty of a gate passed twice cancels</source>
         <translation>de ses deux franchissements&#xa0;; l’erreur d’étalonnage d’une porte franchie deux fois se compense</translation>
     </message>
     <message>
@@ -575,15 +575,15 @@
         <translation>du premier et du dernier franchissement, divisé par le nombre de tours</translation>
     </message>
     <message>
-        <source>The mean distance from the reference path, over the way.</source>
+        <source>The distance from the reference path, averaged along the path.</source>
         <translation>La distance moyenne au tracé de référence, sur tout le trajet.</translation>
     </message>
     <message>
-        <source>of the position across the path, and of its noise, which has no sign there</source>
+        <source>of the position across the path, and of its noise: the distance has no sign, so noise does not cancel</source>
         <translation>de la position en travers du tracé, et de son bruit, qui n’y a pas de signe</translation>
     </message>
     <message>
-        <source>√(mean of the squared distance from the reference path), over the way</source>
+        <source>√(mean of the squared distance from the reference path), averaged along the path</source>
         <translation>√(moyenne du carré de la distance au tracé de référence), sur tout le trajet</translation>
     </message>
     <message>
@@ -607,23 +607,23 @@
         <translation>de la position en travers du tracé, surtout la part de l’étalonnage</translation>
     </message>
     <message>
-        <source>The share of the reference path that was followed.</source>
+        <source>The share of the reference path that the robot followed.</source>
         <translation>La part du tracé de référence qui a été suivie.</translation>
     </message>
     <message>
-        <source>How often the robot&apos;s centre left a zone to stay in, or came into one to keep out of. It counts where it is beyond the edge by more than three σ of the track&apos;s own noise.</source>
+        <source>How often the robot&apos;s reference point left a zone to stay in or entered a zone to keep out of. It counts if the point is beyond the edge by more than three σ of the track&apos;s noise.</source>
         <translation>Combien de fois le centre du robot a quitté une zone où rester, ou est entré dans une zone à éviter. Cela compte s’il dépasse le bord de plus de trois σ du bruit propre à la trajectoire.</translation>
     </message>
     <message>
-        <source>The time in which the robot&apos;s centre was beyond the edge of a zone, interpolated between frames; in two zones at once it counts twice.</source>
+        <source>The time for which the robot&apos;s reference point was beyond the edge of a zone, interpolated between frames; in two zones at once it counts twice.</source>
         <translation>Le temps pendant lequel le centre du robot était au-delà du bord d’une zone, interpolé entre les images&#xa0;; dans deux zones à la fois, il compte double.</translation>
     </message>
     <message>
-        <source>of each moment at an edge: σ of the position across it over the speed; and what the time differs by when the calibration puts the track nearer or further</source>
+        <source>of each crossing of an edge: σ of the position across it divided by the speed; and the change of the time when the calibration uncertainty shifts the track</source>
         <translation>de chaque instant à un bord&#xa0;: σ de la position en travers de celui-ci, divisé par la vitesse&#xa0;; et ce dont le temps change quand l’étalonnage rapproche ou éloigne la trajectoire</translation>
     </message>
     <message>
-        <source>How far the robot&apos;s centre was beyond the edge of a zone at most.</source>
+        <source>The largest distance of the robot&apos;s reference point beyond the edge of a zone.</source>
         <translation>De combien, au plus, le centre du robot a dépassé le bord d’une zone.</translation>
     </message>
     <message>
@@ -659,7 +659,7 @@
         <translation>analyse %1 par Odograph %2</translation>
     </message>
     <message>
-        <source>σ of the smoothed velocity there, with the calibration&apos;s error of scale</source>
+        <source>σ of the smoothed velocity there, including the calibration&apos;s scale uncertainty</source>
         <translation>σ de la vitesse lissée à cet instant, avec l’erreur d’échelle de l’étalonnage</translation>
     </message>
     <message>
@@ -675,11 +675,11 @@
         <translation>Accélération</translation>
     </message>
     <message>
-        <source>a·v/|v| of the smoothed curve at this frame: along the path, so that braking is negative; |a| while it stands</source>
+        <source>a·v/|v| of the smoothed curve at this frame: along the path, negative when braking; |a| while the robot stands still</source>
         <translation>a·v/|v| de la courbe lissée à cette image&#xa0;: le long de la trajectoire, donc négative au freinage&#xa0;; |a| à l’arrêt</translation>
     </message>
     <message>
-        <source>σ of the smoothed acceleration there, with the calibration&apos;s error of scale</source>
+        <source>σ of the smoothed acceleration there, including the calibration&apos;s scale uncertainty</source>
         <translation>σ de l’accélération lissée à cet instant, avec l’erreur d’échelle de l’étalonnage</translation>
     </message>
     <message>
@@ -687,11 +687,11 @@
         <translation>Cap</translation>
     </message>
     <message>
-        <source>atan2(vy, vx) of the smoothed curve at this frame, anticlockwise from X, without steps of a whole turn</source>
+        <source>atan2(vy, vx) of the smoothed curve at this frame, anticlockwise from X, without jumps of a whole turn</source>
         <translation>atan2(vy, vx) de la courbe lissée à cette image, dans le sens trigonométrique depuis X, sans sauts d’un tour</translation>
     </message>
     <message>
-        <source>σ of the velocity across the motion over the speed</source>
+        <source>σ of the velocity across the motion divided by the speed</source>
         <translation>σ de la vitesse en travers du mouvement, divisé par la vitesse</translation>
     </message>
     <message>
@@ -715,11 +715,11 @@
         <translation>la courbe lissée à cette image</translation>
     </message>
     <message>
-        <source>σ of the smoothed position, with the calibration&apos;s part</source>
+        <source>σ of the smoothed position, including the calibration&apos;s part</source>
         <translation>σ de la position lissée, avec la part de l’étalonnage</translation>
     </message>
     <message>
-        <source>at this frame no view found the robot: the curve goes across</source>
+        <source>no view found the robot in this frame: the curve bridges the gap</source>
         <translation>à cette image, aucune vue n’a trouvé le robot&#xa0;: la courbe passe par-dessus</translation>
     </message>
     <message>
@@ -731,23 +731,23 @@
         <translation>par %1</translation>
     </message>
     <message>
-        <source>it is flagged and not used: the curve comes from its neighbours</source>
+        <source>it is flagged and not used: the curve follows its neighbours</source>
         <translation>il est signalé et inutilisé&#xa0;: la courbe vient de ses voisins</translation>
     </message>
     <message>
-        <source>Jump: the place is beyond what the motion before and after allows for (χ² of two degrees of freedom, 99.9 %).</source>
+        <source>Jump: the position does not fit the motion before and after (χ² with two degrees of freedom, 99.9 %).</source>
         <translation>Saut&#xa0;: l’endroit est au-delà de ce que permet le mouvement avant et après (χ² à deux degrés de liberté, 99,9&#xa0;%).</translation>
     </message>
     <message>
-        <source>Limit: to get there it had to be faster than the limit of the task or of the analysis.</source>
+        <source>Limit: to get there, the robot had to exceed the speed limit of the task or of the analysis.</source>
         <translation>Limite&#xa0;: pour y arriver, il aurait fallu aller plus vite que la limite de l’épreuve ou de l’analyse.</translation>
     </message>
     <message>
-        <source>Limit: to get there it had to accelerate harder than the limit of the task or of the analysis.</source>
+        <source>Limit: to get there, the robot had to exceed the acceleration limit of the task or of the analysis.</source>
         <translation>Limite&#xa0;: pour y arriver, il aurait fallu accélérer plus fort que la limite de l’épreuve ou de l’analyse.</translation>
     </message>
     <message>
-        <source>Views disagree: their places differ by more than their errors and their usual disagreement explain (χ², 99.9 %).</source>
+        <source>Views disagree: their floor positions differ by more than their uncertainty and their usual disagreement explain (χ², 99.9 %).</source>
         <translation>Désaccord des vues&#xa0;: leurs positions diffèrent de plus que ne l’expliquent leurs erreurs et leur désaccord habituel (χ², 99,9&#xa0;%).</translation>
     </message>
     <message>
@@ -759,15 +759,15 @@
         <translation>Perdu&#xa0;: aucune vue n’a trouvé le robot.</translation>
     </message>
     <message>
-        <source>Repeated picture: the camera gave the same picture twice, so its time is not known.</source>
+        <source>Repeated frame: the camera delivered the same frame twice, so its time is unknown.</source>
         <translation>Image répétée&#xa0;: la caméra a donné deux fois la même image, son instant n’est donc pas connu.</translation>
     </message>
     <message>
-        <source>Bridged: the curve goes across without a measurement.</source>
+        <source>Bridged: the curve crosses a gap without measurements.</source>
         <translation>Comblé&#xa0;: la courbe passe par-dessus sans mesure.</translation>
     </message>
     <message>
-        <source>By hand: a person judged it, over the analysis.</source>
+        <source>By hand: a manual override replaces the result of the analysis.</source>
         <translation>À la main&#xa0;: une personne en a décidé, contre l’analyse.</translation>
     </message>
     <message>
@@ -799,7 +799,7 @@
         <translation>vues&#xa0;: %1</translation>
     </message>
     <message>
-        <source>%1: from %2 to %3, %4 beyond the edge at most</source>
+        <source>%1: from %2 to %3, at most %4 beyond the edge</source>
         <translation>%1&#xa0;: de %2 à %3, au plus %4 au-delà du bord</translation>
     </message>
     <message>
@@ -815,11 +815,11 @@
         <translation>L’échantillon est conservé, mais n’est pas utilisé pour la courbe.</translation>
     </message>
     <message>
-        <source>The sample is used for the curve nevertheless: what is wrong with it was left out, or a person restored it.</source>
+        <source>The curve uses the sample nevertheless: its faulty part was left out, or a manual override restored it.</source>
         <translation>L’échantillon est tout de même utilisé pour la courbe&#xa0;: ce qui est faux en a été exclu, ou une personne l’a rétabli.</translation>
     </message>
     <message>
-        <source>the views are %1 apart there</source>
+        <source>the views&apos; floor positions differ by %1 there</source>
         <translation>les vues y sont distantes de %1</translation>
     </message>
 </context>
@@ -908,39 +908,39 @@
         <translation>Lire un passage</translation>
     </message>
     <message>
-        <source>Two cameras watched a robot drive. Press Space: both videos, the map and the curves play in step. Space again stops.</source>
+        <source>Two cameras filmed a robot. Press Space: both videos, the map and the curves play together. Press Space again to stop.</source>
         <translation>Deux caméras ont regardé rouler un robot. Appuyez sur Espace&#xa0;: les deux vidéos, la carte et les courbes avancent ensemble. Espace de nouveau arrête.</translation>
     </message>
     <message>
-        <source>Read a figure</source>
+        <source>Read a result</source>
         <translation>Lire une valeur</translation>
     </message>
     <message>
-        <source>Click into the speed curve. The bubble tells the speed at that moment and its ±: how far off it may be. The band around the curve is where the truth lies in 95 of 100 cases.</source>
+        <source>Click the speed curve. The bubble shows the speed at that moment and its uncertainty (±). The band around the curve contains the true speed in 95 of 100 cases.</source>
         <translation>Cliquez dans la courbe de vitesse. La bulle donne la vitesse à cet instant et son ±&#xa0;: de combien elle peut être fausse. La bande autour de la courbe contient la vérité dans 95 cas sur 100.</translation>
     </message>
     <message>
-        <source>Look at what was flagged</source>
+        <source>Check the flagged samples</source>
         <translation>Voir ce qui est signalé</translation>
     </message>
     <message>
-        <source>Go through the trials with Ctrl+Page Up and Ctrl+Page Down to one whose list of spikes, at the right, is not empty. A spike is a moment at which what was measured cannot be true; the list says why.</source>
+        <source>Press Ctrl+Page Up or Ctrl+Page Down until the list of spikes on the right is not empty. A spike is a measurement that cannot be true; the list gives the reason.</source>
         <translation>Parcourez les essais avec Ctrl+Page précédente et Ctrl+Page suivante jusqu’à un essai dont la liste de pics, à droite, n’est pas vide. Un pic aberrant est un instant où ce qui a été mesuré ne peut pas être vrai&#xa0;; la liste dit pourquoi.</translation>
     </message>
     <message>
-        <source>Overrule it</source>
+        <source>Override it</source>
         <translation>En décider autrement</translation>
     </message>
     <message>
-        <source>Click a spike in the list and look at the videos: was the robot really there? Press U to use the sample all the same. Nothing that was measured is ever lost.</source>
+        <source>Click a spike in the list and watch the videos: was the robot really there? Press U to use the sample nevertheless. Odograph never deletes a measurement.</source>
         <translation>Cliquez sur un pic dans la liste et regardez les vidéos&#xa0;: le robot était-il vraiment là&#xa0;? Appuyez sur U pour utiliser quand même l’échantillon. Rien de ce qui a été mesuré n’est jamais perdu.</translation>
     </message>
     <message>
-        <source>Take it back</source>
+        <source>Undo it</source>
         <translation>Revenir en arrière</translation>
     </message>
     <message>
-        <source>Press Ctrl+Z. Whatever you change is saved at once, and can be taken back.</source>
+        <source>Press Ctrl+Z. Odograph saves every change at once, and you can undo it.</source>
         <translation>Appuyez sur Ctrl+Z. Tout ce que vous modifiez est enregistré aussitôt, et peut être annulé.</translation>
     </message>
     <message>
@@ -948,7 +948,7 @@
         <translation>Comparer deux passages</translation>
     </message>
     <message>
-        <source>Press Ctrl+4. Choose two runs at the right: where was one faster, and is that more than the error? What is grey is not.</source>
+        <source>Press Ctrl+4. Choose two runs on the right: where was one faster? Grey differences are not significant.</source>
         <translation>Appuyez sur Ctrl+4. Choisissez deux passages à droite&#xa0;: où l’un était-il plus rapide, et l’écart dépasse-t-il la marge d’erreur&#xa0;? Ce qui est gris, non.</translation>
     </message>
     <message>
@@ -956,15 +956,15 @@
         <translation>Le retrouver</translation>
     </message>
     <message>
-        <source>Press Ctrl+5. History holds the whole year: type a team&apos;s name to search, open a run with Enter, and see under Teams who made progress.</source>
+        <source>Press Ctrl+5. History lists the whole year: type a team&apos;s name to search, press Enter to open a run, and see under Teams who made progress.</source>
         <translation>Appuyez sur Ctrl+5. «&#xa0;Historique&#xa0;» garde toute l’année&#xa0;: tapez le nom d’une équipe pour chercher, ouvrez un passage avec Entrée, et voyez sous «&#xa0;Équipes&#xa0;» qui a progressé.</translation>
     </message>
     <message>
-        <source>That was it</source>
+        <source>That&apos;s it</source>
         <translation>C’est tout</translation>
     </message>
     <message>
-        <source>With your own robots: make a project (Ctrl+N), set up the floor in Testbed (Ctrl+1), then record (Ctrl+2) or bring in videos (Ctrl+I). F1 explains each page.</source>
+        <source>For your own robots: create a project (Ctrl+N), set up the floor in Testbed (Ctrl+1), then record (Ctrl+2) or import videos (Ctrl+I). F1 explains each page.</source>
         <translation>Avec vos propres robots&#xa0;: créez un projet (Ctrl+N), préparez le sol dans «&#xa0;Banc&#xa0;» (Ctrl+1), puis filmez (Ctrl+2) ou importez des vidéos (Ctrl+I). F1 explique chaque page.</translation>
     </message>
 </context>
@@ -1070,7 +1070,7 @@ La méthode suit S. Park, «&#xa0;Computational Vision for Automatic Tracking an
 <context>
     <name>OwnChanges</name>
     <message>
-        <source>Done: %1. Ctrl+Z takes it back.</source>
+        <source>Done: %1. Press Ctrl+Z to undo it.</source>
         <translation>Fait&#xa0;: %1. Ctrl+Z l’annule.</translation>
     </message>
     <message>
@@ -1078,7 +1078,7 @@ La méthode suit S. Park, «&#xa0;Computational Vision for Automatic Tracking an
         <translation>Annulé&#xa0;: %1.</translation>
     </message>
     <message>
-        <source>Made again: %1.</source>
+        <source>Redone: %1.</source>
         <translation>Rétabli&#xa0;: %1.</translation>
     </message>
 </context>
@@ -1620,11 +1620,11 @@ La méthode suit S. Park, «&#xa0;Computational Vision for Automatic Tracking an
         <translation>RMS %1, médiane %2</translation>
     </message>
     <message>
-        <source>expected by the errors: %1</source>
+        <source>expected from the uncertainty: %1</source>
         <translation>attendu d’après les erreurs&#xa0;: %1</translation>
     </message>
     <message>
-        <source>%1 – more than they explain</source>
+        <source>%1 – more than it explains</source>
         <translation>%1 – plus qu’elles n’expliquent</translation>
     </message>
     <message>
@@ -1632,15 +1632,15 @@ La méthode suit S. Park, «&#xa0;Computational Vision for Automatic Tracking an
         <translation>Désaccord des vues</translation>
     </message>
     <message>
-        <source>Each view alone puts the robot at a place on the floor. Shown is how far these places are apart in each frame in which two views or more saw it (of more than two, the largest distance); RMS is √(mean of the squares). Samples that are not used are left out.
-Expected is √(tr A + tr B + (v·σs)²) from the covariances A and B of two views (pixels and calibration), the speed v and the views&apos; step σs.
-Much more than expected means that something is not as it was told: the views are not in step (then it grows with the speed), a camera has moved or is badly registered (then it depends on the place), or the robot&apos;s height is wrong (then it points to and from the cameras).</source>
+        <source>Each view alone gives a floor position of the robot. The chart shows the distance between these positions in each frame with two views or more (of more than two, the largest distance); RMS is √(mean of the squares). Unused samples are left out.
+Expected is √(tr A + tr B + (v·σs)²) from the covariances A and B of two views (pixels and calibration), the speed v and the synchronisation uncertainty σs of the views.
+Much more than expected means that a setting is wrong: the views are not synchronised (the distance grows with the speed), a camera has moved or is badly registered (it depends on the position), or the robot&apos;s height is wrong (it points to and from the cameras).</source>
         <translation>Chaque vue place à elle seule le robot à un endroit du sol. On montre la distance entre ces endroits à chaque image où au moins deux vues l’ont vu (la plus grande s’il y en a plus de deux)&#xa0;; la RMS est √(moyenne des carrés). Les échantillons non utilisés sont exclus.
 La valeur attendue est √(tr A + tr B + (v·σs)²), avec les covariances A et B de deux vues (pixels et étalonnage), la vitesse v et la synchronisation σs des vues.
 Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa0;: les vues ne sont pas synchronisées (le désaccord croît alors avec la vitesse), une caméra a bougé ou est mal localisée (il dépend alors de l’endroit), ou la hauteur du robot est fausse (il est alors dirigé vers les caméras ou à l’opposé).</translation>
     </message>
     <message>
-        <source>%1 frames seen by two views or more; largest %2; views in step to %3 ms</source>
+        <source>%1 frames with two views or more; largest %2; views synchronised to %3 ms</source>
         <translation>%1 images où au moins deux vues l’ont vu&#xa0;; maximum %2&#xa0;; vues synchronisées à %3 ms près</translation>
     </message>
 </context>
@@ -1667,11 +1667,11 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>sur %1</translation>
     </message>
     <message>
-        <source>the sum of the points of each line; a line gives points × (figure − none at) / (all at − none at), from 0 to all</source>
+        <source>the sum of the points of each line; a line gives points × (metric − none at) / (all at − none at), from 0 to all</source>
         <translation>la somme des points de chaque ligne&#xa0;; une ligne donne points × (valeur − aucun à) / (tous à − aucun à), de 0 à tous</translation>
     </message>
     <message>
-        <source>of each line half of what its points differ by when its figure is one σ more or less; root of the sum of the squares</source>
+        <source>for each line, half the difference in points between its metric plus and minus one σ; root of the sum of the squares</source>
         <translation>de chaque ligne, la moitié de ce dont ses points changent quand sa valeur est plus grande ou plus petite d’un σ&#xa0;; racine de la somme des carrés</translation>
     </message>
     <message>
@@ -1760,11 +1760,11 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Marqueur au sol %1 (anneau), %2</translation>
     </message>
     <message>
-        <source>Print at 100 % (actual size). Glue it flat onto something stiff, measure a square, and tell Odograph what you measured.</source>
+        <source>Print at 100 % (actual size). Glue it flat onto something stiff, measure a square, and enter its side in Odograph.</source>
         <translation>Imprimez à 100&#xa0;% (taille réelle). Collez bien à plat sur un support rigide, mesurez un carré, et indiquez à Odograph ce que vous avez mesuré.</translation>
     </message>
     <message>
-        <source>Print at 100 % (actual size). Lay it flat; the marker&apos;s place is its middle, where the four lines at the edges point.</source>
+        <source>Print at 100 % (actual size). Lay it flat; the marker&apos;s position is its middle, where the four lines at the edges point.</source>
         <translation>Imprimez à 100&#xa0;% (taille réelle). Posez à plat&#xa0;; la place du marqueur est son centre, là où pointent les quatre traits des bords.</translation>
     </message>
 </context>
@@ -1783,11 +1783,11 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>fisheye</translation>
     </message>
     <message>
-        <source>Picture</source>
-        <translation>Image</translation>
+        <source>Image size</source>
+        <translation>Taille de l’image</translation>
     </message>
     <message>
-        <source>Lens</source>
+        <source>Calibration</source>
         <translation>Objectif</translation>
     </message>
     <message>
@@ -1803,7 +1803,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Erreur sur la mire</translation>
     </message>
     <message>
-        <source>%1 px in %2 pictures</source>
+        <source>%1 px in %2 images</source>
         <translation>%1 px sur %2 photos</translation>
     </message>
     <message>
@@ -1831,7 +1831,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Dernier contrôle</translation>
     </message>
     <message>
-        <source>Place</source>
+        <source>Position</source>
         <translation>Place</translation>
     </message>
     <message>
@@ -1843,15 +1843,15 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Marqueurs</translation>
     </message>
     <message>
-        <source>Attention</source>
+        <source>Warning</source>
         <translation>Attention</translation>
     </message>
     <message>
-        <source>not calibrated: taken as free of distortion</source>
+        <source>not calibrated: no distortion assumed</source>
         <translation>non étalonnée&#xa0;: supposée sans distorsion</translation>
     </message>
     <message>
-        <source>not registered: positions cannot be measured yet</source>
+        <source>not registered: cannot measure positions yet</source>
         <translation>non localisée&#xa0;: les positions ne peuvent pas encore être mesurées</translation>
     </message>
 </context>
@@ -8169,7 +8169,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>&amp;Retirer</translation>
     </message>
     <message>
-        <source>&amp;Best place</source>
+        <source>Find &amp;best position</source>
         <translation>&amp;Meilleure place</translation>
     </message>
     <message>
@@ -8181,7 +8181,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Précision attendue, en mots</translation>
     </message>
     <message>
-        <source>What is wrong</source>
+        <source>Problems</source>
         <translation>Ce qui ne va pas</translation>
     </message>
     <message>
@@ -8189,11 +8189,11 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Fermer</translation>
     </message>
     <message>
-        <source>Cameras that count</source>
+        <source>Cameras included</source>
         <translation>Caméras prises en compte</translation>
     </message>
     <message>
-        <source>All ticked cameras together</source>
+        <source>All ticked cameras (joint)</source>
         <translation>Toutes les caméras cochées ensemble</translation>
     </message>
     <message>
@@ -8221,15 +8221,15 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation> m</translation>
     </message>
     <message>
-        <source>As under a ceiling; a tripod would stand in the robots&apos; way</source>
+        <source>On a ceiling, for example; a tripod would be in the robots&apos; way</source>
         <translation>Comme sous un plafond&#xa0;; un trépied gênerait les robots</translation>
     </message>
     <message>
-        <source>Puts the camera where, with the others that are ticked, the worst place of the floor is known best</source>
+        <source>Moves the camera to where it, together with the other ticked cameras, minimises the largest uncertainty on the floor</source>
         <translation>Place la caméra là où, avec les autres caméras cochées, l’endroit du sol le moins bien connu l’est le mieux possible</translation>
     </message>
     <message>
-        <source>Room beyond the &amp;markers</source>
+        <source>Margin beyond the &amp;markers</source>
         <translation>Mar&amp;ge autour des marqueurs</translation>
     </message>
     <message>
@@ -8249,7 +8249,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>%1&#xa0;: %2&#xa0;; %3.</translation>
     </message>
     <message>
-        <source>Looking for the best place…</source>
+        <source>Searching for the best position…</source>
         <translation>Recherche de la meilleure place…</translation>
     </message>
 </context>
@@ -8275,7 +8275,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>odo::BoardCanvas</name>
     <message>
-        <source>Picture of the board</source>
+        <source>Image of the board</source>
         <translation>Photo de la mire</translation>
     </message>
     <message>
@@ -8286,18 +8286,18 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>odo::BoardSearchWorker</name>
     <message>
-        <source>picture %1</source>
+        <source>image %1</source>
         <translation>photo %1</translation>
     </message>
     <message>
-        <source>in none of its pictures is a board that is still, sharp and new</source>
+        <source>none of its images shows a board that is still, sharp and in a new position</source>
         <translation>aucune de ses images ne montre une mire immobile, nette et nouvelle</translation>
     </message>
 </context>
 <context>
     <name>odo::BoxCanvas</name>
     <message>
-        <source>Picture; arrow keys move the box round the robot, with Shift they change its size</source>
+        <source>Video frame; arrow keys move the box round the robot, Shift + arrow keys resize it</source>
         <translation>Image&#xa0;; les flèches déplacent le cadre autour du robot, avec Maj elles changent sa taille</translation>
     </message>
 </context>
@@ -8383,7 +8383,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Caméra</translation>
     </message>
     <message>
-        <source>Lens</source>
+        <source>Calibration</source>
         <translation>Objectif</translation>
     </message>
     <message>
@@ -8508,7 +8508,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>annulé</translation>
     </message>
     <message>
-        <source>made again</source>
+        <source>redone</source>
         <translation>rétabli</translation>
     </message>
     <message>
@@ -8527,15 +8527,15 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>odo::ChangesDialog</name>
     <message>
-        <source>Changes of the project</source>
+        <source>Project changes</source>
         <translation>Modifications du projet</translation>
     </message>
     <message>
-        <source>Nothing has been changed yet.</source>
+        <source>No changes yet.</source>
         <translation>Rien n’a encore été modifié.</translation>
     </message>
     <message>
-        <source>What was changed, in this window and by the command line, the newest first. Recordings, imports and tracking are told too; they cannot be undone.</source>
+        <source>All changes made in this window and on the command line, newest first. The list includes recordings, imports and tracking, but you cannot undo them.</source>
         <translation>Ce qui a été modifié, dans cette fenêtre et par la ligne de commande, du plus récent au plus ancien. Les enregistrements, les importations et les suivis y figurent aussi&#xa0;; ils ne peuvent pas être annulés.</translation>
     </message>
     <message>
@@ -8600,15 +8600,15 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>odo::CheckTools</name>
     <message>
-        <source>&amp;Check the cameras…</source>
+        <source>&amp;Check camera positions…</source>
         <translation>&amp;Vérifier les caméras…</translation>
     </message>
     <message>
-        <source>Moved?</source>
-        <translation>Bougé&#xa0;?</translation>
+        <source>Check camera positions…</source>
+        <translation>Vérifier les caméras…</translation>
     </message>
     <message>
-        <source>Look whether each camera still stands where it was registered, before the robots run</source>
+        <source>Check before the robots run that no camera has moved since its registration</source>
         <translation>Vérifier que chaque caméra est encore là où elle a été localisée, avant que les robots roulent</translation>
     </message>
     <message>
@@ -8616,11 +8616,11 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Vérifier une lon&amp;gueur connue…</translation>
     </message>
     <message>
-        <source>Length…</source>
-        <translation>Longueur…</translation>
+        <source>Check a known length…</source>
+        <translation>Vérifier une longueur connue…</translation>
     </message>
     <message>
-        <source>Measure something of known length in a camera&apos;s picture, and see whether the camera is as good as it promises</source>
+        <source>Measure an object of known length in a camera&apos;s image to check the camera&apos;s stated uncertainty</source>
         <translation>Mesurer dans l’image d’une caméra un objet de longueur connue, pour voir si la caméra est aussi bonne qu’elle le promet</translation>
     </message>
     <message>
@@ -8632,7 +8632,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Précision…</translation>
     </message>
     <message>
-        <source>See how well each place of the floor will be known, also with cameras that are only planned</source>
+        <source>Show the expected uncertainty everywhere on the floor, also with planned cameras</source>
         <translation>Voir avec quelle précision chaque endroit du sol sera connu, y compris avec des caméras seulement prévues</translation>
     </message>
     <message>
@@ -8644,15 +8644,15 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Révisions…</translation>
     </message>
     <message>
-        <source>See every calibration and registration of a camera, put an older one in force, measure trials again</source>
+        <source>Show all calibrations and registrations of a camera, switch to an older one, reanalyse trials</source>
         <translation>Voir tous les étalonnages et toutes les localisations d’une caméra, en remettre un ancien en vigueur, remesurer des essais</translation>
     </message>
     <message>
-        <source>The cameras are checked: see their badges.</source>
+        <source>Cameras checked: see their badges.</source>
         <translation>Les caméras sont vérifiées&#xa0;: voyez leurs pastilles.</translation>
     </message>
     <message>
-        <source>Calibrations and trials are as they were chosen.</source>
+        <source>The chosen calibrations and analyses are now current.</source>
         <translation>Étalonnages et essais sont tels que vous les avez choisis.</translation>
     </message>
 </context>
@@ -8956,15 +8956,15 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Couverture</translation>
     </message>
     <message>
-        <source>%1 pictures: enough. More do no harm.</source>
+        <source>%1 images: enough. More do no harm.</source>
         <translation>%1 photos&#xa0;: c’est assez. Davantage ne nuit pas.</translation>
     </message>
     <message>
-        <source>1 picture; ten or more are wanted.</source>
+        <source>1 image; take ten or more.</source>
         <translation>1 photo&#xa0;; il en faut au moins dix.</translation>
     </message>
     <message>
-        <source>%1 pictures; ten or more are wanted.</source>
+        <source>%1 images; take ten or more.</source>
         <translation>%1 photos&#xa0;; il en faut au moins dix.</translation>
     </message>
 </context>
@@ -8975,11 +8975,11 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Odograph s’est arrêté inopinément</translation>
     </message>
     <message>
-        <source>The last time, Odograph ended by a fault of its own. What was saved is safe. A recording that was cut off is kept up to its last second as soon as its project is opened again.</source>
+        <source>Odograph crashed the last time. Saved data is safe. If a recording was cut off, open its project to recover it up to the last second.</source>
         <translation>La dernière fois, Odograph s’est arrêté à cause d’une erreur interne. Ce qui était enregistré est intact. Une vidéo dont l’enregistrement a été interrompu est conservée jusqu’à sa dernière seconde dès que son projet est rouvert.</translation>
     </message>
     <message>
-        <source>The last time, Odograph ended by a fault of its own. What was saved is safe.</source>
+        <source>Odograph crashed the last time. Saved data is safe.</source>
         <translation>La dernière fois, Odograph s’est arrêté à cause d’une erreur interne. Ce qui était enregistré est intact.</translation>
     </message>
     <message>
@@ -9014,23 +9014,23 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>%1 à %2</translation>
     </message>
     <message>
-        <source>Only one of the two has it</source>
+        <source>Only one of the two runs has it</source>
         <translation>Un seul des deux l’a</translation>
     </message>
     <message>
-        <source>%1: beyond the error (95 %)</source>
+        <source>%1: significant (95 %)</source>
         <translation>%1&#xa0;: hors marge d’erreur (95&#xa0;%)</translation>
     </message>
     <message>
-        <source>%1: within the error (95 %), no difference can be claimed</source>
+        <source>%1: not significant (95 %)</source>
         <translation>%1&#xa0;: dans la marge d’erreur (95&#xa0;%), on ne peut conclure à aucune différence</translation>
     </message>
     <message>
-        <source>beyond the error</source>
+        <source>significant</source>
         <translation>hors marge d’erreur</translation>
     </message>
     <message>
-        <source>within the error</source>
+        <source>not significant</source>
         <translation>dans la marge d’erreur</translation>
     </message>
     <message>
@@ -9328,7 +9328,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Projets Odograph (*.odo);;Tous les fichiers (*)</translation>
     </message>
     <message>
-        <source>Where shall the demo lesson be made?</source>
+        <source>Choose a folder for the demo lesson</source>
         <translation>Où créer la leçon de démonstration&#xa0;?</translation>
     </message>
     <message>
@@ -9344,7 +9344,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Enregistrer une copie</translation>
     </message>
     <message>
-        <source>A copy was saved as %1. Its videos stay where they are.</source>
+        <source>Copy saved as %1. Its videos stay where they are.</source>
         <translation>Une copie a été enregistrée&#xa0;: %1. Ses vidéos restent où elles sont.</translation>
     </message>
     <message>
@@ -9359,7 +9359,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>odo::FilmStrip</name>
     <message>
-        <source>&amp;Take out</source>
+        <source>&amp;Remove</source>
         <translation>Re&amp;tirer</translation>
     </message>
     <message>
@@ -9367,7 +9367,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>&amp;Annuler</translation>
     </message>
     <message>
-        <source>Pictures that count</source>
+        <source>Accepted images</source>
         <translation>Photos prises en compte</translation>
     </message>
 </context>
@@ -9421,7 +9421,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>%1, à %2 m de haut</translation>
     </message>
     <message>
-        <source>Markers and cameras are drawn here once there is a layout or a registered camera.</source>
+        <source>This sketch shows markers and cameras once the testbed has a layout or a registered camera.</source>
         <translation>Marqueurs et caméras sont dessinés ici dès qu’il y a un plan de marqueurs ou une caméra localisée.</translation>
     </message>
     <message>
@@ -9432,11 +9432,11 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>odo::FloorSourcePage</name>
     <message>
-        <source>Picture or video of the markers</source>
+        <source>Image or video of the markers</source>
         <translation>Photo ou vidéo des marqueurs</translation>
     </message>
     <message>
-        <source>Markers whose places on the floor are known tell where the camera stands. Four are enough, a fifth checks them. Afterwards the camera must not be moved.</source>
+        <source>Markers with known floor positions determine the camera position. Four are enough; a fifth checks them. Do not move the camera afterwards.</source>
         <translation>Des marqueurs dont la place au sol est connue disent où se trouve la caméra. Quatre suffisent, un cinquième les contrôle. Ensuite, la caméra ne doit plus être déplacée.</translation>
     </message>
     <message>
@@ -9448,15 +9448,15 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>P&amp;lan de marqueurs</translation>
     </message>
     <message>
-        <source>Where the markers are seen</source>
+        <source>Image of the markers</source>
         <translation>Où l’on voit les marqueurs</translation>
     </message>
     <message>
-        <source>Its lens is measured.</source>
+        <source>Its lens is calibrated.</source>
         <translation>Son objectif est mesuré.</translation>
     </message>
     <message>
-        <source>Its lens was not measured: it is taken as free of distortion, and its focal length is estimated from the markers where they tell it.</source>
+        <source>Its lens is not calibrated. Odograph assumes no distortion and estimates the focal length from the markers if they determine it.</source>
         <translation>Son objectif n’a pas été mesuré&#xa0;: il est supposé sans distorsion, et sa distance focale est estimée d’après les marqueurs quand ils la donnent.</translation>
     </message>
 </context>
@@ -9475,11 +9475,11 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>La caméra et ses marqueurs</translation>
     </message>
     <message>
-        <source>The markers in the picture</source>
+        <source>The markers in the image</source>
         <translation>Les marqueurs dans l’image</translation>
     </message>
     <message>
-        <source>Looking for the markers…</source>
+        <source>Detecting the markers…</source>
         <translation>Recherche des marqueurs…</translation>
     </message>
 </context>
@@ -9506,7 +9506,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>&amp;Retirer</translation>
     </message>
     <message>
-        <source>&amp;Other way</source>
+        <source>Reverse directi&amp;on</source>
         <translation>&amp;Inverser le sens</translation>
     </message>
     <message>
@@ -9534,7 +9534,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>y₂, mm</translation>
     </message>
     <message>
-        <source>Gates in the order in which they are passed</source>
+        <source>Gates in passing order</source>
         <translation>Portes dans l’ordre de franchissement</translation>
     </message>
     <message>
@@ -9542,7 +9542,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>A&amp;jouter une porte</translation>
     </message>
     <message>
-        <source>The chosen gate is passed the other way</source>
+        <source>Robots pass the selected gate the other way</source>
         <translation>La porte choisie se franchit dans l’autre sens</translation>
     </message>
     <message>
@@ -9557,7 +9557,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>odo::GeneralPage</name>
     <message>
-        <source>Odograph shows it when it is started again.</source>
+        <source>Restart Odograph to see the change.</source>
         <translation>Odograph l’affichera à son prochain démarrage.</translation>
     </message>
     <message>
@@ -9569,7 +9569,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>&amp;Unités des résultats</translation>
     </message>
     <message>
-        <source>Floors and targets are set up in millimetres, as they are printed. Exported files have the units that their format asks for.</source>
+        <source>Floors and targets always use millimetres, as printed. Exported files use the units of their format.</source>
         <translation>Les sols et les cibles se règlent en millimètres, comme ils sont imprimés. Les fichiers exportés ont les unités que demande leur format.</translation>
     </message>
     <message>
@@ -9581,7 +9581,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>&amp;Couleurs des cartes</translation>
     </message>
     <message>
-        <source>Both can be told apart by people who do not see red or green, and in a print without colours.</source>
+        <source>Both remain readable for people with red-green colour blindness and in black-and-white prints.</source>
         <translation>Les deux restent lisibles pour qui ne voit pas le rouge ou le vert, et dans une impression sans couleurs.</translation>
     </message>
     <message>
@@ -9605,7 +9605,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Langue</translation>
     </message>
     <message>
-        <source>As the computer has it</source>
+        <source>As set on the computer</source>
         <translation>Comme l’ordinateur</translation>
     </message>
     <message>
@@ -9613,7 +9613,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Thème</translation>
     </message>
     <message>
-        <source>As the desktop has it</source>
+        <source>As set on the desktop</source>
         <translation>Comme le bureau</translation>
     </message>
     <message>
@@ -9682,11 +9682,11 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Importer une &amp;liste de classe…</translation>
     </message>
     <message>
-        <source>&amp;Changes of the project…</source>
+        <source>Show project &amp;changes…</source>
         <translation>&amp;Modifications du projet…</translation>
     </message>
     <message>
-        <source>Import a roster: a table with the columns class and team, perhaps pseudonym</source>
+        <source>Import a roster: a table with the columns class, team and optionally pseudonym</source>
         <translation>Importer une liste de classe&#xa0;: un tableau avec les colonnes «&#xa0;class&#xa0;» et «&#xa0;team&#xa0;», éventuellement «&#xa0;pseudonym&#xa0;»</translation>
     </message>
     <message>
@@ -9694,7 +9694,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Tableaux CSV (*.csv)</translation>
     </message>
     <message>
-        <source>The roster is imported. Teams that are new: %1, changed: %2, as before: %3.</source>
+        <source>Roster imported. New teams: %1, changed: %2, unchanged: %3.</source>
         <translation>La liste de classe est importée. Équipes nouvelles&#xa0;: %1, modifiées&#xa0;: %2, inchangées&#xa0;: %3.</translation>
     </message>
     <message numerus="yes">
@@ -9719,7 +9719,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         </translation>
     </message>
     <message numerus="yes">
-        <source>%1 of %n trial(s) removed for good; the rest is still there.</source>
+        <source>Removed %1 of %n trial(s) for good; the rest is still in the bin.</source>
         <translation>
             <numerusform>%1 essai sur %n supprimé définitivement&#xa0;; le reste est encore là.</numerusform>
             <numerusform>%1 essais sur %n supprimés définitivement&#xa0;; le reste est encore là.</numerusform>
@@ -9826,7 +9826,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>aucune</translation>
     </message>
     <message>
-        <source>Positions that another program has measured, or Odograph has exported: TUM, CSV or Tracker&apos;s text. They are measured as a run without video.</source>
+        <source>Positions measured by another program or exported by Odograph: TUM, CSV or Tracker text. Odograph analyses them as a run without video.</source>
         <translation>Positions mesurées par un autre programme ou exportées par Odograph&#xa0;: TUM, CSV ou texte de Tracker. Elles sont mesurées comme un passage sans vidéo.</translation>
     </message>
     <message>
@@ -9858,7 +9858,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Robot de la trajectoire %1</translation>
     </message>
     <message>
-        <source>A name that is new makes a new robot</source>
+        <source>A new name creates a new robot</source>
         <translation>Un nom nouveau crée un nouveau robot</translation>
     </message>
     <message>
@@ -9913,7 +9913,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Vidéos</translation>
     </message>
     <message>
-        <source>In &amp;step</source>
+        <source>&amp;Synchronise</source>
         <translation>&amp;Synchronisation</translation>
     </message>
     <message>
@@ -9937,7 +9937,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Cadence réelle de la caméra</translation>
     </message>
     <message>
-        <source>For slow motion: the file plays slower than the camera took it</source>
+        <source>For slow motion: the file plays slower than the camera recorded it</source>
         <translation>Pour un ralenti&#xa0;: le fichier se lit plus lentement que la caméra ne l’a pris</translation>
     </message>
     <message>
@@ -9983,11 +9983,11 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Caméra</translation>
     </message>
     <message>
-        <source>Known to, before</source>
+        <source>Uncertainty before</source>
         <translation>Précision avant</translation>
     </message>
     <message>
-        <source>Known to, together</source>
+        <source>Uncertainty, joint</source>
         <translation>Précision ensemble</translation>
     </message>
     <message>
@@ -10015,11 +10015,11 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Marqueurs</translation>
     </message>
     <message>
-        <source>Register all cameras together</source>
+        <source>Register all cameras (joint)</source>
         <translation>Localiser toutes les caméras ensemble</translation>
     </message>
     <message>
-        <source>The cameras of layout %1 are fitted again at once, by the markers they were registered with: where they see the same markers, they agree better afterwards, and a marker that was measured wrongly is found.</source>
+        <source>This fits all cameras of layout %1 jointly to the markers they were registered with. Cameras that see the same markers then agree better, and wrongly measured markers show up.</source>
         <translation>Les caméras du plan %1 sont réajustées d’un coup, d’après les marqueurs qui ont servi à les localiser&#xa0;: là où elles voient les mêmes marqueurs, elles s’accordent mieux ensuite, et un marqueur mal mesuré est repéré.</translation>
     </message>
     <message>
@@ -10027,19 +10027,19 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation> mm</translation>
     </message>
     <message>
-        <source>Error of the tape measure</source>
+        <source>Uncertainty of the tape measure</source>
         <translation>Erreur du mètre ruban</translation>
     </message>
     <message>
-        <source>The markers&apos; places were &amp;measured to</source>
+        <source>Marker positions &amp;measured to</source>
         <translation>Places des marqueurs &amp;mesurées à</translation>
     </message>
     <message>
-        <source>Fitting the cameras together…</source>
+        <source>Fitting the cameras jointly…</source>
         <translation>Ajustement commun des caméras…</translation>
     </message>
     <message>
-        <source>What is known together reckons with the markers&apos; places being measured to %1 mm, which a camera that is registered by itself takes as exact. Nothing is changed before you save; trials keep the registration they were analysed with.</source>
+        <source>The joint uncertainty assumes marker positions measured to %1 mm; registering a single camera assumes them exact. Nothing changes until you save; trials keep the registration they were analysed with.</source>
         <translation>L’ajustement commun tient compte de ce que les places des marqueurs sont mesurées à %1 mm près, alors qu’une caméra localisée seule les prend comme exactes. Rien n’est modifié avant que vous enregistriez&#xa0;; les essais gardent la localisation avec laquelle ils ont été analysés.</translation>
     </message>
     <message>
@@ -10055,7 +10055,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>%1 ± %2</translation>
     </message>
     <message>
-        <source>measure it again</source>
+        <source>check its position</source>
         <translation>mesurez-le de nouveau</translation>
     </message>
     <message>
@@ -10074,7 +10074,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>S&amp;ans raccourci</translation>
     </message>
     <message>
-        <source>&amp;All as usual</source>
+        <source>Reset &amp;all</source>
         <translation>Tout par &amp;défaut</translation>
     </message>
     <message>
@@ -10094,15 +10094,15 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Raccourci</translation>
     </message>
     <message>
-        <source>New key of the chosen command</source>
+        <source>New key for the selected command</source>
         <translation>Nouveau raccourci de la commande choisie</translation>
     </message>
     <message>
-        <source>Choose a command to give it another key.</source>
+        <source>Select a command to change its key.</source>
         <translation>Choisissez une commande pour lui donner un autre raccourci.</translation>
     </message>
     <message>
-        <source>%1 is the key of “%2”, which would have none.</source>
+        <source>%1 is the key of “%2”. That command would lose it.</source>
         <translation>%1 est le raccourci de «&#xa0;%2&#xa0;», qui n’en aurait plus.</translation>
     </message>
     <message>
@@ -10125,11 +10125,11 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Sol</translation>
     </message>
     <message>
-        <source>What is wrong</source>
+        <source>Problems</source>
         <translation>Ce qui ne va pas</translation>
     </message>
     <message>
-        <source>Where the markers lie on the floor, measured with a tape: millimetres from the origin. X goes to the right, Y away from you, seen from above.</source>
+        <source>Enter the floor positions of the markers, measured with a tape in millimetres from the origin. Seen from above, X points right and Y away from you.</source>
         <translation>Où se trouvent les marqueurs au sol, mesuré au mètre ruban&#xa0;: en millimètres depuis l’origine. Vu de dessus, X va vers la droite, Y s’éloigne de vous.</translation>
     </message>
     <message>
@@ -10189,15 +10189,15 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>&amp;Demi-tour</translation>
     </message>
     <message>
-        <source>They were &amp;centimetres</source>
+        <source>Convert from &amp;centimetres</source>
         <translation>C’étaient des &amp;centimètres</translation>
     </message>
     <message>
-        <source>They were &amp;metres</source>
+        <source>Convert from &amp;metres</source>
         <translation>C’étaient des &amp;mètres</translation>
     </message>
     <message>
-        <source>They were &amp;inches</source>
+        <source>Convert from &amp;inches</source>
         <translation>C’étaient des &amp;pouces</translation>
     </message>
     <message>
@@ -10205,7 +10205,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>&amp;Importer…</translation>
     </message>
     <message>
-        <source>Places of the markers (label,x_mm,y_mm)</source>
+        <source>Positions of the markers (label,x_mm,y_mm)</source>
         <translation>Places des marqueurs (label,x_mm,y_mm)</translation>
     </message>
     <message>
@@ -10213,7 +10213,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>E&amp;xporter…</translation>
     </message>
     <message>
-        <source>Places of the markers</source>
+        <source>Positions of the markers</source>
         <translation>Places des marqueurs</translation>
     </message>
     <message>
@@ -10221,7 +10221,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Le plan n’a pas de nom.</translation>
     </message>
     <message>
-        <source>There is a layout of that name: cameras may stand on it, so it is not overwritten. Give another name.</source>
+        <source>A layout with this name exists, and cameras may use it. Enter another name.</source>
         <translation>Il existe un plan de ce nom&#xa0;: des caméras peuvent en dépendre, il n’est donc pas écrasé. Donnez un autre nom.</translation>
     </message>
     <message>
@@ -10233,19 +10233,19 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Deux marqueurs s’appellent %1.</translation>
     </message>
     <message>
-        <source>The place of %1 is not a number.</source>
+        <source>The position of %1 is not a number.</source>
         <translation>La place de %1 n’est pas un nombre.</translation>
     </message>
     <message>
-        <source>Four markers are needed, there are %1.</source>
+        <source>The layout needs four markers; it has %1.</source>
         <translation>Il faut quatre marqueurs, il y en a %1.</translation>
     </message>
     <message>
-        <source>%1 and %2 lie at one place.</source>
+        <source>%1 and %2 have the same position.</source>
         <translation>%1 et %2 sont au même endroit.</translation>
     </message>
     <message>
-        <source>The markers lie nearly on a line: they do not tell where the camera stands. Lay one aside.</source>
+        <source>The markers are nearly on a line and cannot determine the camera position. Move one to the side.</source>
         <translation>Les marqueurs sont presque alignés&#xa0;: ils ne disent pas où se trouve la caméra. Écartez-en un de la ligne.</translation>
     </message>
 </context>
@@ -10263,11 +10263,11 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>odo::LengthPage</name>
     <message>
-        <source>Take what lies &amp;near a click</source>
+        <source>S&amp;nap to what is near a click</source>
         <translation>Prendre ce qui est &amp;près d’un clic</translation>
     </message>
     <message>
-        <source>Picture with both ends; arrow keys move the chosen one, Space snaps it</source>
+        <source>Image with both ends; arrow keys move the selected one, Space snaps it</source>
         <translation>Image avec les deux extrémités&#xa0;; les flèches déplacent celle choisie, Espace l’ajuste</translation>
     </message>
     <message>
@@ -10295,7 +10295,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation> mm</translation>
     </message>
     <message>
-        <source>lies on the floor</source>
+        <source>on the floor</source>
         <translation>posé au sol</translation>
     </message>
     <message>
@@ -10335,7 +10335,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Mesuré</translation>
     </message>
     <message>
-        <source>Lay something of known length anywhere on the floor, a metre stick or two markers of known distance, and click both its ends. By keys: the arrows move an end (Ctrl: fast, Shift: a pixel), Space snaps it.</source>
+        <source>Put an object of known length anywhere on the floor, such as a metre stick or two markers at a known distance, and click both ends. Keys: arrows move an end (Ctrl: fast, Shift: one pixel), Space snaps it.</source>
         <translation>Posez n’importe où au sol un objet de longueur connue, une règle d’un mètre ou deux marqueurs dont la distance est connue, et cliquez sur ses deux extrémités. Au clavier&#xa0;: les flèches déplacent une extrémité (Ctrl&#xa0;: vite, Maj&#xa0;: un pixel), Espace l’ajuste.</translation>
     </message>
     <message>
@@ -10343,15 +10343,15 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>%1 ± %2 mm</translation>
     </message>
     <message>
-        <source>inside the expected error</source>
+        <source>within uncertainty</source>
         <translation>dans l’erreur attendue</translation>
     </message>
     <message>
-        <source>outside the expected error</source>
+        <source>outside uncertainty</source>
         <translation>hors de l’erreur attendue</translation>
     </message>
     <message>
-        <source> Give its true length to see whether that is right.</source>
+        <source> Enter its true length to check the result.</source>
         <translation> Donnez sa longueur vraie pour voir si c’est juste.</translation>
     </message>
     <message>
@@ -10363,7 +10363,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>au-delà de l’horizon</translation>
     </message>
     <message>
-        <source>not put yet</source>
+        <source>not set yet</source>
         <translation>pas encore placée</translation>
     </message>
 </context>
@@ -10378,11 +10378,11 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>&amp;Terminer</translation>
     </message>
     <message>
-        <source>Picture or video of the length</source>
+        <source>Image or video of the length</source>
         <translation>Photo ou vidéo de la longueur</translation>
     </message>
     <message>
-        <source>The camera and its picture</source>
+        <source>The camera and its image</source>
         <translation>La caméra et son image</translation>
     </message>
     <message>
@@ -10390,7 +10390,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Les deux extrémités de la longueur</translation>
     </message>
     <message>
-        <source>Lay something of known length on the floor, away from the markers, and see whether the camera measures it as well as it promises. Nothing is changed by it.</source>
+        <source>Put an object of known length on the floor, away from the markers, to check the camera&apos;s stated uncertainty. This changes nothing.</source>
         <translation>Posez au sol un objet de longueur connue, loin des marqueurs, et voyez si la caméra le mesure aussi bien qu’elle le promet. Cela ne modifie rien.</translation>
     </message>
     <message>
@@ -10398,22 +10398,22 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>C&amp;améra</translation>
     </message>
     <message>
-        <source>Where the length is seen</source>
+        <source>Image of the length</source>
         <translation>Où l’on voit la longueur</translation>
     </message>
     <message>
-        <source>Getting the picture…</source>
+        <source>Loading the image…</source>
         <translation>Lecture de l’image…</translation>
     </message>
 </context>
 <context>
     <name>odo::LensPicturesPage</name>
     <message>
-        <source>Move it to the left of the picture</source>
+        <source>Move it to the left of the image</source>
         <translation>Déplacez-la vers la gauche de l’image</translation>
     </message>
     <message>
-        <source>Move it to the right of the picture</source>
+        <source>Move it to the right of the image</source>
         <translation>Déplacez-la vers la droite de l’image</translation>
     </message>
     <message>
@@ -10453,7 +10453,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Tenez-la immobile</translation>
     </message>
     <message>
-        <source>&amp;Take a picture now</source>
+        <source>&amp;Take an image now</source>
         <translation>&amp;Prendre une photo</translation>
     </message>
     <message>
@@ -10461,19 +10461,19 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Que faire</translation>
     </message>
     <message>
-        <source>No picture from the camera</source>
+        <source>No image from the camera</source>
         <translation>Aucune image de la caméra</translation>
     </message>
     <message>
-        <source>Pictures that do not count</source>
+        <source>Rejected images</source>
         <translation>Photos non prises en compte</translation>
     </message>
     <message>
-        <source>What the pictures cover</source>
+        <source>Coverage of the images</source>
         <translation>Ce que couvrent les photos</translation>
     </message>
     <message>
-        <source>Not counted</source>
+        <source>Rejected</source>
         <translation>Non prises en compte</translation>
     </message>
     <message>
@@ -10481,7 +10481,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>En attente de la caméra…</translation>
     </message>
     <message>
-        <source>Looking for the board…</source>
+        <source>Detecting the board…</source>
         <translation>Recherche de la mire…</translation>
     </message>
     <message>
@@ -10489,11 +10489,11 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Tenez la mire devant la caméra</translation>
     </message>
     <message>
-        <source>Looking for the board</source>
+        <source>Detecting the board</source>
         <translation>Recherche de la mire</translation>
     </message>
     <message>
-        <source>A picture is taken by itself whenever the board is still, sharp and in a new place.</source>
+        <source>Odograph takes an image whenever the board is still, sharp and in a new position.</source>
         <translation>Une photo se prend d’elle-même chaque fois que la mire est immobile, nette et à une nouvelle place.</translation>
     </message>
     <message>
@@ -10509,15 +10509,15 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>encore %1</translation>
     </message>
     <message>
-        <source>No picture counts</source>
+        <source>No image accepted</source>
         <translation>Aucune photo ne compte</translation>
     </message>
     <message>
-        <source>The reasons stand at the right. Add others by dropping them here.</source>
+        <source>See the reasons on the right. Drop other images here to add them.</source>
         <translation>Les raisons sont indiquées à droite. Ajoutez-en d’autres en les déposant ici.</translation>
     </message>
     <message>
-        <source>Looked at all</source>
+        <source>All images checked</source>
         <translation>Toutes examinées</translation>
     </message>
     <message>
@@ -10525,7 +10525,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>C’est assez.</translation>
     </message>
     <message>
-        <source>More pictures can be dropped here; the bars show what is missing.</source>
+        <source>Drop more images here; the bars show what is missing.</source>
         <translation>D’autres photos peuvent être déposées ici&#xa0;; les barres montrent ce qui manque.</translation>
     </message>
 </context>
@@ -10560,7 +10560,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Calcul</translation>
     </message>
     <message>
-        <source>Lens model chosen by itself</source>
+        <source>Automatic choice of the lens model</source>
         <translation>Modèle choisi automatiquement</translation>
     </message>
     <message>
@@ -10580,15 +10580,15 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Modèle d’objectif</translation>
     </message>
     <message>
-        <source>Choose a bar to see its picture.</source>
+        <source>Select a bar to see its image.</source>
         <translation>Choisissez une barre pour voir sa photo.</translation>
     </message>
     <message>
-        <source>Stands here once the lens is known.</source>
+        <source>Appears here after the calibration.</source>
         <translation>S’affiche ici dès que l’objectif est connu.</translation>
     </message>
     <message>
-        <source>Picture and &amp;residuals</source>
+        <source>Image and &amp;residuals</source>
         <translation>Photo et rés&amp;idus</translation>
     </message>
     <message>
@@ -10596,15 +10596,15 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Re&amp;dressée</translation>
     </message>
     <message>
-        <source>Error by picture</source>
+        <source>Error by image</source>
         <translation>Erreur par photo</translation>
     </message>
     <message>
-        <source>Lens</source>
+        <source>Calibration</source>
         <translation>Objectif</translation>
     </message>
     <message>
-        <source>What is known of the lens</source>
+        <source>Lens calibration</source>
         <translation>Ce que l’on sait de l’objectif</translation>
     </message>
     <message>
@@ -10616,11 +10616,11 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>les bords droits doivent être droits</translation>
     </message>
     <message>
-        <source>Storing the lens and its pictures…</source>
+        <source>Storing the lens calibration and its images…</source>
         <translation>Enregistrement de l’objectif et de ses photos…</translation>
     </message>
     <message>
-        <source>The lens was not stored. %1</source>
+        <source>The lens calibration was not stored. %1</source>
         <translation>L’objectif n’a pas été enregistré. %1</translation>
     </message>
     <message>
@@ -10632,7 +10632,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
-        <source>Pictures</source>
+        <source>Images</source>
         <translation>Photos</translation>
     </message>
     <message>
@@ -10648,7 +10648,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Erreur de validation</translation>
     </message>
     <message>
-        <source>needs six pictures</source>
+        <source>needs six images</source>
         <translation>exige six photos</translation>
     </message>
     <message>
@@ -10671,11 +10671,11 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>odo::LensSourcePage</name>
     <message>
-        <source>Be&amp;fore the camera: hold the board, pictures are taken by themselves</source>
+        <source>&amp;From the camera: hold up the board, Odograph takes the images</source>
         <translation>De&amp;vant la caméra&#xa0;: tenez la mire, les photos se prennent d’elles-mêmes</translation>
     </message>
     <message>
-        <source>From &amp;pictures or a video that you have taken</source>
+        <source>From existing images or a &amp;video</source>
         <translation>D’après des &amp;photos ou une vidéo que vous avez prises</translation>
     </message>
     <message>
@@ -10687,7 +10687,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>&amp;Imprimer une mire…</translation>
     </message>
     <message>
-        <source>A flat board of squares, seen from many sides, tells how the lens draws. Checkerboard or ChArUco, of any size: which it is, is found out. Measure one square on the paper; it decides every later length. The lens must not be refocused or zoomed afterwards.</source>
+        <source>Show a flat calibration board from many sides to calibrate the lens. Odograph recognises checkerboard and ChArUco boards of any size. Measure one square on the paper: every later length depends on it. Do not refocus or zoom afterwards.</source>
         <translation>Une mire plane de carrés, vue de plusieurs côtés, dit comment l’objectif dessine. Damier ou ChArUco, de toute taille&#xa0;: le type est reconnu. Mesurez un carré sur le papier&#xa0;; il détermine toutes les longueurs ensuite. La mise au point et le zoom ne doivent plus changer après.</translation>
     </message>
     <message>
@@ -10699,11 +10699,11 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Côté d’un carré, &amp;mesuré</translation>
     </message>
     <message>
-        <source>Where the pictures of the board come from</source>
+        <source>Source of the board images</source>
         <translation>D’où viennent les photos de la mire</translation>
     </message>
     <message>
-        <source>Pictures and videos of the board</source>
+        <source>Images and videos of the board</source>
         <translation>Photos et vidéos de la mire</translation>
     </message>
     <message>
@@ -10715,11 +10715,11 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Re&amp;tirer</translation>
     </message>
     <message>
-        <source>Pictures and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
         <translation>Photos et vidéos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Tous les fichiers (*)</translation>
     </message>
     <message>
-        <source>Files can also be dropped here.</source>
+        <source>You can also drop files here.</source>
         <translation>Des fichiers peuvent aussi être déposés ici.</translation>
     </message>
 </context>
@@ -10738,7 +10738,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>La caméra et la mire</translation>
     </message>
     <message>
-        <source>Pictures of the board</source>
+        <source>Images of the board</source>
         <translation>Photos de la mire</translation>
     </message>
     <message>
@@ -10881,7 +10881,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>A&amp;ide</translation>
     </message>
     <message>
-        <source>The pages follow when the project is opened again, for a recording goes on.</source>
+        <source>A recording is running. The change takes effect when you reopen the project.</source>
         <translation>Les pages suivront à la réouverture du projet, car un enregistrement est en cours.</translation>
     </message>
     <message>
@@ -10889,23 +10889,23 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Restaurer la copie de sauvegarde</translation>
     </message>
     <message>
-        <source>“%1” was deleted, renamed or replaced by another program. What is in it is rescued as soon as the running work has ended.</source>
+        <source>Another program deleted, renamed or replaced “%1”. Odograph will rescue its contents when the running job has ended.</source>
         <translation>« %1 » a été supprimé, renommé ou remplacé par un autre programme. Son contenu sera récupéré dès que le travail en cours sera terminé.</translation>
     </message>
     <message>
-        <source>“%1” was deleted, renamed or replaced by another program. What was in it is rescued in “%2”, which is open now.</source>
+        <source>Another program deleted, renamed or replaced “%1”. Odograph rescued its contents in “%2” and opened that project.</source>
         <translation>« %1 » a été supprimé, renommé ou remplacé par un autre programme. Son contenu a été récupéré dans « %2 », qui est maintenant ouvert.</translation>
     </message>
     <message>
-        <source>Another program wrote over “%1”. What it holds now is opened as soon as the running work has ended.</source>
+        <source>Another program overwrote “%1”. Odograph will open the new contents when the running job has ended.</source>
         <translation>Un autre programme a écrasé « %1 ». Son contenu actuel sera ouvert dès que le travail en cours sera terminé.</translation>
     </message>
     <message>
-        <source>“%1” was renamed with its videos by another program. It is open as “%2” now.</source>
+        <source>Another program renamed “%1” and its videos. It is now open as “%2”.</source>
         <translation>Un autre programme a renommé « %1 » avec ses vidéos. Il est maintenant ouvert sous le nom « %2 ».</translation>
     </message>
     <message>
-        <source>Another program wrote over “%1” while it was open: what it held before is gone. What it holds now is shown.</source>
+        <source>Another program overwrote “%1” while it was open. Its earlier contents are gone; the window shows the new ones.</source>
         <translation>Un autre programme a écrasé « %1 » pendant qu’il était ouvert : son contenu précédent est perdu. Son contenu actuel est affiché.</translation>
     </message>
 </context>
@@ -10977,14 +10977,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>odo::MarkerCanvas</name>
     <message>
-        <source>Picture with the markers; arrow keys move the chosen one</source>
+        <source>Image with the markers; arrow keys move the selected one</source>
         <translation>Image avec les marqueurs&#xa0;; les flèches déplacent celui choisi</translation>
     </message>
 </context>
 <context>
     <name>odo::MarkerPage</name>
     <message>
-        <source>&amp;Take out</source>
+        <source>&amp;Remove</source>
         <translation>Re&amp;tirer</translation>
     </message>
     <message>
@@ -10996,7 +10996,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Marqueur</translation>
     </message>
     <message>
-        <source>Place, mm</source>
+        <source>Position, mm</source>
         <translation>Place, mm</translation>
     </message>
     <message>
@@ -11016,7 +11016,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>trouvé</translation>
     </message>
     <message>
-        <source>Choose a marker in the table and click where it is; what lies near the click is taken to the tenth of a pixel.</source>
+        <source>Select a marker in the table and click its position. The click snaps to what is near it, to a tenth of a pixel.</source>
         <translation>Choisissez un marqueur dans le tableau et cliquez là où il est&#xa0;; ce qui est près du clic est repéré au dixième de pixel.</translation>
     </message>
     <message>
@@ -11028,7 +11028,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>%1, %2</translation>
     </message>
     <message>
-        <source>not seen</source>
+        <source>not visible</source>
         <translation>non vu</translation>
     </message>
 </context>
@@ -11050,7 +11050,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>odo::MetricModel</name>
     <message>
-        <source>Figure</source>
+        <source>Metric</source>
         <translation>Grandeur</translation>
     </message>
     <message>
@@ -11088,7 +11088,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>&amp;Relocaliser…</translation>
     </message>
     <message>
-        <source>Check the cameras</source>
+        <source>Check camera positions</source>
         <translation>Vérifier les caméras</translation>
     </message>
     <message>
@@ -11096,7 +11096,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Caméra</translation>
     </message>
     <message>
-        <source>New picture</source>
+        <source>New image</source>
         <translation>Nouvelle image</translation>
     </message>
     <message>
@@ -11108,7 +11108,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Caméras localisées</translation>
     </message>
     <message>
-        <source>A camera that was pushed measures wrongly and nothing shows it. Before the robots run, each camera&apos;s markers are looked for again in a new picture.</source>
+        <source>A camera that someone has pushed measures wrong positions without any sign of it. Before the robots run, check each camera&apos;s markers in a new image.</source>
         <translation>Une caméra bousculée mesure faux sans que rien ne le montre. Avant que les robots roulent, les marqueurs de chaque caméra sont recherchés dans une nouvelle image.</translation>
     </message>
     <message>
@@ -11116,11 +11116,11 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Fermer</translation>
     </message>
     <message>
-        <source>What was found</source>
+        <source>Results of the check</source>
         <translation>Ce qui a été trouvé</translation>
     </message>
     <message>
-        <source>New picture of camera %1</source>
+        <source>New image of camera %1</source>
         <translation>Nouvelle image de la caméra %1</translation>
     </message>
     <message>
@@ -11132,23 +11132,23 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Non vérifiée</translation>
     </message>
     <message>
-        <source>A picture or video…</source>
+        <source>An image or video…</source>
         <translation>Une photo ou une vidéo…</translation>
     </message>
     <message>
-        <source>Pictures and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
         <translation>Photos et vidéos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Tous les fichiers (*)</translation>
     </message>
     <message>
-        <source>looking…</source>
+        <source>detecting…</source>
         <translation>recherche…</translation>
     </message>
     <message>
-        <source>not told</source>
+        <source>undetermined</source>
         <translation>indéterminé</translation>
     </message>
     <message>
-        <source>Two markers at least must be seen. Nothing is moved or changed by the check.</source>
+        <source>At least two markers must be visible. The check changes nothing.</source>
         <translation>Il faut voir au moins deux marqueurs. La vérification ne déplace et ne modifie rien.</translation>
     </message>
     <message>
@@ -11163,15 +11163,15 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>&amp;Envoyer les positions en direct sur le réseau</translation>
     </message>
     <message>
-        <source>%1: this machine only</source>
+        <source>%1: this computer only</source>
         <translation>%1&#xa0;: cette machine seulement</translation>
     </message>
     <message>
-        <source>%1: not there now</source>
+        <source>%1: not available now</source>
         <translation>%1&#xa0;: absente en ce moment</translation>
     </message>
     <message>
-        <source>The places of the robots that Record follows, as packets of SSL-Vision, for controllers and programs of your own. No name of a team or a robot is in them.</source>
+        <source>Positions of the robots that Record tracks, as SSL-Vision packets for your own controllers and programs. The packets contain no names of teams or robots.</source>
         <translation>Les places des robots que suit «&#xa0;Filmer&#xa0;», en paquets SSL-Vision, pour des contrôleurs et vos propres programmes. Ils ne contiennent aucun nom d’équipe ni de robot.</translation>
     </message>
     <message>
@@ -11187,23 +11187,23 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>&amp;Interface</translation>
     </message>
     <message>
-        <source>Nothing is sent.</source>
+        <source>Odograph sends nothing.</source>
         <translation>Rien n’est envoyé.</translation>
     </message>
     <message>
-        <source>This is no IPv4 address; write it like 224.5.23.2.</source>
+        <source>This is not an IPv4 address; enter one such as 224.5.23.2.</source>
         <translation>Ce n’est pas une adresse IPv4&#xa0;; écrivez-la comme 224.5.23.2.</translation>
     </message>
     <message>
-        <source>They go to the one machine that has this address.</source>
+        <source>They go only to the computer with this address.</source>
         <translation>Elles vont à la seule machine qui a cette adresse.</translation>
     </message>
     <message>
-        <source>They do not leave this machine.</source>
+        <source>They do not leave this computer.</source>
         <translation>Elles ne quittent pas cette machine.</translation>
     </message>
     <message>
-        <source>Whoever is on that network can read where the robots are.</source>
+        <source>Anyone on that network can read the robots&apos; positions.</source>
         <translation>Quiconque est sur ce réseau peut lire où sont les robots.</translation>
     </message>
 </context>
@@ -11221,7 +11221,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>odo::PickColourDialog</name>
     <message>
-        <source>Robot&apos;s colour from a picture</source>
+        <source>Pick the robot&apos;s colour</source>
         <translation>Couleur du robot d’après une image</translation>
     </message>
     <message>
@@ -11237,15 +11237,15 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>&amp;Image</translation>
     </message>
     <message>
-        <source>Choose a video in which the robot is seen.</source>
+        <source>Choose a video that shows the robot.</source>
         <translation>Choisissez une vidéo où l’on voit le robot.</translation>
     </message>
     <message>
-        <source>Take this colour</source>
+        <source>Use this colour</source>
         <translation>Prendre cette couleur</translation>
     </message>
     <message>
-        <source>Video in which the robot is seen</source>
+        <source>Video that shows the robot</source>
         <translation>Vidéo où l’on voit le robot</translation>
     </message>
     <message>
@@ -11261,7 +11261,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>La couleur du robot ici&#xa0;: %1. Elle remplit %2&#xa0;% du cadre.</translation>
     </message>
     <message>
-        <source>Draw a box closely round the robot with the mouse; or with the arrow keys, which move the box, and with Shift make it larger or smaller.</source>
+        <source>Draw a tight box round the robot with the mouse, or use the keyboard: arrow keys move the box, Shift + arrow keys resize it.</source>
         <translation>Tracez à la souris un cadre serré autour du robot&#xa0;; ou avec les flèches, qui déplacent le cadre et, avec Maj, l’agrandissent ou le réduisent.</translation>
     </message>
     <message>
@@ -11283,7 +11283,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>odo::PictureBars</name>
     <message>
-        <source>Error of each picture, with a threshold</source>
+        <source>Error of each image, with a threshold</source>
         <translation>Erreur de chaque photo, avec un seuil</translation>
     </message>
     <message>
@@ -11291,33 +11291,33 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>%1&#xa0;: %2 px</translation>
     </message>
     <message>
-        <source>pictures; above %1 px they do not count</source>
+        <source>images; rejected above %1 px</source>
         <translation>photos&#xa0;; au-delà de %1 px, elles ne comptent pas</translation>
     </message>
 </context>
 <context>
     <name>odo::PictureChoice</name>
     <message>
-        <source>In the camera&apos;s &amp;newest recording</source>
+        <source>The camera&apos;s &amp;newest recording</source>
         <translation>Dans le &amp;dernier enregistrement de la caméra</translation>
     </message>
     <message>
-        <source>In what a &amp;connected camera sees now</source>
+        <source>The current image of a &amp;connected camera</source>
         <translation>Dans ce que voit maintenant une caméra c&amp;onnectée</translation>
     </message>
     <message>
-        <source>In a &amp;picture or video</source>
+        <source>An image or a &amp;video</source>
         <translation>Dans une &amp;photo ou une vidéo</translation>
     </message>
     <message>
-        <source>Pictures and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
         <translation>Photos et vidéos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;Tous les fichiers (*)</translation>
     </message>
 </context>
 <context>
     <name>odo::PlannedCameraForm</name>
     <message>
-        <source>Stands at x</source>
+        <source>Position x</source>
         <translation>Placée en x</translation>
     </message>
     <message>
@@ -11325,7 +11325,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation> mm</translation>
     </message>
     <message>
-        <source>Stands at y</source>
+        <source>Position y</source>
         <translation>Placée en y</translation>
     </message>
     <message>
@@ -11341,7 +11341,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Regarde en y</translation>
     </message>
     <message>
-        <source>Direction in which it looks</source>
+        <source>Viewing direction</source>
         <translation>Direction où elle regarde</translation>
     </message>
     <message>
@@ -11353,19 +11353,19 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Champ de vision</translation>
     </message>
     <message>
-        <source>0° is along X, 90° along Y; turning it turns the point that it looks at about the camera</source>
+        <source>0° is along X, 90° along Y; the point that the camera looks at turns with it</source>
         <translation>0°&#xa0;: le long de X, 90°&#xa0;: le long de Y&#xa0;; la tourner fait tourner autour de la caméra le point qu’elle regarde</translation>
     </message>
     <message>
-        <source>Across the picture&apos;s width: a webcam has some 60° to 80°, a phone 65°</source>
+        <source>Across the image width: a webcam has about 60° to 80°, a phone 65°</source>
         <translation>Sur la largeur de l’image&#xa0;: une webcam a environ 60° à 80°, un téléphone 65°</translation>
     </message>
     <message>
-        <source>Size of its pictures</source>
+        <source>Image size</source>
         <translation>Taille de ses images</translation>
     </message>
     <message>
-        <source>&amp;Stands at x, y</source>
+        <source>Po&amp;sition x, y</source>
         <translation>Placée en &amp;x, y</translation>
     </message>
     <message>
@@ -11392,7 +11392,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Préférences</translation>
     </message>
     <message>
-        <source>Kinds of preferences</source>
+        <source>Categories of preferences</source>
         <translation>Catégories de préférences</translation>
     </message>
     <message>
@@ -11576,7 +11576,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>odo::RegistrationVerdict</name>
     <message>
-        <source>Where the camera stands</source>
+        <source>Camera position</source>
         <translation>Où se trouve la caméra</translation>
     </message>
     <message>
@@ -11584,7 +11584,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Verdict</translation>
     </message>
     <message>
-        <source>It stands at x %1 m, y %2 m, %3 m above the floor.</source>
+        <source>Camera position: x %1 m, y %2 m, %3 m above the floor.</source>
         <translation>Elle se trouve à x %1 m, y %2 m, %3 m au-dessus du sol.</translation>
     </message>
     <message>
@@ -11630,11 +11630,11 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Fichiers PDF (*.pdf)</translation>
     </message>
     <message>
-        <source>The report is in %1.</source>
+        <source>Report saved as %1.</source>
         <translation>Le rapport est dans %1.</translation>
     </message>
     <message>
-        <source>The report is with the printer %1.</source>
+        <source>Report sent to printer %1.</source>
         <translation>Le rapport est à l’imprimante %1.</translation>
     </message>
 </context>
@@ -11748,7 +11748,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>É&amp;tablissement</translation>
     </message>
     <message>
-        <source>stands at the head of each page</source>
+        <source>shown at the top of each page</source>
         <translation>figure en tête de chaque page</translation>
     </message>
     <message>
@@ -11756,7 +11756,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Logo</translation>
     </message>
     <message>
-        <source>Pictures (*.png *.jpg *.jpeg *.svg)</source>
+        <source>Images (*.png *.jpg *.jpeg *.svg)</source>
         <translation>Images (*.png *.jpg *.jpeg *.svg)</translation>
     </message>
     <message>
@@ -11764,15 +11764,15 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>&amp;Logo</translation>
     </message>
     <message>
-        <source>How the logo looks</source>
+        <source>Preview of the logo</source>
         <translation>Aperçu du logo</translation>
     </message>
     <message>
-        <source>&amp;At the foot</source>
+        <source>&amp;At the bottom</source>
         <translation>Pied de p&amp;age</translation>
     </message>
     <message>
-        <source>for example: who answers questions</source>
+        <source>for example: whom to ask</source>
         <translation>par exemple&#xa0;: qui répond aux questions</translation>
     </message>
 </context>
@@ -11783,7 +11783,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>aucun</translation>
     </message>
     <message>
-        <source>&amp;Measure again</source>
+        <source>&amp;Reanalyse</source>
         <translation>&amp;Remesurer</translation>
     </message>
     <message>
@@ -11791,7 +11791,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>&amp;Garder</translation>
     </message>
     <message>
-        <source>Measure trials again</source>
+        <source>Reanalyse trials</source>
         <translation>Remesurer des essais</translation>
     </message>
     <message>
@@ -11799,7 +11799,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Robot</translation>
     </message>
     <message>
-        <source>Figure</source>
+        <source>Metric</source>
         <translation>Grandeur</translation>
     </message>
     <message>
@@ -11823,7 +11823,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Ce qui change, en mots</translation>
     </message>
     <message>
-        <source>What was seen in the videos stays as it is; where it lies on the floor is computed with the registrations in force now. Look at what changes, then keep it or not: the older analysis stays in the project too.</source>
+        <source>What was detected in the videos stays as it is; its floor positions are recomputed with the current registrations. Check what changes, then keep it or not: the older analysis stays in the project too.</source>
         <translation>Ce qui a été vu dans les vidéos reste tel quel&#xa0;; sa place au sol est calculée avec les localisations maintenant en vigueur. Voyez ce qui change, puis gardez-le ou non&#xa0;: l’analyse antérieure reste aussi dans le projet.</translation>
     </message>
     <message>
@@ -11918,15 +11918,15 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>odo::RevisionPicture</name>
     <message>
-        <source>Picture that it was made from</source>
+        <source>Source image</source>
         <translation>Photo d’où elle provient</translation>
     </message>
     <message>
-        <source>Reading the picture…</source>
+        <source>Reading the image…</source>
         <translation>Lecture de la photo…</translation>
     </message>
     <message>
-        <source>The picture cannot be read.</source>
+        <source>Cannot read the image.</source>
         <translation>La photo ne peut pas être lue.</translation>
     </message>
 </context>
@@ -11937,11 +11937,11 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>&amp;Utiliser celle-ci</translation>
     </message>
     <message>
-        <source>&amp;Register with this lens</source>
+        <source>&amp;Register with this calibration</source>
         <translation>&amp;Localiser avec cet objectif</translation>
     </message>
     <message>
-        <source>&amp;Measure trials again…</source>
+        <source>Reanalyse &amp;trials…</source>
         <translation>&amp;Remesurer des essais…</translation>
     </message>
     <message>
@@ -11973,7 +11973,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Essais</translation>
     </message>
     <message>
-        <source>In force</source>
+        <source>Current</source>
         <translation>En vigueur</translation>
     </message>
     <message>
@@ -11981,11 +11981,11 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Révisions</translation>
     </message>
     <message>
-        <source>Puts the chosen revision in force for what is measured from now on; trials keep theirs</source>
+        <source>Makes the selected revision the current one for new measurements; trials keep theirs</source>
         <translation>Met la révision choisie en vigueur pour ce qui sera mesuré désormais&#xa0;; les essais gardent la leur</translation>
     </message>
     <message>
-        <source>Computes the registration in force anew from the same markers, with the lens in force</source>
+        <source>Recomputes the current registration from the same markers, with the current lens calibration</source>
         <translation>Recalcule la localisation en vigueur d’après les mêmes marqueurs, avec l’objectif en vigueur</translation>
     </message>
     <message>
@@ -12017,27 +12017,27 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Localisation %1</translation>
     </message>
     <message>
-        <source>in force</source>
+        <source>current</source>
         <translation>en vigueur</translation>
     </message>
     <message>
-        <source>No trial was measured with it.</source>
+        <source>No trial uses it.</source>
         <translation>Aucun essai n’a été mesuré avec elle.</translation>
     </message>
     <message>
-        <source>Trials measured with it: %1.</source>
+        <source>Trials that use it: %1.</source>
         <translation>Essais mesurés avec elle&#xa0;: %1.</translation>
     </message>
     <message>
-        <source>%1 is in force. The registrations keep the lens that they were made with: register the camera with this one.</source>
+        <source>%1 is now current. The registrations keep the lens calibration that they were made with: register the camera with this one.</source>
         <translation>%1 est en vigueur. Les localisations gardent l’objectif avec lequel elles ont été faites&#xa0;: localisez la caméra avec celui-ci.</translation>
     </message>
     <message>
-        <source>%1 is in force. Trials keep theirs until they are measured again.</source>
+        <source>%1 is now current. Trials keep theirs until you reanalyse them.</source>
         <translation>%1 est en vigueur. Les essais gardent la leur jusqu’à ce qu’ils soient remesurés.</translation>
     </message>
     <message>
-        <source>Registration %1 is in force: the same markers, with this lens. %2</source>
+        <source>Registration %1 is now current: the same markers, with this lens calibration. %2</source>
         <translation>La localisation %1 est en vigueur&#xa0;: les mêmes marqueurs, avec cet objectif. %2</translation>
     </message>
 </context>
@@ -12048,7 +12048,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Ajouter un robot</translation>
     </message>
     <message>
-        <source>Found from the views</source>
+        <source>Estimated from the views</source>
         <translation>Déterminée d’après les vues</translation>
     </message>
     <message>
@@ -12072,7 +12072,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>&amp;Nom</translation>
     </message>
     <message>
-        <source>From a &amp;picture…</source>
+        <source>&amp;Pick from a video…</source>
         <translation>D’après une &amp;image…</translation>
     </message>
     <message>
@@ -12096,7 +12096,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Modifier le robot</translation>
     </message>
     <message>
-        <source>How it differs from the floor</source>
+        <source>Its silhouette</source>
         <translation>Ce qui le distingue du sol</translation>
     </message>
     <message>
@@ -12104,19 +12104,19 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Une couleur à lui</translation>
     </message>
     <message>
-        <source>A robot of any look is found by how it differs from the floor. A colour of its own helps where several things move.</source>
+        <source>The silhouette works for any robot. A colour of its own helps if several things move.</source>
         <translation>Un robot de n’importe quel aspect est trouvé par ce qui le distingue du sol. Une couleur à lui aide quand plusieurs choses bougent.</translation>
     </message>
     <message>
-        <source>&amp;Found by</source>
+        <source>D&amp;etected by</source>
         <translation>&amp;Trouvé par</translation>
     </message>
     <message>
-        <source>In charts and maps, whatever the robot looks like</source>
+        <source>Colour in charts and maps; the robot itself may have another</source>
         <translation>Dans les graphiques et les cartes, quel que soit l’aspect du robot</translation>
     </message>
     <message>
-        <source>From the middle of what the robot covers of the floor; 0 and 0 is the middle itself.</source>
+        <source>Offset from the middle of the robot&apos;s footprint; 0 and 0 is the middle itself.</source>
         <translation>Depuis le milieu de ce que le robot couvre du sol ; 0 et 0 est le milieu même.</translation>
     </message>
     <message>
@@ -12124,7 +12124,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation> mm vers l’avant</translation>
     </message>
     <message>
-        <source>Measured point, forward of the robot&apos;s middle</source>
+        <source>Reference point, forward of the robot&apos;s middle</source>
         <translation>Point mesuré, en avant du milieu du robot</translation>
     </message>
     <message>
@@ -12132,11 +12132,11 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation> mm vers la gauche</translation>
     </message>
     <message>
-        <source>Measured point, left of the robot&apos;s middle</source>
+        <source>Reference point, left of the robot&apos;s middle</source>
         <translation>Point mesuré, à gauche du milieu du robot</translation>
     </message>
     <message>
-        <source>&amp;Measured point</source>
+        <source>&amp;Reference point</source>
         <translation>&amp;Point mesuré</translation>
     </message>
 </context>
@@ -12177,7 +12177,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>odo::RobotsDialog</name>
     <message>
-        <source>found from the views</source>
+        <source>estimated from the views</source>
         <translation>déterminée d’après les vues</translation>
     </message>
     <message>
@@ -12217,11 +12217,11 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Longueur × largeur</translation>
     </message>
     <message>
-        <source>Another colour or height counts from the next tracking on; what was measured before stays as it is.</source>
+        <source>A new colour or height applies from the next tracking on; earlier results stay as they are.</source>
         <translation>Une autre couleur ou hauteur compte à partir du prochain suivi&#xa0;; ce qui a été mesuré avant reste tel quel.</translation>
     </message>
     <message>
-        <source>What was done</source>
+        <source>Latest change</source>
         <translation>Ce qui a été fait</translation>
     </message>
     <message>
@@ -12237,7 +12237,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>sa silhouette</translation>
     </message>
     <message>
-        <source>Found by</source>
+        <source>Detected by</source>
         <translation>Trouvé par</translation>
     </message>
 </context>
@@ -12464,11 +12464,11 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Retirer la li&amp;gne</translation>
     </message>
     <message>
-        <source>Each line gives all of its points where the figure is at the one bound or better, none at the other or worse, and evenly between them. Points below zero are a penalty.</source>
+        <source>Each line gives all its points if the metric reaches the first bound, none at the second bound or worse, and a proportional share between them. Negative points are a penalty.</source>
         <translation>Chaque ligne donne tous ses points si la grandeur atteint la première borne ou fait mieux, aucun à la seconde ou au-delà, et proportionnellement entre les deux. Des points négatifs sont une pénalité.</translation>
     </message>
     <message>
-        <source>Figure</source>
+        <source>Metric</source>
         <translation>Grandeur</translation>
     </message>
     <message>
@@ -12496,7 +12496,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>A&amp;jouter une ligne</translation>
     </message>
     <message>
-        <source>Figure that counts</source>
+        <source>Scored metric</source>
         <translation>Grandeur qui compte</translation>
     </message>
     <message>
@@ -12504,7 +12504,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Sans ligne, les passages de l’épreuve ne sont pas notés.</translation>
     </message>
     <message>
-        <source>In all %1 points.</source>
+        <source>Total: %1 points.</source>
         <translation>En tout %1 points.</translation>
     </message>
 </context>
@@ -12522,7 +12522,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>odo::SharedPointsPage</name>
     <message>
-        <source>&amp;Take out</source>
+        <source>&amp;Remove</source>
         <translation>Re&amp;tirer</translation>
     </message>
     <message>
@@ -12530,11 +12530,11 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>&amp;Annuler</translation>
     </message>
     <message>
-        <source>Picture of the camera to register; arrow keys move the chosen point</source>
+        <source>Image of the camera to register; arrow keys move the selected point</source>
         <translation>Image de la caméra à localiser&#xa0;; les flèches déplacent le point choisi</translation>
     </message>
     <message>
-        <source>Picture of the registered camera; arrow keys move the chosen point</source>
+        <source>Image of the registered camera; arrow keys move the selected point</source>
         <translation>Image de la caméra localisée&#xa0;; les flèches déplacent le point choisi</translation>
     </message>
     <message>
@@ -12554,7 +12554,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Erreur</translation>
     </message>
     <message>
-        <source>Points of the floor</source>
+        <source>Floor points</source>
         <translation>Points du sol</translation>
     </message>
     <message>
@@ -12571,7 +12571,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>P%1</translation>
     </message>
     <message>
-        <source>Click a point of the floor in the left picture, then the same one in the right picture. What lies near a click is taken to the tenth of a pixel; the arrow keys move the chosen point, Space snaps it.</source>
+        <source>Click a floor point in the left image, then the same point in the right image. A click snaps to what is near it, to a tenth of a pixel; arrow keys move the selected point, Space snaps it.</source>
         <translation>Cliquez sur un point du sol dans l’image de gauche, puis sur le même dans l’image de droite. Ce qui est près d’un clic est repéré au dixième de pixel&#xa0;; les flèches déplacent le point choisi, Espace l’ajuste.</translation>
     </message>
     <message>
@@ -12587,7 +12587,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>%1 mm</translation>
     </message>
     <message>
-        <source>both pictures</source>
+        <source>both images</source>
         <translation>les deux images</translation>
     </message>
     <message>
@@ -12599,7 +12599,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>droite seulement</translation>
     </message>
     <message>
-        <source>not put yet</source>
+        <source>not set yet</source>
         <translation>pas encore placé</translation>
     </message>
 </context>
@@ -12684,7 +12684,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Raison</translation>
     </message>
     <message>
-        <source>%1 doubtful</source>
+        <source>%1 ambiguous</source>
         <translation>%1 en doute</translation>
     </message>
     <message>
@@ -12699,7 +12699,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>choisissez une épreuve</translation>
     </message>
     <message>
-        <source>three trials at different times tell</source>
+        <source>needs three trials at different times</source>
         <translation>il faut trois essais de dates différentes</translation>
     </message>
     <message>
@@ -12719,7 +12719,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>un essai</translation>
     </message>
     <message>
-        <source>One more than the teams that are better beyond doubt: their medians differ by more than 1.96 σ. Runs of different tasks are not ranked</source>
+        <source>One more than the number of significantly better teams (medians differ by more than 1.96 σ). Runs of different tasks are not ranked</source>
         <translation>Un de plus que le nombre d’équipes sûrement meilleures&#xa0;: leurs médianes diffèrent de plus de 1,96 σ. Les passages d’épreuves différentes ne sont pas classés</translation>
     </message>
     <message>
@@ -12759,7 +12759,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Dispersion</translation>
     </message>
     <message>
-        <source>Change through the term by a straight line; beyond the spread by Student&apos;s test, 95 %</source>
+        <source>Change over the term by a straight-line fit; Student&apos;s t-test (95 %) decides if it exceeds the spread</source>
         <translation>Évolution au fil du temps selon une droite&#xa0;; hors de la dispersion d’après le test de Student, 95&#xa0;%</translation>
     </message>
     <message>
@@ -12833,7 +12833,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Analyse %1, Odograph %2</translation>
     </message>
     <message>
-        <source>Units of lengths, speeds and times; to be chosen in the preferences</source>
+        <source>Units of lengths, speeds and times; change them in the preferences</source>
         <translation>Unités des longueurs, des vitesses et des temps&#xa0;; à choisir dans les préférences</translation>
     </message>
     <message>
@@ -12963,7 +12963,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Une feuille. Mesurez ensuite un carré sur le papier&#xa0;: les imprimantes réduisent souvent de 2 à 4&#xa0;%.</translation>
     </message>
     <message>
-        <source>One sheet for each marker. A tag&apos;s number is the place of its label in the layout.</source>
+        <source>One sheet for each marker. A tag&apos;s number is the position of its label in the layout.</source>
         <translation>Une feuille par marqueur. Le numéro d’un tag est le rang de son libellé dans le plan.</translation>
     </message>
     <message>
@@ -13056,7 +13056,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>&amp;Barème</translation>
     </message>
     <message>
-        <source>What is wrong</source>
+        <source>Problems</source>
         <translation>Ce qui ne va pas</translation>
     </message>
     <message>
@@ -13068,7 +13068,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Annuler</translation>
     </message>
     <message>
-        <source>Take gates, path, limits and zones from a task file (JSON)</source>
+        <source>Import gates, path, limits and zones from a task file (JSON)</source>
         <translation>Prendre portes, tracé, limites et zones dans un fichier d’épreuve (JSON)</translation>
     </message>
     <message>
@@ -13084,7 +13084,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Limite d’a&amp;ccélération</translation>
     </message>
     <message>
-        <source>What no robot in the task can do: a measurement beyond it is a spike</source>
+        <source>No robot in the task can exceed it: a measurement beyond it is a spike</source>
         <translation>Ce qu’aucun robot de l’épreuve ne peut faire&#xa0;: une mesure au-delà est un pic aberrant</translation>
     </message>
     <message>
@@ -13100,7 +13100,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>L’épreuve n’a pas de nom.</translation>
     </message>
     <message>
-        <source>There is a task of that name. Give another name.</source>
+        <source>A task with this name exists. Enter another name.</source>
         <translation>Il existe une épreuve de ce nom. Donnez un autre nom.</translation>
     </message>
     <message>
@@ -13139,7 +13139,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>&amp;Supprimer</translation>
     </message>
     <message>
-        <source>&amp;Measure them again</source>
+        <source>Reanalyse &amp;them</source>
         <translation>R&amp;emesurer</translation>
     </message>
     <message>
@@ -13151,7 +13151,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Ce qui dépend de l’épreuve</translation>
     </message>
     <message>
-        <source>What was done</source>
+        <source>Latest change</source>
         <translation>Ce qui a été fait</translation>
     </message>
     <message>
@@ -13171,7 +13171,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Utilisée par</translation>
     </message>
     <message>
-        <source>An archived task is not offered any more; its trials, results and scores stay as they are</source>
+        <source>Archived tasks no longer appear in lists; their trials, results and scores stay as they are</source>
         <translation>Une épreuve archivée n’est plus proposée&#xa0;; ses essais, résultats et scores restent tels quels</translation>
     </message>
     <message numerus="yes">
@@ -13201,11 +13201,11 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>%1, archivée</translation>
     </message>
     <message>
-        <source>No task yet. New makes one from a template: its gates, path and scoring say what is to be driven, and how well it was.</source>
+        <source>No task yet. New creates one from a template. Its gates, path and scoring define the course and rate the runs.</source>
         <translation>Pas encore d’épreuve. «&#xa0;Nouvelle&#xa0;» en crée une d’après un modèle&#xa0;: ses portes, son tracé et son barème disent ce qu’il faut parcourir, et avec quelle réussite.</translation>
     </message>
     <message numerus="yes">
-        <source>The course as it was before it was changed: %n result(s) measured by it keep it.</source>
+        <source>Earlier version of the course: %n result(s) still use it.</source>
         <translation>
             <numerusform>Le parcours tel qu’il était avant sa modification&#xa0;: %n résultat mesuré sur lui le garde.</numerusform>
             <numerusform>Le parcours tel qu’il était avant sa modification&#xa0;: %n résultats mesurés sur lui le gardent.</numerusform>
@@ -13223,14 +13223,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Aucun essai n’a cette épreuve.</translation>
     </message>
     <message numerus="yes">
-        <source>%n of them measured by another course: times at gates and distances from the path are of that one, and there is no score until they are measured again.</source>
+        <source>%n of them were measured with another course: their gate times and distances from the path belong to that one, and they have no score until you reanalyse them.</source>
         <translation>
             <numerusform>%n d’entre eux a été mesuré sur un autre parcours&#xa0;: ses temps aux portes et ses écarts au tracé sont de celui-là, et il n’a pas de score avant d’être remesuré.</numerusform>
             <numerusform>%n d’entre eux ont été mesurés sur un autre parcours&#xa0;: leurs temps aux portes et leurs écarts au tracé sont de celui-là, et ils n’ont pas de score avant d’être remesurés.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>It is scored by %n figure(s).</source>
+        <source>It is scored by %n metric(s).</source>
         <translation>
             <numerusform>Elle est notée d’après %n grandeur.</numerusform>
             <numerusform>Elle est notée d’après %n grandeurs.</numerusform>
@@ -13241,19 +13241,19 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Elle n’est pas notée.</translation>
     </message>
     <message>
-        <source>Out of the &amp;archive</source>
+        <source>Restore from &amp;archive</source>
         <translation>Dés&amp;archiver</translation>
     </message>
     <message>
-        <source>Trials have this task, or were measured by it: it stays, so that their figures say what they were measured by</source>
+        <source>Trials have this task or were measured with it: it stays to document their metrics</source>
         <translation>Des essais ont cette épreuve, ou ont été mesurés sur elle&#xa0;: elle reste, pour que leurs valeurs disent sur quoi elles ont été mesurées</translation>
     </message>
     <message>
-        <source>Deletes the task (Del); Ctrl+Z takes it back</source>
+        <source>Deletes the task (Del); Ctrl+Z undoes this</source>
         <translation>Supprime l’épreuve (Suppr)&#xa0;; Ctrl+Z l’annule</translation>
     </message>
     <message numerus="yes">
-        <source>%n result(s) measured by this course stay true: a course that is changed is kept for them as an earlier version. The trials go over to the new one; their times and scores follow once they are measured again.</source>
+        <source>%n result(s) measured with this course stay valid: if you change the course, they keep the earlier version. Reanalyse the trials to update their times and scores.</source>
         <translation>
             <numerusform>%n résultat mesuré sur ce parcours reste vrai&#xa0;: un parcours modifié est gardé pour lui comme version antérieure. Les essais passent au nouveau&#xa0;; leurs temps et leurs scores suivent dès qu’ils sont remesurés.</numerusform>
             <numerusform>%n résultats mesurés sur ce parcours restent vrais&#xa0;: un parcours modifié est gardé pour eux comme version antérieure. Les essais passent au nouveau&#xa0;; leurs temps et leurs scores suivent dès qu’ils sont remesurés.</numerusform>
@@ -13406,7 +13406,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Lar&amp;geur</translation>
     </message>
     <message>
-        <source>The way it is driven: 0° along X, 90° along Y</source>
+        <source>Driving direction: 0° along X, 90° along Y</source>
         <translation>Le sens de marche&#xa0;: 0° le long de X, 90° le long de Y</translation>
     </message>
     <message>
@@ -13457,7 +13457,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Pas encore de caméra</translation>
     </message>
     <message>
-        <source>A testbed is a floor with markers and the cameras that watch it. Begin with the lens of the first camera, or with the places of the markers.</source>
+        <source>A testbed is a floor with markers and the cameras that watch it. Start with the lens calibration of the first camera, or with the marker positions.</source>
         <translation>Un banc d’essai est un sol avec des marqueurs et les caméras qui le regardent. Commencez par l’objectif de la première caméra, ou par les places des marqueurs.</translation>
     </message>
     <message>
@@ -13465,7 +13465,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Épreu&amp;ves…</translation>
     </message>
     <message>
-        <source>What is driven on this floor: gates, paths, limits, scoring</source>
+        <source>Courses on this floor: gates, paths, limits, scoring</source>
         <translation>Ce qui se parcourt sur ce sol&#xa0;: portes, tracés, limites, barème</translation>
     </message>
     <message>
@@ -13473,7 +13473,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Caméras</translation>
     </message>
     <message>
-        <source>What is known of the camera</source>
+        <source>Details of the camera</source>
         <translation>Ce que l’on sait de la caméra</translation>
     </message>
     <message>
@@ -13485,12 +13485,12 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Plans de marqueurs</translation>
     </message>
     <message>
-        <source>Picture</source>
-        <translation>Image</translation>
-    </message>
-    <message>
         <source>Camera %1</source>
         <translation>Caméra %1</translation>
+    </message>
+    <message>
+        <source>Image</source>
+        <translation>Image</translation>
     </message>
 </context>
 <context>
@@ -13504,7 +13504,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Étalonner…</translation>
     </message>
     <message>
-        <source>Measure a camera&apos;s lens from pictures of a board</source>
+        <source>Calibrate a camera with images of a board</source>
         <translation>Mesurer l’objectif d’une caméra d’après des photos d’une mire</translation>
     </message>
     <message>
@@ -13516,43 +13516,43 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Localiser…</translation>
     </message>
     <message>
-        <source>Find where a camera stands from the floor markers</source>
+        <source>Determine a camera&apos;s position from the floor markers</source>
         <translation>Trouver où est une caméra d’après les marqueurs au sol</translation>
     </message>
     <message>
-        <source>Register t&amp;hrough another camera…</source>
+        <source>Register via anot&amp;her camera…</source>
         <translation>Localiser par une a&amp;utre caméra…</translation>
     </message>
     <message>
-        <source>Through another…</source>
+        <source>Via another…</source>
         <translation>Par une autre…</translation>
     </message>
     <message>
-        <source>Find where a camera stands that sees no markers, from points of the floor that another camera sees as well</source>
+        <source>Determine the position of a camera that sees no markers, from floor points that another camera also sees</source>
         <translation>Trouver où est une caméra qui ne voit pas de marqueurs, d’après des points du sol qu’une autre caméra voit aussi</translation>
     </message>
     <message>
-        <source>Register all cameras to&amp;gether…</source>
+        <source>Re&amp;gister all cameras (joint)…</source>
         <translation>Localiser toutes les caméras en&amp;semble…</translation>
     </message>
     <message>
-        <source>All together…</source>
+        <source>All cameras (joint)…</source>
         <translation>Toutes ensemble…</translation>
     </message>
     <message>
-        <source>Fit the cameras of the chosen layout at once, so that they agree, and find markers that were measured wrongly</source>
+        <source>Fit all cameras of the selected layout jointly to make them agree, and find wrongly measured markers</source>
         <translation>Ajuster d’un coup les caméras du plan choisi, pour qu’elles s’accordent, et repérer les marqueurs mal mesurés</translation>
     </message>
     <message>
-        <source>Import &amp;intrinsics…</source>
+        <source>&amp;Import lens calibration…</source>
         <translation>Importer des &amp;intrinsèques…</translation>
     </message>
     <message>
-        <source>Import lens…</source>
+        <source>Import calibration…</source>
         <translation>Importer objectif…</translation>
     </message>
     <message>
-        <source>Take a camera&apos;s lens from a ROS or OpenCV YAML file</source>
+        <source>Import a camera&apos;s lens calibration from a ROS or OpenCV YAML file</source>
         <translation>Prendre l’objectif d’une caméra dans un fichier YAML de ROS ou d’OpenCV</translation>
     </message>
     <message>
@@ -13564,7 +13564,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Nouveau plan…</translation>
     </message>
     <message>
-        <source>Say where the markers lie, from the start or from the layout that is chosen</source>
+        <source>Enter the marker positions, from scratch or based on the selected layout</source>
         <translation>Indiquer où se trouvent les marqueurs, depuis zéro ou d’après le plan choisi</translation>
     </message>
     <message>
@@ -13576,7 +13576,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Importer plan…</translation>
     </message>
     <message>
-        <source>Take the places of the markers from a table</source>
+        <source>Import the marker positions from a table</source>
         <translation>Prendre les places des marqueurs dans un tableau</translation>
     </message>
     <message>
@@ -13588,7 +13588,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Imprimer…</translation>
     </message>
     <message>
-        <source>Boards for the lens and markers for the floor, to scale</source>
+        <source>Calibration boards and floor markers, to scale</source>
         <translation>Mires pour l’objectif et marqueurs pour le sol, à l’échelle</translation>
     </message>
     <message>
@@ -13600,15 +13600,15 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>La caméra %1 est localisée. %2</translation>
     </message>
     <message>
-        <source>Camera %1 is registered through camera %2. %3</source>
+        <source>Camera %1 is registered via camera %2. %3</source>
         <translation>La caméra %1 est localisée par la caméra %2. %3</translation>
     </message>
     <message>
-        <source>The cameras of layout %1 are registered together. %2</source>
+        <source>The cameras of layout %1 are registered jointly. %2</source>
         <translation>Les caméras du plan %1 sont localisées ensemble. %2</translation>
     </message>
     <message>
-        <source>Intrinsics of a camera</source>
+        <source>Lens calibration of a camera</source>
         <translation>Paramètres intrinsèques d’une caméra</translation>
     </message>
     <message>
@@ -13616,7 +13616,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Étalonnages (*.yaml *.yml);;Tous les fichiers (*)</translation>
     </message>
     <message>
-        <source>Import intrinsics</source>
+        <source>Import lens calibration</source>
         <translation>Importer des paramètres intrinsèques</translation>
     </message>
     <message>
@@ -13624,11 +13624,11 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Caméra&#xa0;:</translation>
     </message>
     <message>
-        <source>The lens of camera %1 was taken from %2.</source>
+        <source>Lens calibration of camera %1 imported from %2.</source>
         <translation>L’objectif de la caméra %1 a été repris de %2.</translation>
     </message>
     <message>
-        <source>Places of the markers (label,x_mm,y_mm)</source>
+        <source>Positions of the markers (label,x_mm,y_mm)</source>
         <translation>Places des marqueurs (label,x_mm,y_mm)</translation>
     </message>
     <message>
@@ -13643,15 +13643,15 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>odo::ThroughSourcePage</name>
     <message>
-        <source>Picture or video of the camera to register</source>
+        <source>Image or video of the camera to register</source>
         <translation>Photo ou vidéo de la caméra à localiser</translation>
     </message>
     <message>
-        <source>Picture or video of the registered camera</source>
+        <source>Image or video of the registered camera</source>
         <translation>Photo ou vidéo de la caméra localisée</translation>
     </message>
     <message>
-        <source>A camera cannot be registered through itself: choose two different ones.</source>
+        <source>A camera cannot be registered via itself: choose two different ones.</source>
         <translation>Une caméra ne peut pas être localisée par elle-même&#xa0;: choisissez deux caméras différentes.</translation>
     </message>
     <message>
@@ -13663,7 +13663,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Caméra localisée</translation>
     </message>
     <message>
-        <source>A camera that sees no markers can be registered by points of the floor that a registered camera sees as well: corners of tiles, ends of tape, screws. Four are enough, six or more spread over the common part are better. Neither camera may be moved afterwards.</source>
+        <source>Register a camera that sees no markers by floor points that a registered camera also sees: corners of tiles, ends of tape, screws. Four are enough; six or more, spread over the common area, are better. Do not move either camera afterwards.</source>
         <translation>Une caméra qui ne voit pas de marqueurs peut être localisée par des points du sol qu’une caméra localisée voit aussi&#xa0;: coins de carreaux, bouts d’adhésif, vis. Quatre suffisent, six ou plus répartis sur la partie commune valent mieux. Aucune des deux caméras ne doit être déplacée ensuite.</translation>
     </message>
     <message>
@@ -13671,22 +13671,22 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>C&amp;améra à localiser</translation>
     </message>
     <message>
-        <source>&amp;Through camera</source>
+        <source>&amp;Via camera</source>
         <translation>Par &amp;la caméra</translation>
     </message>
     <message>
-        <source>Its picture</source>
+        <source>Its image</source>
         <translation>Son image</translation>
     </message>
     <message>
-        <source>The registered camera&apos;s picture</source>
+        <source>The registered camera&apos;s image</source>
         <translation>L’image de la caméra localisée</translation>
     </message>
 </context>
 <context>
     <name>odo::ThroughWizard</name>
     <message>
-        <source>Register through another camera</source>
+        <source>Register via another camera</source>
         <translation>Localiser par une autre caméra</translation>
     </message>
     <message>
@@ -13694,15 +13694,15 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>&amp;Enregistrer</translation>
     </message>
     <message>
-        <source>Two cameras and their pictures</source>
+        <source>Two cameras and their images</source>
         <translation>Deux caméras et leurs images</translation>
     </message>
     <message>
-        <source>The same points in both pictures</source>
+        <source>The same points in both images</source>
         <translation>Les mêmes points dans les deux images</translation>
     </message>
     <message>
-        <source>Getting the pictures…</source>
+        <source>Loading the images…</source>
         <translation>Lecture des images…</translation>
     </message>
 </context>
@@ -13740,7 +13740,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Lire en arrière, de nouveau&#xa0;: plus vite</translation>
     </message>
     <message>
-        <source>&amp;Stop; held, the two beside go by one frame</source>
+        <source>&amp;Stop; while held, the keys beside it step one frame</source>
         <translation>&amp;Arrêter&#xa0;; maintenue, ses voisines vont image par image</translation>
     </message>
     <message>
@@ -13818,7 +13818,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>odo::TrackDialog</name>
     <message>
-        <source>Robots to follow</source>
+        <source>Robots to track</source>
         <translation>Robots à suivre</translation>
     </message>
     <message>
@@ -13877,7 +13877,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Projets empaquetés (*%1)</translation>
     </message>
     <message>
-        <source>The project is packed into %1. Elsewhere it is unpacked by &quot;Unpack a packed project&quot;.</source>
+        <source>Project packed into %1. To use it on another computer, choose &quot;Unpack a packed project&quot; there.</source>
         <translation>Le projet est empaqueté dans %1. Ailleurs, on le dépaquète par «&#xa0;Dépaqueter un projet&#xa0;».</translation>
     </message>
     <message>
@@ -13893,15 +13893,15 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Projets empaquetés (*%1);;Tous les fichiers (*)</translation>
     </message>
     <message>
-        <source>Where shall the project be unpacked?</source>
+        <source>Choose a folder for the unpacked project</source>
         <translation>Où dépaqueter le projet&#xa0;?</translation>
     </message>
     <message>
-        <source>In which folder, or below, may the lost videos lie?</source>
+        <source>Choose the folder to search for the lost videos (with subfolders)</source>
         <translation>Dans quel dossier, ou sous lequel, peuvent être les vidéos perdues&#xa0;?</translation>
     </message>
     <message>
-        <source>%1 of %2 lost videos were found, by their content.</source>
+        <source>Found %1 of %2 lost videos by their content.</source>
         <translation>Vidéos perdues retrouvées, d’après leur contenu&#xa0;: %1 sur %2.</translation>
     </message>
     <message>
@@ -13924,7 +13924,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         </translation>
     </message>
     <message>
-        <source>Videos can become trials of their own. Removed files are gone for good.</source>
+        <source>You can add videos as trials. Removed files are gone for good.</source>
         <translation>Les vidéos peuvent devenir des essais à part entière. Les fichiers supprimés le sont définitivement.</translation>
     </message>
     <message>
@@ -13950,7 +13950,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n other file(s), listed last, stay: missing recordings, projects, and what is neither a video nor a picture.</source>
+        <source>%n other file(s), listed last, stay: missing recordings, projects, and files that are neither videos nor images.</source>
         <translation>
             <numerusform>%n autre fichier, en fin de liste, reste : un enregistrement manquant, un projet ou ce qui n’est ni vidéo ni image.</numerusform>
             <numerusform>%n autres fichiers, en fin de liste, restent : des enregistrements manquants, des projets et ce qui n’est ni vidéo ni image.</numerusform>
@@ -14019,11 +14019,11 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Ajouter un &amp;robot…</translation>
     </message>
     <message>
-        <source>The sample at %1 of %2 is not used. Undo takes it back.</source>
+        <source>The sample at %1 of %2 is not used. Choose Undo to use it.</source>
         <translation>L’échantillon à %1 de %2 n’est pas utilisé. Annuler revient en arrière.</translation>
     </message>
     <message>
-        <source>The sample at %1 of %2 is used. Undo takes it back.</source>
+        <source>The sample at %1 of %2 is used. Choose Undo to reverse this.</source>
         <translation>L’échantillon à %1 de %2 est utilisé. Annuler revient en arrière.</translation>
     </message>
     <message>
@@ -14035,11 +14035,11 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Vidéos MP4 (*.mp4)</translation>
     </message>
     <message>
-        <source>The video of %1 is there: %2</source>
+        <source>Video of %1 saved as %2</source>
         <translation>La vidéo de %1 est prête&#xa0;: %2</translation>
     </message>
     <message>
-        <source>Robot %1 is known now.</source>
+        <source>Robot %1 added.</source>
         <translation>Le robot %1 est maintenant connu.</translation>
     </message>
 </context>
@@ -14243,7 +14243,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>non suivi</translation>
     </message>
     <message>
-        <source>measure again</source>
+        <source>reanalyse</source>
         <translation>à remesurer</translation>
     </message>
     <message>
@@ -14332,7 +14332,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Annulé&#xa0;: %1.</translation>
     </message>
     <message>
-        <source>Made again: %1.</source>
+        <source>Redone: %1.</source>
         <translation>Rétabli&#xa0;: %1.</translation>
     </message>
     <message>
@@ -14355,7 +14355,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>odo::VideoDialog</name>
     <message>
-        <source>As it was driven</source>
+        <source>Real time</source>
         <translation>Vitesse réelle</translation>
     </message>
     <message>
@@ -14379,7 +14379,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Sombre</translation>
     </message>
     <message>
-        <source>One video with the pictures of all cameras, the map and the speed, to be shown or sent: whoever gets it needs no Odograph.</source>
+        <source>One video with all camera views, the map and the speed, to show or send. It plays without Odograph.</source>
         <translation>Une vidéo avec les images de toutes les caméras, la carte et la vitesse, à montrer ou à envoyer&#xa0;: qui la reçoit n’a pas besoin d’Odograph.</translation>
     </message>
     <message>
@@ -14395,7 +14395,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>&amp;Thème</translation>
     </message>
     <message>
-        <source>Choose a place…</source>
+        <source>Choose a file…</source>
         <translation>Choisir un emplacement…</translation>
     </message>
 </context>
@@ -14429,15 +14429,15 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>D’après le mouvement ou un éclair</translation>
     </message>
     <message>
-        <source>Begun together</source>
+        <source>Same start time</source>
         <translation>Commencées ensemble</translation>
     </message>
     <message>
-        <source>By hand: begun later by</source>
+        <source>By hand: time offset</source>
         <translation>À la main&#xa0;: commencée plus tard de</translation>
     </message>
     <message>
-        <source>How view %1 gets in step with the first</source>
+        <source>How to synchronise view %1 with the first</source>
         <translation>Comment la vue %1 est synchronisée avec la première</translation>
     </message>
     <message>
@@ -14449,11 +14449,11 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation> s</translation>
     </message>
     <message>
-        <source>How much later view %1 began</source>
+        <source>Time offset of view %1</source>
         <translation>De combien la vue %1 a commencé plus tard</translation>
     </message>
     <message>
-        <source>Below zero: it began earlier than the first view</source>
+        <source>Negative: it started before the first view</source>
         <translation>Inférieur à zéro&#xa0;: elle a commencé plus tôt que la première vue</translation>
     </message>
     <message>
@@ -14476,14 +14476,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Projets récents</translation>
     </message>
     <message>
-        <source>not found any more</source>
+        <source>no longer found</source>
         <translation>introuvable</translation>
     </message>
 </context>
 <context>
     <name>odo::Workspace</name>
     <message>
-        <source>%1: %2. Here it can only be looked at; to change it, close it there and open it here again.</source>
+        <source>%1: %2. It is read-only here; to change it, close it there and reopen it here.</source>
         <translation>%1&#xa0;: %2. Ici, il ne peut qu’être consulté&#xa0;; pour le modifier, fermez-le là-bas et rouvrez-le ici.</translation>
     </message>
     <message>
@@ -14534,7 +14534,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Ajouter une zone à évi&amp;ter</translation>
     </message>
     <message>
-        <source>The robot&apos;s centre must stay in a zone, or keep out of it. Each is judged by itself; how often, how long and how far it was broken can be scored. Drag corners and edges on the map.</source>
+        <source>The robot&apos;s reference point must stay in a zone or keep out of it. Each zone counts separately; you can score how often, how long and how far a robot broke it. Drag corners and edges on the map.</source>
         <translation>Le centre du robot doit rester dans une zone, ou en dehors. Chacune est jugée séparément&#xa0;; combien de fois, combien de temps et de combien elle a été enfreinte peut compter au barème. Faites glisser sommets et bords sur la carte.</translation>
     </message>
     <message>
@@ -17391,7 +17391,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>ui.backup_is_sound</name>
     <message>
-        <source>its backup of %1 is sound; what was done since is not in it</source>
+        <source>its backup of %1 is intact; it does not contain later changes</source>
         <translation>sa copie de sauvegarde du %1 est intacte ; ce qui a été fait depuis n’y est pas</translation>
     </message>
 </context>
@@ -17433,7 +17433,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>ui.cannot_make_another</name>
     <message>
-        <source>cannot make another project</source>
+        <source>cannot create another project</source>
         <translation>impossible de créer un autre projet</translation>
     </message>
 </context>
@@ -17482,7 +17482,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>ui.charuco_numbered_in_two_ways</name>
     <message>
-        <source>a ChArUco board of %1 rows of squares is numbered in two ways by different programs</source>
+        <source>programs number a ChArUco board with %1 rows of squares in two different ways</source>
         <translation>une mire ChArUco de %1 rangées de carrés est numérotée de deux façons selon les programmes</translation>
     </message>
 </context>
@@ -17531,7 +17531,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>ui.completing_recording</name>
     <message>
-        <source>Completing a recording that was cut off</source>
+        <source>Completing an interrupted recording</source>
         <translation>Achèvement d’un enregistrement interrompu</translation>
     </message>
 </context>
@@ -17622,21 +17622,21 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>ui.give_board_size</name>
     <message>
-        <source>give a size as 9x6</source>
+        <source>give a size such as 9x6</source>
         <translation>donnez une taille comme 9x6</translation>
     </message>
 </context>
 <context>
     <name>ui.give_marker_size</name>
     <message>
-        <source>give its size, as 150mm</source>
+        <source>give its size, such as 150mm</source>
         <translation>donnez sa taille, comme 150mm</translation>
     </message>
 </context>
 <context>
     <name>ui.give_square_side</name>
     <message>
-        <source>give the side of a square, as 25mm</source>
+        <source>give the side of a square, such as 25mm</source>
         <translation>donnez le côté d’un carré, comme 25mm</translation>
     </message>
 </context>
@@ -17657,7 +17657,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>ui.is_printer_ready</name>
     <message>
-        <source>look whether the printer is ready</source>
+        <source>check that the printer is ready</source>
         <translation>regardez si l’imprimante est prête</translation>
     </message>
 </context>
@@ -17671,7 +17671,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>ui.lens_of_other_size</name>
     <message>
-        <source>it is %1×%2, but the lens was measured at %3×%4</source>
+        <source>its size is %1×%2, but the lens was calibrated at %3×%4</source>
         <translation>elle fait %1×%2, mais l’objectif a été mesuré en %3×%4</translation>
     </message>
 </context>
@@ -17699,21 +17699,21 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>ui.looking_for_lost</name>
     <message>
-        <source>Looking for lost videos</source>
+        <source>Searching for lost videos</source>
         <translation>Recherche des vidéos perdues</translation>
     </message>
 </context>
 <context>
     <name>ui.looking_for_strays</name>
     <message>
-        <source>Looking for stray files</source>
+        <source>Searching for stray files</source>
         <translation>Recherche des fichiers orphelins</translation>
     </message>
 </context>
 <context>
     <name>ui.make_marker_smaller</name>
     <message>
-        <source>make it %1 at most, or take a larger paper</source>
+        <source>make it at most %1, or use larger paper</source>
         <translation>faites-le de %1 au plus, ou prenez un papier plus grand</translation>
     </message>
 </context>
@@ -17727,42 +17727,42 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>ui.make_squares_smaller</name>
     <message>
-        <source>make the squares %1 at most, or take a larger paper</source>
+        <source>make the squares at most %1, or use larger paper</source>
         <translation>faites les carrés de %1 au plus, ou prenez un papier plus grand</translation>
     </message>
 </context>
 <context>
     <name>ui.making_demo</name>
     <message>
-        <source>Making the demo lesson</source>
+        <source>Creating the demo lesson</source>
         <translation>Création de la leçon de démonstration</translation>
     </message>
 </context>
 <context>
     <name>ui.making_hashes</name>
     <message>
-        <source>Making the hashes of new recordings</source>
+        <source>Computing the hashes of new recordings</source>
         <translation>Calcul des empreintes des nouveaux enregistrements</translation>
     </message>
 </context>
 <context>
     <name>ui.making_report</name>
     <message>
-        <source>Making the report</source>
+        <source>Creating the report</source>
         <translation>Création du rapport</translation>
     </message>
 </context>
 <context>
     <name>ui.making_video</name>
     <message>
-        <source>Making the video of %1</source>
+        <source>Creating the video of %1</source>
         <translation>Création de la vidéo de %1</translation>
     </message>
 </context>
 <context>
     <name>ui.making_videos</name>
     <message>
-        <source>Making the video of %1 (%2 of %3)</source>
+        <source>Creating the video of %1 (%2 of %3)</source>
         <translation>Création de la vidéo de %1 (%2 sur %3)</translation>
     </message>
 </context>
@@ -17776,21 +17776,21 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>ui.measuring_again</name>
     <message>
-        <source>Measuring %1 again</source>
+        <source>Reanalysing %1</source>
         <translation>Nouvelle mesure de %1</translation>
     </message>
 </context>
 <context>
     <name>ui.measuring_trials_again</name>
     <message>
-        <source>Measuring %1 again (%2 of %3)</source>
+        <source>Reanalysing %1 (%2 of %3)</source>
         <translation>Nouvelle mesure de %1 (%2 sur %3)</translation>
     </message>
 </context>
 <context>
     <name>ui.mend_and_choose_again</name>
     <message>
-        <source>mend what stands there, and choose these trials again</source>
+        <source>correct the listed errors, then select these trials again</source>
         <translation>corrigez ce qui est indiqué, puis choisissez de nouveau ces essais</translation>
     </message>
 </context>
@@ -17804,7 +17804,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>ui.name_one_marker</name>
     <message>
-        <source>name at least one, as O</source>
+        <source>name at least one, for example O</source>
         <translation>nommez-en au moins un, comme O</translation>
     </message>
 </context>
@@ -17825,7 +17825,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>ui.no_marker_to_print</name>
     <message>
-        <source>there is no marker to print</source>
+        <source>no marker to print</source>
         <translation>il n’y a aucun marqueur à imprimer</translation>
     </message>
 </context>
@@ -17860,7 +17860,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>ui.no_trial_yet</name>
     <message>
-        <source>there is no trial yet</source>
+        <source>the project has no trial yet</source>
         <translation>il n’y a pas encore d’essai</translation>
     </message>
 </context>
@@ -17874,35 +17874,35 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>ui.nothing_changed_here</name>
     <message>
-        <source>nothing was changed here</source>
+        <source>no change was made here</source>
         <translation>rien n’a été modifié ici</translation>
     </message>
 </context>
 <context>
     <name>ui.only_be_read</name>
     <message>
-        <source>this project can only be read</source>
+        <source>this project is read-only</source>
         <translation>ce projet ne peut qu’être lu</translation>
     </message>
 </context>
 <context>
     <name>ui.only_one_camera</name>
     <message>
-        <source>there is only one camera</source>
+        <source>the project has only one camera</source>
         <translation>il n’y a qu’une caméra</translation>
     </message>
 </context>
 <context>
     <name>ui.only_so_many_charuco_markers</name>
     <message>
-        <source>there are only 250 markers for a ChArUco board</source>
+        <source>only 250 markers exist for a ChArUco board</source>
         <translation>il n’y a que 250 marqueurs pour une mire ChArUco</translation>
     </message>
 </context>
 <context>
     <name>ui.only_so_many_tags</name>
     <message>
-        <source>there are only %1 tags</source>
+        <source>only %1 tags exist</source>
         <translation>il n’y a que %1 tags</translation>
     </message>
 </context>
@@ -17916,7 +17916,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>ui.open_project_first</name>
     <message>
-        <source>open or make a project first</source>
+        <source>open or create a project first</source>
         <translation>ouvrez ou créez d’abord un projet</translation>
     </message>
 </context>
@@ -17951,7 +17951,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>ui.picture</name>
     <message>
-        <source>the picture</source>
+        <source>the image</source>
         <translation>l’image</translation>
     </message>
 </context>
@@ -18021,7 +18021,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>ui.registration_through_another</name>
     <message>
-        <source>registration through another camera</source>
+        <source>registration via another camera</source>
         <translation>localisation par une autre caméra</translation>
     </message>
 </context>
@@ -18084,7 +18084,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>ui.save_copy</name>
     <message>
-        <source>save a copy and work on that</source>
+        <source>save a copy and work on the copy</source>
         <translation>enregistrez une copie et travaillez sur celle-ci</translation>
     </message>
 </context>
@@ -18119,21 +18119,21 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>ui.take_at_that_resolution</name>
     <message>
-        <source>take it at that resolution, or measure the lens again</source>
+        <source>use that resolution, or calibrate the lens again</source>
         <translation>prenez-la à cette résolution, ou mesurez l’objectif à nouveau</translation>
     </message>
 </context>
 <context>
     <name>ui.take_even_rows</name>
     <message>
-        <source>take an even number of rows of inner corners, as 9x6</source>
+        <source>use an even number of rows of inner corners, such as 9x6</source>
         <translation>prenez un nombre pair de rangées de coins intérieurs, comme 9x6</translation>
     </message>
 </context>
 <context>
     <name>ui.take_fewer_squares</name>
     <message>
-        <source>take fewer squares</source>
+        <source>use fewer squares</source>
         <translation>prenez moins de carrés</translation>
     </message>
 </context>
@@ -18147,7 +18147,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>ui.taking_over_setup</name>
     <message>
-        <source>Taking over the set-up</source>
+        <source>Copying the set-up</source>
         <translation>Reprise de l’installation</translation>
     </message>
 </context>
@@ -18196,7 +18196,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>ui.trials_measured_again</name>
     <message>
-        <source>Trials measured again: %1 of %2</source>
+        <source>Trials reanalysed: %1 of %2</source>
         <translation>Essais remesurés&#xa0;: %1 sur %2</translation>
     </message>
 </context>
@@ -18210,7 +18210,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>ui.unarchive_task</name>
     <message>
-        <source>take task %1 out of the archive</source>
+        <source>restore task %1 from the archive</source>
         <translation>désarchivage de l’épreuve %1</translation>
     </message>
 </context>
@@ -18245,7 +18245,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>ui.undo_in_menu</name>
     <message>
-        <source>what was changed before is taken back in the window&apos;s menu Edit</source>
+        <source>use the window&apos;s Edit menu to undo earlier changes</source>
         <translation>ce qui a été modifié avant s’annule dans le menu «&#xa0;Édition&#xa0;» de la fenêtre</translation>
     </message>
 </context>
@@ -18287,7 +18287,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>ui.videos_made</name>
     <message>
-        <source>Videos made: %1 of %2</source>
+        <source>Videos created: %1 of %2</source>
         <translation>Vidéos créées&#xa0;: %1 sur %2</translation>
     </message>
 </context>

@@ -4,7 +4,7 @@
 <context>
     <name>AccuracyLayer</name>
     <message>
-        <source>expected ±, hatched: not seen</source>
+        <source>expected ±, hatched: not visible</source>
         <translation>예상 ±, 빗금: 보이지 않음</translation>
     </message>
     <message>
@@ -19,11 +19,11 @@
         <translation>%1 ms</translation>
     </message>
     <message>
-        <source>begun %1 earlier</source>
+        <source>started %1 earlier</source>
         <translation>%1 먼저 시작</translation>
     </message>
     <message>
-        <source>begun %1 later</source>
+        <source>started %1 later</source>
         <translation>%1 늦게 시작</translation>
     </message>
     <message>
@@ -43,31 +43,31 @@
         <translation>없음: 원시 차분</translation>
     </message>
     <message>
-        <source>%1, as told by hand</source>
+        <source>%1, set by hand</source>
         <translation>%1, 직접 지정</translation>
     </message>
     <message>
-        <source>in step to %1, found from the motion; %2</source>
+        <source>synchronised to %1 by the motion; %2</source>
         <translation>동기 오차 %1, 움직임으로 구함; %2</translation>
     </message>
     <message>
-        <source>in step to %1, found from a flash of light; %2</source>
+        <source>synchronised to %1 by a flash of light; %2</source>
         <translation>동기 오차 %1, 빛의 번쩍임으로 구함; %2</translation>
     </message>
     <message>
-        <source>in step to %1, by the cameras&apos; time stamps; %2</source>
+        <source>synchronised to %1 by the cameras&apos; time stamps; %2</source>
         <translation>동기 오차 %1, 카메라 타임스탬프로 구함; %2</translation>
     </message>
     <message>
-        <source>taken as begun together</source>
+        <source>assumed to start at the same time</source>
         <translation>동시에 시작한 것으로 봄</translation>
     </message>
     <message>
-        <source>, its clock %1 ppm fast</source>
+        <source>, clock %1 ppm fast</source>
         <translation>, 시계가 %1 ppm 빠름</translation>
     </message>
     <message>
-        <source>, its clock %1 ppm slow</source>
+        <source>, clock %1 ppm slow</source>
         <translation>, 시계가 %1 ppm 느림</translation>
     </message>
     <message>
@@ -208,19 +208,19 @@
 <context>
     <name>ComparisonExplanation</name>
     <message>
-        <source>There is no difference.</source>
+        <source>No difference.</source>
         <translation>차이가 없습니다.</translation>
     </message>
     <message>
-        <source>Both are exact, so that any difference is one.</source>
+        <source>Both values are exact: any difference is real.</source>
         <translation>둘 다 정확한 값이므로 어떤 차이도 실제 차이입니다.</translation>
     </message>
     <message>
-        <source>It is %1 σ, more than 1.96: were there no difference, chance would give as much in less than 5 of 100 cases.</source>
+        <source>%1 σ, above 1.96: without a real difference, chance would give this much in fewer than 5 of 100 cases.</source>
         <translation>%1 σ로 1.96보다 큽니다. 실제로 차이가 없다면 우연히 이만큼 벌어지는 경우는 100번 중 5번 미만입니다.</translation>
     </message>
     <message>
-        <source>It is %1 σ, not more than 1.96: within the error, so that no difference can be claimed.</source>
+        <source>%1 σ, not above 1.96: the difference is not significant.</source>
         <translation>%1 σ로 1.96을 넘지 않습니다. 오차 이내이므로 차이가 있다고 할 수 없습니다.</translation>
     </message>
     <message>
@@ -228,7 +228,7 @@
         <translation>과제의 기준 경로를 따라</translation>
     </message>
     <message>
-        <source>along the way of %1</source>
+        <source>along the path of %1</source>
         <translation>%1의 경로를 따라</translation>
     </message>
     <message>
@@ -240,19 +240,19 @@
         <translation>시각 0: 각 주행이 움직이기 시작하는 때</translation>
     </message>
     <message>
-        <source>time 0: each first comes to the same place of the way</source>
+        <source>time 0: each first reaches the same point of the path</source>
         <translation>시각 0: 각 주행이 경로의 같은 위치에 처음 이르는 때</translation>
     </message>
     <message>
-        <source>time 0: told by hand, to a frame</source>
+        <source>time 0: set by hand, to one frame</source>
         <translation>시각 0: 프레임 단위로 직접 지정</translation>
     </message>
     <message>
-        <source>both by the same registrations and for the same solid: what the calibration adds is common, and only its difference counts</source>
+        <source>both with the same registrations and robot shape: the calibration uncertainty is common, so only its difference counts</source>
         <translation>둘 다 같은 정합과 같은 입체로 측정됨: 보정에서 오는 오차는 공통이므로 그 차이만 셈에 넣음</translation>
     </message>
     <message>
-        <source>not by the same registrations, or not for the same solid: what the calibration adds counts for both in full</source>
+        <source>different registrations or robot shapes: the calibration uncertainty counts in full for both</source>
         <translation>정합이나 입체가 서로 다름: 보정에서 오는 오차를 양쪽 모두 온전히 셈에 넣음</translation>
     </message>
     <message>
@@ -260,7 +260,7 @@
         <translation>없음</translation>
     </message>
     <message>
-        <source>%1: %2 less %3</source>
+        <source>%1: %2 minus %3</source>
         <translation>%1: %2 − %3</translation>
     </message>
     <message>
@@ -268,11 +268,11 @@
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>only one of the two has it</source>
+        <source>only one of the two runs has it</source>
         <translation>둘 중 하나에만 있음</translation>
     </message>
     <message>
-        <source>the figure of %1 less that of %2</source>
+        <source>the value of %1 minus that of %2</source>
         <translation>%1의 지표에서 %2의 지표를 뺀 값</translation>
     </message>
     <message>
@@ -280,15 +280,15 @@
         <translation>각각: %1</translation>
     </message>
     <message>
-        <source>√(σ₁² + σ₂²), both as independent; where the runs share their calibration, its error of scale leaves only its part of the difference</source>
+        <source>√(σ₁² + σ₂²), treated as independent; where the runs share their calibration, its scale uncertainty counts only for the difference</source>
         <translation>√(σ₁² + σ₂²), 둘을 서로 독립으로 봄; 두 주행이 보정을 공유하면 그 축척 오차는 차이에 해당하는 몫만 남음</translation>
     </message>
     <message>
-        <source>not seen at an end</source>
+        <source>not visible at one end</source>
         <translation>한쪽 끝이 보이지 않음</translation>
     </message>
     <message>
-        <source>Sector %1 to %2: %3 less %4</source>
+        <source>Sector %1 to %2: %3 minus %4</source>
         <translation>구간 %1 ~ %2: %3 − %4</translation>
     </message>
     <message>
@@ -300,15 +300,15 @@
         <translation>끝</translation>
     </message>
     <message>
-        <source>The time from the first arrival at the one gate to the first arrival at the next, of each run, by its place along the common path; waiting counts.</source>
+        <source>For each run, the time from its first arrival at one gate to its first arrival at the next, by its position along the common path; waiting counts.</source>
         <translation>각 주행이 한 게이트에 처음 이른 때부터 다음 게이트에 처음 이른 때까지의 시간으로, 공통 경로상의 위치로 구합니다. 기다린 시간도 들어갑니다.</translation>
     </message>
     <message>
-        <source>of each arrival: σ of the place along the path over the speed; displacements at two gates count as independent</source>
+        <source>of each arrival: σ of the position along the path divided by the speed; displacements at two gates count as independent</source>
         <translation>각 도달 시각의 오차: 경로 방향 위치의 σ를 속력으로 나눈 값; 두 게이트에서의 위치 오차는 서로 독립으로 봄</translation>
     </message>
     <message>
-        <source>from %1 to %2 of the way</source>
+        <source>from %1 to %2 along the path</source>
         <translation>경로의 %1에서 %2까지</translation>
     </message>
     <message>
@@ -316,11 +316,11 @@
         <translation>%3에서 %2에 대한 %1의 Δt</translation>
     </message>
     <message>
-        <source>The time of the first arrival at this place of the common path, each from its own time 0: that of %1 less that of %2. Above 0 it is later.</source>
+        <source>The time of the first arrival at this point of the common path, each from its own time 0: that of %1 minus that of %2. Positive means later.</source>
         <translation>공통 경로의 이 위치에 처음 이른 시각을 각자의 시각 0부터 재어, %1의 값에서 %2의 값을 뺀 것입니다. 0보다 크면 더 늦은 것입니다.</translation>
     </message>
     <message>
-        <source>of both arrivals: σ of the place along the path over the speed, and of both times 0</source>
+        <source>of both arrivals: σ of the position along the path divided by the speed, and of both times 0</source>
         <translation>두 도달 시각의 오차(경로 방향 위치의 σ를 속력으로 나눈 값)와 두 시각 0의 오차</translation>
     </message>
     <message>
@@ -328,11 +328,11 @@
         <translation>%2에서 %1의 속력</translation>
     </message>
     <message>
-        <source>|v| of the smoothed curve where the run first comes to this place of the common path, between frames interpolated</source>
+        <source>|v| of the smoothed curve where the run first reaches this point of the common path, interpolated between frames</source>
         <translation>주행이 공통 경로의 이 위치에 처음 이른 때 평활화된 곡선의 |v|, 프레임 사이는 보간</translation>
     </message>
     <message>
-        <source>σ of the smoothed velocity there, with the calibration&apos;s error of scale</source>
+        <source>σ of the smoothed velocity there, including the calibration&apos;s scale uncertainty</source>
         <translation>그 지점에서 평활화된 속도의 σ, 보정의 축척 오차 포함</translation>
     </message>
 </context>
@@ -437,7 +437,7 @@
 <context>
     <name>Explanation</name>
     <message>
-        <source>that of the smoothed curve there, and the calibration&apos;s error of scale</source>
+        <source>that of the smoothed curve there, and the calibration&apos;s scale uncertainty</source>
         <translation>그 지점에서 평활화된 곡선의 오차와 보정의 축척 오차</translation>
     </message>
     <message>
@@ -445,7 +445,7 @@
         <translation>움직이기 시작한 때부터 마지막으로 멈춘 때까지입니다. 속력이 20 mm/s보다 크고 속력의 3 σ보다도 큰 상태가 3프레임 이상 이어지면 움직이는 것으로 봅니다. 두 프레임 사이의 시각은 보간합니다.</translation>
     </message>
     <message>
-        <source>of both moments: σ of the speed over its steepness there</source>
+        <source>of both moments: σ of the speed divided by its slope there</source>
         <translation>두 시각의 오차: 속력의 σ를 그 지점에서 속력 곡선의 기울기로 나눈 값</translation>
     </message>
     <message>
@@ -453,7 +453,7 @@
         <translation>움직이는 동안의 ∫|v|dt를 평활화된 속력에 사다리꼴 공식을 적용하여 구합니다. 이어지지 않은 빈 곳은 직선으로 칩니다.</translation>
     </message>
     <message>
-        <source>of the ends&apos; positions, of errors across the path where it turns, and the calibration&apos;s error of scale</source>
+        <source>of the end positions, of lateral errors where the path turns, and the calibration&apos;s scale uncertainty</source>
         <translation>양 끝 위치의 오차, 경로가 꺾이는 곳에서 경로에 수직인 방향의 오차, 보정의 축척 오차</translation>
     </message>
     <message>
@@ -461,11 +461,11 @@
         <translation>이동 거리 / 시간</translation>
     </message>
     <message>
-        <source>of both, taken as independent</source>
+        <source>of both, treated as independent</source>
         <translation>둘의 오차, 서로 독립으로 봄</translation>
     </message>
     <message>
-        <source>The speed |v| of the smoothed curve where |v| − 2σ is largest, so that a badly known point does not win by its error.</source>
+        <source>The speed |v| of the smoothed curve where |v| − 2σ is largest. A point does not win only because its uncertainty is large.</source>
         <translation>평활화된 곡선에서 |v| − 2σ가 가장 큰 곳의 속력 |v|입니다. 부정확한 점이 오차 때문에 최댓값이 되는 일을 막습니다.</translation>
     </message>
     <message>
@@ -473,7 +473,7 @@
         <translation>움직이는 동안 √(|v|²의 평균)</translation>
     </message>
     <message>
-        <source>the bound for errors that all go together, and the calibration&apos;s error of scale</source>
+        <source>the bound for fully correlated errors, and the calibration&apos;s scale uncertainty</source>
         <translation>모든 오차가 같은 방향으로 겹칠 때의 상한과 보정의 축척 오차</translation>
     </message>
     <message>
@@ -485,11 +485,11 @@
         <translation>움직이는 동안 √(|a|²의 평균)</translation>
     </message>
     <message>
-        <source>distance from the first to the last place of the motion / path length</source>
+        <source>distance from the first to the last position of the motion / path length</source>
         <translation>움직임의 처음 위치와 마지막 위치 사이의 거리 / 이동 거리</translation>
     </message>
     <message>
-        <source>of the ends&apos; positions</source>
+        <source>of the end positions</source>
         <translation>양 끝 위치의 오차</translation>
     </message>
     <message>
@@ -497,7 +497,7 @@
         <translation>움직인 시간, 곧 속력이 20 mm/s보다 크고 속력의 3 σ보다도 큰 시간입니다.</translation>
     </message>
     <message>
-        <source>of each start and stop: σ of the speed over its steepness</source>
+        <source>of each start and stop: σ of the speed divided by its slope</source>
         <translation>각 출발과 정지의 오차: 속력의 σ를 속력 곡선의 기울기로 나눈 값</translation>
     </message>
     <message>
@@ -517,7 +517,7 @@
         <translation>움직인 시간의 절반 동안 속력이 이 값보다 작습니다.</translation>
     </message>
     <message>
-        <source>of the stretches within 1.5 σ of it, each by its mean</source>
+        <source>of the intervals within 1.5 σ of it, each by its mean</source>
         <translation>이 값에서 1.5 σ 이내인 부분들의 오차, 각 부분은 평균으로 계산</translation>
     </message>
     <message>
@@ -529,7 +529,7 @@
         <translation>움직인 시간의 95 % 동안 가속도가 이 값보다 작습니다.</translation>
     </message>
     <message>
-        <source>(vx·ay − vy·ax)/|v|² of the smoothed curve, either way, where it less 2σ is largest.</source>
+        <source>(vx·ay − vy·ax)/|v|² of the smoothed curve, to the left or right, where its amount minus 2σ is largest.</source>
         <translation>평활화된 곡선의 (vx·ay − vy·ax)/|v|²로, 방향에 관계없이 크기에서 2σ를 뺀 값이 가장 큰 곳의 값입니다.</translation>
     </message>
     <message>
@@ -537,11 +537,11 @@
         <translation>σ² = σa²/|v|² + |a|²σv²/|v|⁴, 1차 근사</translation>
     </message>
     <message>
-        <source>The circle with the least squared distances from the places of the motion.</source>
+        <source>The least-squares circle through the positions of the motion.</source>
         <translation>움직인 위치들까지 거리의 제곱합이 가장 작은 원입니다.</translation>
     </message>
     <message>
-        <source>of the distances&apos; scatter, neighbours counted as fewer by 1 + 2Σρ, and the calibration&apos;s error of scale</source>
+        <source>of the scatter of the distances, with their number divided by 1 + 2Σρ for correlated neighbours, and the calibration&apos;s scale uncertainty</source>
         <translation>거리의 흩어짐(이웃한 점의 상관을 고려하여 점의 수를 1 + 2Σρ로 나눔)과 보정의 축척 오차</translation>
     </message>
     <message>
@@ -549,7 +549,7 @@
         <translation>출발 게이트를 지난 때부터 도착 게이트를 지난 때까지이며, 각 시각은 프레임 사이를 보간합니다.</translation>
     </message>
     <message>
-        <source>of both passages: σ of the position across the gate over the speed</source>
+        <source>of both passages: σ of the position across the gate divided by the speed</source>
         <translation>두 통과 시각의 오차: 게이트에 수직인 방향 위치의 σ를 속력으로 나눈 값</translation>
     </message>
     <message>
@@ -561,7 +561,7 @@
         <translation>가장 짧은 랩입니다.</translation>
     </message>
     <message>
-        <source>of its two passages; the calibration&apos;s error of a gate passed twice cancels</source>
+        <source>of its two passages; the calibration uncertainty of a gate passed twice cancels</source>
         <translation>두 통과 시각의 오차; 같은 게이트를 두 번 지나면 보정 오차는 상쇄됨</translation>
     </message>
     <message>
@@ -573,15 +573,15 @@
         <translation>처음과 마지막 통과 시각의 오차를 랩 수로 나눈 값</translation>
     </message>
     <message>
-        <source>The mean distance from the reference path, over the way.</source>
+        <source>The distance from the reference path, averaged along the path.</source>
         <translation>기준 경로에서 떨어진 거리를 경로에 걸쳐 평균한 값입니다.</translation>
     </message>
     <message>
-        <source>of the position across the path, and of its noise, which has no sign there</source>
+        <source>of the position across the path, and of its noise: the distance has no sign, so noise does not cancel</source>
         <translation>경로에 수직인 방향 위치의 오차와, 거리에는 부호가 없어 평균에 남는 잡음의 영향</translation>
     </message>
     <message>
-        <source>√(mean of the squared distance from the reference path), over the way</source>
+        <source>√(mean of the squared distance from the reference path), averaged along the path</source>
         <translation>√(기준 경로에서 떨어진 거리의 제곱 평균), 경로 전체</translation>
     </message>
     <message>
@@ -605,23 +605,23 @@
         <translation>경로에 수직인 방향 위치의 오차, 대부분 보정에서 옴</translation>
     </message>
     <message>
-        <source>The share of the reference path that was followed.</source>
+        <source>The share of the reference path that the robot followed.</source>
         <translation>기준 경로 가운데 따라간 비율입니다.</translation>
     </message>
     <message>
-        <source>How often the robot&apos;s centre left a zone to stay in, or came into one to keep out of. It counts where it is beyond the edge by more than three σ of the track&apos;s own noise.</source>
+        <source>How often the robot&apos;s reference point left a zone to stay in or entered a zone to keep out of. It counts if the point is beyond the edge by more than three σ of the track&apos;s noise.</source>
         <translation>로봇의 중심이 벗어나면 안 되는 구역을 나가거나 들어가면 안 되는 구역에 들어간 횟수입니다. 궤적 자체 잡음의 3 σ보다 더 경계를 넘었을 때 셉니다.</translation>
     </message>
     <message>
-        <source>The time in which the robot&apos;s centre was beyond the edge of a zone, interpolated between frames; in two zones at once it counts twice.</source>
+        <source>The time for which the robot&apos;s reference point was beyond the edge of a zone, interpolated between frames; in two zones at once it counts twice.</source>
         <translation>로봇의 중심이 구역의 경계를 넘어 있던 시간이며 프레임 사이를 보간합니다. 두 구역을 동시에 어기면 두 번 셉니다.</translation>
     </message>
     <message>
-        <source>of each moment at an edge: σ of the position across it over the speed; and what the time differs by when the calibration puts the track nearer or further</source>
+        <source>of each crossing of an edge: σ of the position across it divided by the speed; and the change of the time when the calibration uncertainty shifts the track</source>
         <translation>경계를 지난 각 시각의 오차: 경계에 수직인 방향 위치의 σ를 속력으로 나눈 값; 그리고 보정에 따라 궤적이 더 가깝거나 멀게 놓일 때 생기는 시간의 차이</translation>
     </message>
     <message>
-        <source>How far the robot&apos;s centre was beyond the edge of a zone at most.</source>
+        <source>The largest distance of the robot&apos;s reference point beyond the edge of a zone.</source>
         <translation>로봇의 중심이 구역의 경계를 가장 멀리 넘은 거리입니다.</translation>
     </message>
     <message>
@@ -657,7 +657,7 @@
         <translation>분석 %1, Odograph %2</translation>
     </message>
     <message>
-        <source>σ of the smoothed velocity there, with the calibration&apos;s error of scale</source>
+        <source>σ of the smoothed velocity there, including the calibration&apos;s scale uncertainty</source>
         <translation>그 지점에서 평활화된 속도의 σ, 보정의 축척 오차 포함</translation>
     </message>
     <message>
@@ -673,11 +673,11 @@
         <translation>가속도</translation>
     </message>
     <message>
-        <source>a·v/|v| of the smoothed curve at this frame: along the path, so that braking is negative; |a| while it stands</source>
+        <source>a·v/|v| of the smoothed curve at this frame: along the path, negative when braking; |a| while the robot stands still</source>
         <translation>이 프레임에서 평활화된 곡선의 a·v/|v|: 경로 방향이므로 감속하면 음수; 멈춰 있을 때는 |a|</translation>
     </message>
     <message>
-        <source>σ of the smoothed acceleration there, with the calibration&apos;s error of scale</source>
+        <source>σ of the smoothed acceleration there, including the calibration&apos;s scale uncertainty</source>
         <translation>그 지점에서 평활화된 가속도의 σ, 보정의 축척 오차 포함</translation>
     </message>
     <message>
@@ -685,11 +685,11 @@
         <translation>진행 방향</translation>
     </message>
     <message>
-        <source>atan2(vy, vx) of the smoothed curve at this frame, anticlockwise from X, without steps of a whole turn</source>
+        <source>atan2(vy, vx) of the smoothed curve at this frame, anticlockwise from X, without jumps of a whole turn</source>
         <translation>이 프레임에서 평활화된 곡선의 atan2(vy, vx), X축에서 반시계 방향, 한 바퀴만큼의 건너뜀 없이 이음</translation>
     </message>
     <message>
-        <source>σ of the velocity across the motion over the speed</source>
+        <source>σ of the velocity across the motion divided by the speed</source>
         <translation>움직임에 수직인 방향 속도의 σ를 속력으로 나눈 값</translation>
     </message>
     <message>
@@ -713,11 +713,11 @@
         <translation>이 프레임에서 평활화된 곡선</translation>
     </message>
     <message>
-        <source>σ of the smoothed position, with the calibration&apos;s part</source>
+        <source>σ of the smoothed position, including the calibration&apos;s part</source>
         <translation>평활화된 위치의 σ, 보정에서 오는 몫 포함</translation>
     </message>
     <message>
-        <source>at this frame no view found the robot: the curve goes across</source>
+        <source>no view found the robot in this frame: the curve bridges the gap</source>
         <translation>이 프레임에서는 어느 뷰에서도 로봇을 찾지 못하여 곡선이 건너질러 이어짐</translation>
     </message>
     <message>
@@ -729,23 +729,23 @@
         <translation>뷰: %1</translation>
     </message>
     <message>
-        <source>it is flagged and not used: the curve comes from its neighbours</source>
+        <source>it is flagged and not used: the curve follows its neighbours</source>
         <translation>표시된 샘플이므로 쓰지 않음: 곡선은 이웃 샘플에서 구함</translation>
     </message>
     <message>
-        <source>Jump: the place is beyond what the motion before and after allows for (χ² of two degrees of freedom, 99.9 %).</source>
+        <source>Jump: the position does not fit the motion before and after (χ² with two degrees of freedom, 99.9 %).</source>
         <translation>건너뜀: 앞뒤의 움직임으로 가능한 범위를 벗어난 위치입니다(자유도 2의 χ², 99.9 %).</translation>
     </message>
     <message>
-        <source>Limit: to get there it had to be faster than the limit of the task or of the analysis.</source>
+        <source>Limit: to get there, the robot had to exceed the speed limit of the task or of the analysis.</source>
         <translation>한계: 그 위치에 가려면 과제나 분석의 한계보다 빨라야 했습니다.</translation>
     </message>
     <message>
-        <source>Limit: to get there it had to accelerate harder than the limit of the task or of the analysis.</source>
+        <source>Limit: to get there, the robot had to exceed the acceleration limit of the task or of the analysis.</source>
         <translation>한계: 그 위치에 가려면 과제나 분석의 한계보다 크게 가속해야 했습니다.</translation>
     </message>
     <message>
-        <source>Views disagree: their places differ by more than their errors and their usual disagreement explain (χ², 99.9 %).</source>
+        <source>Views disagree: their floor positions differ by more than their uncertainty and their usual disagreement explain (χ², 99.9 %).</source>
         <translation>뷰 간 불일치: 뷰마다 구한 위치의 차이가 오차와 평소의 불일치로 설명되는 것보다 큽니다(χ², 99.9 %).</translation>
     </message>
     <message>
@@ -757,15 +757,15 @@
         <translation>놓침: 어느 뷰에서도 로봇을 찾지 못했습니다.</translation>
     </message>
     <message>
-        <source>Repeated picture: the camera gave the same picture twice, so its time is not known.</source>
+        <source>Repeated frame: the camera delivered the same frame twice, so its time is unknown.</source>
         <translation>반복된 영상: 카메라가 같은 영상을 두 번 보내 그 시각을 알 수 없습니다.</translation>
     </message>
     <message>
-        <source>Bridged: the curve goes across without a measurement.</source>
+        <source>Bridged: the curve crosses a gap without measurements.</source>
         <translation>이어 붙임: 측정값 없이 곡선이 건너질러 이어집니다.</translation>
     </message>
     <message>
-        <source>By hand: a person judged it, over the analysis.</source>
+        <source>By hand: a manual override replaces the result of the analysis.</source>
         <translation>직접 판정: 사람이 분석 결과를 바꾸어 판정했습니다.</translation>
     </message>
     <message>
@@ -797,7 +797,7 @@
         <translation>뷰: %1</translation>
     </message>
     <message>
-        <source>%1: from %2 to %3, %4 beyond the edge at most</source>
+        <source>%1: from %2 to %3, at most %4 beyond the edge</source>
         <translation>%1: %2부터 %3까지, 경계를 최대 %4 넘음</translation>
     </message>
     <message>
@@ -813,11 +813,11 @@
         <translation>샘플을 보존하지만 곡선에는 쓰지 않습니다.</translation>
     </message>
     <message>
-        <source>The sample is used for the curve nevertheless: what is wrong with it was left out, or a person restored it.</source>
+        <source>The curve uses the sample nevertheless: its faulty part was left out, or a manual override restored it.</source>
         <translation>그래도 샘플을 곡선에 씁니다. 잘못된 부분을 빼고 쓰거나, 사람이 복원한 것입니다.</translation>
     </message>
     <message>
-        <source>the views are %1 apart there</source>
+        <source>the views&apos; floor positions differ by %1 there</source>
         <translation>그 지점에서 뷰 사이의 차이가 %1</translation>
     </message>
 </context>
@@ -906,39 +906,39 @@
         <translation>주행 재생하기</translation>
     </message>
     <message>
-        <source>Two cameras watched a robot drive. Press Space: both videos, the map and the curves play in step. Space again stops.</source>
+        <source>Two cameras filmed a robot. Press Space: both videos, the map and the curves play together. Press Space again to stop.</source>
         <translation>카메라 두 대로 로봇의 주행을 촬영했습니다. Space를 누르십시오. 두 동영상과 지도와 곡선이 함께 재생됩니다. Space를 다시 누르면 멈춥니다.</translation>
     </message>
     <message>
-        <source>Read a figure</source>
+        <source>Read a result</source>
         <translation>지표 읽기</translation>
     </message>
     <message>
-        <source>Click into the speed curve. The bubble tells the speed at that moment and its ±: how far off it may be. The band around the curve is where the truth lies in 95 of 100 cases.</source>
+        <source>Click the speed curve. The bubble shows the speed at that moment and its uncertainty (±). The band around the curve contains the true speed in 95 of 100 cases.</source>
         <translation>속력 곡선을 클릭하십시오. 말풍선에 그 순간의 속력과 ±, 곧 얼마나 틀릴 수 있는지가 나옵니다. 곡선 둘레의 띠는 100번 중 95번 참값이 들어 있는 곳입니다.</translation>
     </message>
     <message>
-        <source>Look at what was flagged</source>
+        <source>Check the flagged samples</source>
         <translation>표시된 것 살펴보기</translation>
     </message>
     <message>
-        <source>Go through the trials with Ctrl+Page Up and Ctrl+Page Down to one whose list of spikes, at the right, is not empty. A spike is a moment at which what was measured cannot be true; the list says why.</source>
+        <source>Press Ctrl+Page Up or Ctrl+Page Down until the list of spikes on the right is not empty. A spike is a measurement that cannot be true; the list gives the reason.</source>
         <translation>Ctrl+Page Up과 Ctrl+Page Down으로 시행을 넘기며 오른쪽 이상점 목록이 비어 있지 않은 것을 찾으십시오. 이상점은 측정값이 참일 수 없는 순간이며, 목록에 그 까닭이 나옵니다.</translation>
     </message>
     <message>
-        <source>Overrule it</source>
+        <source>Override it</source>
         <translation>판정 바꾸기</translation>
     </message>
     <message>
-        <source>Click a spike in the list and look at the videos: was the robot really there? Press U to use the sample all the same. Nothing that was measured is ever lost.</source>
+        <source>Click a spike in the list and watch the videos: was the robot really there? Press U to use the sample nevertheless. Odograph never deletes a measurement.</source>
         <translation>목록에서 이상점을 클릭하고 동영상을 보십시오. 로봇이 정말 그곳에 있었습니까? U를 누르면 그 샘플을 그래도 사용합니다. 측정한 것은 하나도 사라지지 않습니다.</translation>
     </message>
     <message>
-        <source>Take it back</source>
+        <source>Undo it</source>
         <translation>되돌리기</translation>
     </message>
     <message>
-        <source>Press Ctrl+Z. Whatever you change is saved at once, and can be taken back.</source>
+        <source>Press Ctrl+Z. Odograph saves every change at once, and you can undo it.</source>
         <translation>Ctrl+Z를 누르십시오. 바꾼 것은 모두 바로 저장되며 되돌릴 수 있습니다.</translation>
     </message>
     <message>
@@ -946,7 +946,7 @@
         <translation>두 주행 비교하기</translation>
     </message>
     <message>
-        <source>Press Ctrl+4. Choose two runs at the right: where was one faster, and is that more than the error? What is grey is not.</source>
+        <source>Press Ctrl+4. Choose two runs on the right: where was one faster? Grey differences are not significant.</source>
         <translation>Ctrl+4를 누르십시오. 오른쪽에서 두 주행을 선택하십시오. 어디에서 한쪽이 더 빨랐고, 그 차이가 오차보다 큽니까? 회색은 그렇지 않다는 뜻입니다.</translation>
     </message>
     <message>
@@ -954,15 +954,15 @@
         <translation>다시 찾기</translation>
     </message>
     <message>
-        <source>Press Ctrl+5. History holds the whole year: type a team&apos;s name to search, open a run with Enter, and see under Teams who made progress.</source>
+        <source>Press Ctrl+5. History lists the whole year: type a team&apos;s name to search, press Enter to open a run, and see under Teams who made progress.</source>
         <translation>Ctrl+5를 누르십시오. 이력에는 한 해 전체가 들어 있습니다. 팀 이름을 입력하여 찾고, Enter로 주행을 열고, ‘팀’에서 누가 향상했는지 보십시오.</translation>
     </message>
     <message>
-        <source>That was it</source>
+        <source>That&apos;s it</source>
         <translation>첫 수업을 마쳤습니다</translation>
     </message>
     <message>
-        <source>With your own robots: make a project (Ctrl+N), set up the floor in Testbed (Ctrl+1), then record (Ctrl+2) or bring in videos (Ctrl+I). F1 explains each page.</source>
+        <source>For your own robots: create a project (Ctrl+N), set up the floor in Testbed (Ctrl+1), then record (Ctrl+2) or import videos (Ctrl+I). F1 explains each page.</source>
         <translation>자신의 로봇으로: 프로젝트를 만들고(Ctrl+N), 테스트베드에서 바닥을 설정한 다음(Ctrl+1), 녹화하거나(Ctrl+2) 동영상을 가져오십시오(Ctrl+I). F1을 누르면 각 페이지의 설명이 나옵니다.</translation>
     </message>
 </context>
@@ -1068,7 +1068,7 @@ GNU 일반 공중 사용 허가서(GPL) 버전 3 이상을 따르는 자유 소�
 <context>
     <name>OwnChanges</name>
     <message>
-        <source>Done: %1. Ctrl+Z takes it back.</source>
+        <source>Done: %1. Press Ctrl+Z to undo it.</source>
         <translation>완료: %1. Ctrl+Z로 되돌릴 수 있습니다.</translation>
     </message>
     <message>
@@ -1076,7 +1076,7 @@ GNU 일반 공중 사용 허가서(GPL) 버전 3 이상을 따르는 자유 소�
         <translation>실행 취소함: %1.</translation>
     </message>
     <message>
-        <source>Made again: %1.</source>
+        <source>Redone: %1.</source>
         <translation>다시 실행함: %1.</translation>
     </message>
 </context>
@@ -1614,11 +1614,11 @@ GNU 일반 공중 사용 허가서(GPL) 버전 3 이상을 따르는 자유 소�
         <translation>RMS %1, 중앙값 %2</translation>
     </message>
     <message>
-        <source>expected by the errors: %1</source>
+        <source>expected from the uncertainty: %1</source>
         <translation>오차로 기대되는 값: %1</translation>
     </message>
     <message>
-        <source>%1 – more than they explain</source>
+        <source>%1 – more than it explains</source>
         <translation>%1 – 오차로 설명되는 것보다 큼</translation>
     </message>
     <message>
@@ -1626,15 +1626,15 @@ GNU 일반 공중 사용 허가서(GPL) 버전 3 이상을 따르는 자유 소�
         <translation>뷰 간 불일치</translation>
     </message>
     <message>
-        <source>Each view alone puts the robot at a place on the floor. Shown is how far these places are apart in each frame in which two views or more saw it (of more than two, the largest distance); RMS is √(mean of the squares). Samples that are not used are left out.
-Expected is √(tr A + tr B + (v·σs)²) from the covariances A and B of two views (pixels and calibration), the speed v and the views&apos; step σs.
-Much more than expected means that something is not as it was told: the views are not in step (then it grows with the speed), a camera has moved or is badly registered (then it depends on the place), or the robot&apos;s height is wrong (then it points to and from the cameras).</source>
+        <source>Each view alone gives a floor position of the robot. The chart shows the distance between these positions in each frame with two views or more (of more than two, the largest distance); RMS is √(mean of the squares). Unused samples are left out.
+Expected is √(tr A + tr B + (v·σs)²) from the covariances A and B of two views (pixels and calibration), the speed v and the synchronisation uncertainty σs of the views.
+Much more than expected means that a setting is wrong: the views are not synchronised (the distance grows with the speed), a camera has moved or is badly registered (it depends on the position), or the robot&apos;s height is wrong (it points to and from the cameras).</source>
         <translation>각 뷰는 저마다 로봇을 바닥의 한 위치에 놓습니다. 두 뷰 이상이 로봇을 본 프레임마다 이 위치들이 얼마나 떨어져 있는지 나타냅니다(뷰가 셋 이상이면 가장 먼 거리). RMS는 √(제곱의 평균)입니다. 사용하지 않는 샘플은 뺍니다.
 기대되는 값은 √(tr A + tr B + (v·σs)²)이며, A와 B는 두 뷰의 공분산(픽셀과 보정), v는 속력, σs는 뷰의 동기 오차입니다.
 기대보다 훨씬 크면 무언가가 설정과 다르다는 뜻입니다. 뷰의 동기가 맞지 않거나(이때는 속력에 따라 커짐), 카메라가 이동했거나 정합이 나쁘거나(이때는 위치에 따라 다름), 로봇의 높이가 틀린 것입니다(이때는 카메라를 향하거나 등지는 방향으로 나타남).</translation>
     </message>
     <message>
-        <source>%1 frames seen by two views or more; largest %2; views in step to %3 ms</source>
+        <source>%1 frames with two views or more; largest %2; views synchronised to %3 ms</source>
         <translation>두 뷰 이상에서 보인 프레임 %1개; 최대 %2; 뷰의 동기 오차 %3 ms</translation>
     </message>
 </context>
@@ -1661,11 +1661,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>/ %1점</translation>
     </message>
     <message>
-        <source>the sum of the points of each line; a line gives points × (figure − none at) / (all at − none at), from 0 to all</source>
+        <source>the sum of the points of each line; a line gives points × (metric − none at) / (all at − none at), from 0 to all</source>
         <translation>각 줄의 점수를 더한 것; 한 줄의 점수는 배점 × (지표 − 0점 기준) / (만점 기준 − 0점 기준)이며 0부터 만점까지</translation>
     </message>
     <message>
-        <source>of each line half of what its points differ by when its figure is one σ more or less; root of the sum of the squares</source>
+        <source>for each line, half the difference in points between its metric plus and minus one σ; root of the sum of the squares</source>
         <translation>줄마다 지표가 1 σ만큼 크거나 작을 때 점수 차이의 절반을 구하여 제곱합의 제곱근을 취한 값</translation>
     </message>
     <message>
@@ -1754,11 +1754,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>바닥 마커 %1(고리), %2</translation>
     </message>
     <message>
-        <source>Print at 100 % (actual size). Glue it flat onto something stiff, measure a square, and tell Odograph what you measured.</source>
+        <source>Print at 100 % (actual size). Glue it flat onto something stiff, measure a square, and enter its side in Odograph.</source>
         <translation>100 %(실제 크기)로 인쇄하십시오. 단단한 판에 평평하게 붙이고 정사각형을 재어 그 값을 Odograph에 입력하십시오.</translation>
     </message>
     <message>
-        <source>Print at 100 % (actual size). Lay it flat; the marker&apos;s place is its middle, where the four lines at the edges point.</source>
+        <source>Print at 100 % (actual size). Lay it flat; the marker&apos;s position is its middle, where the four lines at the edges point.</source>
         <translation>100 %(실제 크기)로 인쇄하십시오. 평평하게 놓으십시오. 마커의 위치는 가장자리의 네 선이 가리키는 가운데입니다.</translation>
     </message>
 </context>
@@ -1777,11 +1777,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>어안</translation>
     </message>
     <message>
-        <source>Picture</source>
-        <translation>영상</translation>
+        <source>Image size</source>
+        <translation>영상 크기</translation>
     </message>
     <message>
-        <source>Lens</source>
+        <source>Calibration</source>
         <translation>렌즈</translation>
     </message>
     <message>
@@ -1797,7 +1797,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>보드 오차</translation>
     </message>
     <message>
-        <source>%1 px in %2 pictures</source>
+        <source>%1 px in %2 images</source>
         <translation>사진 %2장에서 %1 px</translation>
     </message>
     <message>
@@ -1825,7 +1825,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>마지막 점검</translation>
     </message>
     <message>
-        <source>Place</source>
+        <source>Position</source>
         <translation>위치</translation>
     </message>
     <message>
@@ -1837,15 +1837,15 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>마커</translation>
     </message>
     <message>
-        <source>Attention</source>
+        <source>Warning</source>
         <translation>주의</translation>
     </message>
     <message>
-        <source>not calibrated: taken as free of distortion</source>
+        <source>not calibrated: no distortion assumed</source>
         <translation>보정 안 됨: 왜곡이 없다고 봄</translation>
     </message>
     <message>
-        <source>not registered: positions cannot be measured yet</source>
+        <source>not registered: cannot measure positions yet</source>
         <translation>정합 안 됨: 아직 위치를 측정할 수 없음</translation>
     </message>
 </context>
@@ -8163,7 +8163,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>제거(&amp;R)</translation>
     </message>
     <message>
-        <source>&amp;Best place</source>
+        <source>Find &amp;best position</source>
         <translation>최적 위치(&amp;B)</translation>
     </message>
     <message>
@@ -8175,7 +8175,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>예상 정확도(글)</translation>
     </message>
     <message>
-        <source>What is wrong</source>
+        <source>Problems</source>
         <translation>문제점</translation>
     </message>
     <message>
@@ -8183,11 +8183,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>닫기</translation>
     </message>
     <message>
-        <source>Cameras that count</source>
+        <source>Cameras included</source>
         <translation>계산에 넣는 카메라</translation>
     </message>
     <message>
-        <source>All ticked cameras together</source>
+        <source>All ticked cameras (joint)</source>
         <translation>선택한 모든 카메라 함께</translation>
     </message>
     <message>
@@ -8215,15 +8215,15 @@ Much more than expected means that something is not as it was told: the views ar
         <translation> m</translation>
     </message>
     <message>
-        <source>As under a ceiling; a tripod would stand in the robots&apos; way</source>
+        <source>On a ceiling, for example; a tripod would be in the robots&apos; way</source>
         <translation>천장에 다는 경우처럼; 삼각대는 로봇의 길을 막습니다</translation>
     </message>
     <message>
-        <source>Puts the camera where, with the others that are ticked, the worst place of the floor is known best</source>
+        <source>Moves the camera to where it, together with the other ticked cameras, minimises the largest uncertainty on the floor</source>
         <translation>선택한 다른 카메라와 함께 볼 때 바닥에서 가장 부정확한 곳이 가장 정확해지는 위치에 카메라를 놓습니다</translation>
     </message>
     <message>
-        <source>Room beyond the &amp;markers</source>
+        <source>Margin beyond the &amp;markers</source>
         <translation>마커 바깥 여유(&amp;M)</translation>
     </message>
     <message>
@@ -8243,7 +8243,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>%1: %2; %3.</translation>
     </message>
     <message>
-        <source>Looking for the best place…</source>
+        <source>Searching for the best position…</source>
         <translation>최적 위치를 찾는 중…</translation>
     </message>
 </context>
@@ -8269,7 +8269,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>odo::BoardCanvas</name>
     <message>
-        <source>Picture of the board</source>
+        <source>Image of the board</source>
         <translation>보드 사진</translation>
     </message>
     <message>
@@ -8280,18 +8280,18 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>odo::BoardSearchWorker</name>
     <message>
-        <source>picture %1</source>
+        <source>image %1</source>
         <translation>사진 %1</translation>
     </message>
     <message>
-        <source>in none of its pictures is a board that is still, sharp and new</source>
+        <source>none of its images shows a board that is still, sharp and in a new position</source>
         <translation>정지해 있고 선명하며 새로운 자세의 보드가 담긴 사진이 없음</translation>
     </message>
 </context>
 <context>
     <name>odo::BoxCanvas</name>
     <message>
-        <source>Picture; arrow keys move the box round the robot, with Shift they change its size</source>
+        <source>Video frame; arrow keys move the box round the robot, Shift + arrow keys resize it</source>
         <translation>영상; 화살표 키로 로봇을 둘러싼 상자를 옮기고 Shift와 함께 누르면 크기를 바꿉니다</translation>
     </message>
 </context>
@@ -8377,7 +8377,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>카메라</translation>
     </message>
     <message>
-        <source>Lens</source>
+        <source>Calibration</source>
         <translation>렌즈</translation>
     </message>
     <message>
@@ -8502,7 +8502,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>실행 취소</translation>
     </message>
     <message>
-        <source>made again</source>
+        <source>redone</source>
         <translation>다시 실행</translation>
     </message>
     <message>
@@ -8521,15 +8521,15 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>odo::ChangesDialog</name>
     <message>
-        <source>Changes of the project</source>
+        <source>Project changes</source>
         <translation>프로젝트 변경 내역</translation>
     </message>
     <message>
-        <source>Nothing has been changed yet.</source>
+        <source>No changes yet.</source>
         <translation>아직 변경된 것이 없습니다.</translation>
     </message>
     <message>
-        <source>What was changed, in this window and by the command line, the newest first. Recordings, imports and tracking are told too; they cannot be undone.</source>
+        <source>All changes made in this window and on the command line, newest first. The list includes recordings, imports and tracking, but you cannot undo them.</source>
         <translation>이 창과 명령줄에서 변경한 내용이며, 최근 것이 먼저 나옵니다. 녹화, 가져오기, 추적도 나오지만 실행을 취소할 수는 없습니다.</translation>
     </message>
     <message>
@@ -8594,15 +8594,15 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>odo::CheckTools</name>
     <message>
-        <source>&amp;Check the cameras…</source>
+        <source>&amp;Check camera positions…</source>
         <translation>카메라 점검(&amp;C)…</translation>
     </message>
     <message>
-        <source>Moved?</source>
-        <translation>이동 점검</translation>
+        <source>Check camera positions…</source>
+        <translation>카메라 점검…</translation>
     </message>
     <message>
-        <source>Look whether each camera still stands where it was registered, before the robots run</source>
+        <source>Check before the robots run that no camera has moved since its registration</source>
         <translation>로봇이 주행하기 전에 각 카메라가 정합한 자리에 그대로 있는지 확인합니다</translation>
     </message>
     <message>
@@ -8610,11 +8610,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>길이 검증(&amp;L)…</translation>
     </message>
     <message>
-        <source>Length…</source>
-        <translation>길이…</translation>
+        <source>Check a known length…</source>
+        <translation>길이 검증…</translation>
     </message>
     <message>
-        <source>Measure something of known length in a camera&apos;s picture, and see whether the camera is as good as it promises</source>
+        <source>Measure an object of known length in a camera&apos;s image to check the camera&apos;s stated uncertainty</source>
         <translation>길이를 아는 물체를 카메라 영상에서 재어 카메라가 표시된 만큼 정확한지 확인합니다</translation>
     </message>
     <message>
@@ -8626,7 +8626,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>정확도…</translation>
     </message>
     <message>
-        <source>See how well each place of the floor will be known, also with cameras that are only planned</source>
+        <source>Show the expected uncertainty everywhere on the floor, also with planned cameras</source>
         <translation>바닥의 각 위치를 얼마나 정확히 알 수 있는지, 계획만 한 카메라까지 포함하여 봅니다</translation>
     </message>
     <message>
@@ -8638,15 +8638,15 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>버전…</translation>
     </message>
     <message>
-        <source>See every calibration and registration of a camera, put an older one in force, measure trials again</source>
+        <source>Show all calibrations and registrations of a camera, switch to an older one, reanalyse trials</source>
         <translation>카메라의 모든 보정과 정합을 보고, 이전 것을 적용하고, 시행을 다시 측정합니다</translation>
     </message>
     <message>
-        <source>The cameras are checked: see their badges.</source>
+        <source>Cameras checked: see their badges.</source>
         <translation>카메라 점검을 마쳤습니다. 배지를 확인하십시오.</translation>
     </message>
     <message>
-        <source>Calibrations and trials are as they were chosen.</source>
+        <source>The chosen calibrations and analyses are now current.</source>
         <translation>보정과 시행이 선택한 대로 되었습니다.</translation>
     </message>
 </context>
@@ -8948,15 +8948,15 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>덮은 면적</translation>
     </message>
     <message>
-        <source>%1 pictures: enough. More do no harm.</source>
+        <source>%1 images: enough. More do no harm.</source>
         <translation>사진 %1장: 충분합니다. 더 있어도 괜찮습니다.</translation>
     </message>
     <message>
-        <source>1 picture; ten or more are wanted.</source>
+        <source>1 image; take ten or more.</source>
         <translation>사진 1장: 10장 이상 필요합니다.</translation>
     </message>
     <message>
-        <source>%1 pictures; ten or more are wanted.</source>
+        <source>%1 images; take ten or more.</source>
         <translation>사진 %1장: 10장 이상 필요합니다.</translation>
     </message>
 </context>
@@ -8967,11 +8967,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>Odograph가 예기치 않게 종료되었습니다</translation>
     </message>
     <message>
-        <source>The last time, Odograph ended by a fault of its own. What was saved is safe. A recording that was cut off is kept up to its last second as soon as its project is opened again.</source>
+        <source>Odograph crashed the last time. Saved data is safe. If a recording was cut off, open its project to recover it up to the last second.</source>
         <translation>지난번에 Odograph가 자체 결함으로 종료되었습니다. 저장된 것은 안전합니다. 중간에 끊긴 녹화는 해당 프로젝트를 다시 열면 마지막 1초까지 보존됩니다.</translation>
     </message>
     <message>
-        <source>The last time, Odograph ended by a fault of its own. What was saved is safe.</source>
+        <source>Odograph crashed the last time. Saved data is safe.</source>
         <translation>지난번에 Odograph가 자체 결함으로 종료되었습니다. 저장된 것은 안전합니다.</translation>
     </message>
     <message>
@@ -9006,23 +9006,23 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>%1 ~ %2</translation>
     </message>
     <message>
-        <source>Only one of the two has it</source>
+        <source>Only one of the two runs has it</source>
         <translation>둘 중 하나에만 있음</translation>
     </message>
     <message>
-        <source>%1: beyond the error (95 %)</source>
+        <source>%1: significant (95 %)</source>
         <translation>%1: 오차 초과(95 %)</translation>
     </message>
     <message>
-        <source>%1: within the error (95 %), no difference can be claimed</source>
+        <source>%1: not significant (95 %)</source>
         <translation>%1: 오차 이내(95 %), 차이가 있다고 할 수 없음</translation>
     </message>
     <message>
-        <source>beyond the error</source>
+        <source>significant</source>
         <translation>오차 초과</translation>
     </message>
     <message>
-        <source>within the error</source>
+        <source>not significant</source>
         <translation>오차 이내</translation>
     </message>
     <message>
@@ -9320,7 +9320,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>Odograph 프로젝트 (*.odo);;모든 파일 (*)</translation>
     </message>
     <message>
-        <source>Where shall the demo lesson be made?</source>
+        <source>Choose a folder for the demo lesson</source>
         <translation>데모 수업을 어디에 만들까요?</translation>
     </message>
     <message>
@@ -9336,7 +9336,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>사본 저장</translation>
     </message>
     <message>
-        <source>A copy was saved as %1. Its videos stay where they are.</source>
+        <source>Copy saved as %1. Its videos stay where they are.</source>
         <translation>사본을 %1에 저장했습니다. 동영상은 있던 자리에 그대로 있습니다.</translation>
     </message>
     <message>
@@ -9351,7 +9351,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>odo::FilmStrip</name>
     <message>
-        <source>&amp;Take out</source>
+        <source>&amp;Remove</source>
         <translation>빼기(&amp;T)</translation>
     </message>
     <message>
@@ -9359,7 +9359,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>실행 취소(&amp;U)</translation>
     </message>
     <message>
-        <source>Pictures that count</source>
+        <source>Accepted images</source>
         <translation>계산에 넣는 사진</translation>
     </message>
 </context>
@@ -9413,7 +9413,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>%1, 높이 %2 m</translation>
     </message>
     <message>
-        <source>Markers and cameras are drawn here once there is a layout or a registered camera.</source>
+        <source>This sketch shows markers and cameras once the testbed has a layout or a registered camera.</source>
         <translation>마커 배치나 정합된 카메라가 생기면 여기에 마커와 카메라를 그립니다.</translation>
     </message>
     <message>
@@ -9424,11 +9424,11 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>odo::FloorSourcePage</name>
     <message>
-        <source>Picture or video of the markers</source>
+        <source>Image or video of the markers</source>
         <translation>마커의 사진 또는 동영상</translation>
     </message>
     <message>
-        <source>Markers whose places on the floor are known tell where the camera stands. Four are enough, a fifth checks them. Afterwards the camera must not be moved.</source>
+        <source>Markers with known floor positions determine the camera position. Four are enough; a fifth checks them. Do not move the camera afterwards.</source>
         <translation>바닥에서의 위치를 아는 마커로 카메라가 있는 곳을 구합니다. 네 개면 충분하고, 다섯째는 검증에 쓰입니다. 이후에는 카메라를 움직이면 안 됩니다.</translation>
     </message>
     <message>
@@ -9440,15 +9440,15 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>마커 배치(&amp;L)</translation>
     </message>
     <message>
-        <source>Where the markers are seen</source>
+        <source>Image of the markers</source>
         <translation>마커가 보이는 곳</translation>
     </message>
     <message>
-        <source>Its lens is measured.</source>
+        <source>Its lens is calibrated.</source>
         <translation>렌즈를 측정했습니다.</translation>
     </message>
     <message>
-        <source>Its lens was not measured: it is taken as free of distortion, and its focal length is estimated from the markers where they tell it.</source>
+        <source>Its lens is not calibrated. Odograph assumes no distortion and estimates the focal length from the markers if they determine it.</source>
         <translation>렌즈를 측정하지 않았습니다. 왜곡이 없다고 보고, 초점 거리는 마커로 알 수 있으면 추정합니다.</translation>
     </message>
 </context>
@@ -9467,11 +9467,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>카메라와 마커</translation>
     </message>
     <message>
-        <source>The markers in the picture</source>
+        <source>The markers in the image</source>
         <translation>사진 속의 마커</translation>
     </message>
     <message>
-        <source>Looking for the markers…</source>
+        <source>Detecting the markers…</source>
         <translation>마커를 찾는 중…</translation>
     </message>
 </context>
@@ -9498,7 +9498,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>제거(&amp;V)</translation>
     </message>
     <message>
-        <source>&amp;Other way</source>
+        <source>Reverse directi&amp;on</source>
         <translation>반대 방향(&amp;O)</translation>
     </message>
     <message>
@@ -9526,7 +9526,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>y₂, mm</translation>
     </message>
     <message>
-        <source>Gates in the order in which they are passed</source>
+        <source>Gates in passing order</source>
         <translation>통과하는 순서대로 나열한 게이트</translation>
     </message>
     <message>
@@ -9534,7 +9534,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>게이트 추가(&amp;A)</translation>
     </message>
     <message>
-        <source>The chosen gate is passed the other way</source>
+        <source>Robots pass the selected gate the other way</source>
         <translation>선택한 게이트의 통과 방향을 뒤집습니다</translation>
     </message>
     <message>
@@ -9549,7 +9549,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>odo::GeneralPage</name>
     <message>
-        <source>Odograph shows it when it is started again.</source>
+        <source>Restart Odograph to see the change.</source>
         <translation>Odograph를 다시 시작하면 적용됩니다.</translation>
     </message>
     <message>
@@ -9561,7 +9561,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>결과 단위(&amp;U)</translation>
     </message>
     <message>
-        <source>Floors and targets are set up in millimetres, as they are printed. Exported files have the units that their format asks for.</source>
+        <source>Floors and targets always use millimetres, as printed. Exported files use the units of their format.</source>
         <translation>바닥과 타깃은 인쇄 치수대로 밀리미터로 설정합니다. 내보낸 파일은 그 형식에서 정한 단위를 씁니다.</translation>
     </message>
     <message>
@@ -9573,7 +9573,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>지도 색(&amp;C)</translation>
     </message>
     <message>
-        <source>Both can be told apart by people who do not see red or green, and in a print without colours.</source>
+        <source>Both remain readable for people with red-green colour blindness and in black-and-white prints.</source>
         <translation>둘 다 적색이나 녹색을 구별하지 못하는 사람도, 흑백 인쇄에서도 구별할 수 있습니다.</translation>
     </message>
     <message>
@@ -9597,7 +9597,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>언어</translation>
     </message>
     <message>
-        <source>As the computer has it</source>
+        <source>As set on the computer</source>
         <translation>컴퓨터 설정대로</translation>
     </message>
     <message>
@@ -9605,7 +9605,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>테마</translation>
     </message>
     <message>
-        <source>As the desktop has it</source>
+        <source>As set on the desktop</source>
         <translation>데스크톱 설정대로</translation>
     </message>
     <message>
@@ -9674,11 +9674,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>명단 가져오기(&amp;R)…</translation>
     </message>
     <message>
-        <source>&amp;Changes of the project…</source>
+        <source>Show project &amp;changes…</source>
         <translation>프로젝트 변경 내역(&amp;C)…</translation>
     </message>
     <message>
-        <source>Import a roster: a table with the columns class and team, perhaps pseudonym</source>
+        <source>Import a roster: a table with the columns class, team and optionally pseudonym</source>
         <translation>명단을 가져옵니다. 학급(class)과 팀(team) 열이 있는 표이며, 가명(pseudonym) 열은 없어도 됩니다</translation>
     </message>
     <message>
@@ -9686,7 +9686,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>CSV 표 (*.csv)</translation>
     </message>
     <message>
-        <source>The roster is imported. Teams that are new: %1, changed: %2, as before: %3.</source>
+        <source>Roster imported. New teams: %1, changed: %2, unchanged: %3.</source>
         <translation>명단을 가져왔습니다. 새 팀: %1, 변경된 팀: %2, 그대로인 팀: %3.</translation>
     </message>
     <message numerus="yes">
@@ -9708,7 +9708,7 @@ Much more than expected means that something is not as it was told: the views ar
         </translation>
     </message>
     <message numerus="yes">
-        <source>%1 of %n trial(s) removed for good; the rest is still there.</source>
+        <source>Removed %1 of %n trial(s) for good; the rest is still in the bin.</source>
         <translation>
             <numerusform>시행 %n개 중 %1개를 완전히 삭제했습니다. 나머지는 그대로 있습니다.</numerusform>
         </translation>
@@ -9812,7 +9812,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>없음</translation>
     </message>
     <message>
-        <source>Positions that another program has measured, or Odograph has exported: TUM, CSV or Tracker&apos;s text. They are measured as a run without video.</source>
+        <source>Positions measured by another program or exported by Odograph: TUM, CSV or Tracker text. Odograph analyses them as a run without video.</source>
         <translation>다른 프로그램이 측정했거나 Odograph가 내보낸 위치: TUM, CSV 또는 Tracker 텍스트. 동영상이 없는 주행으로 측정합니다.</translation>
     </message>
     <message>
@@ -9844,7 +9844,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>궤적 %1의 로봇</translation>
     </message>
     <message>
-        <source>A name that is new makes a new robot</source>
+        <source>A new name creates a new robot</source>
         <translation>새로운 이름을 쓰면 새 로봇이 생깁니다</translation>
     </message>
     <message>
@@ -9899,7 +9899,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>동영상</translation>
     </message>
     <message>
-        <source>In &amp;step</source>
+        <source>&amp;Synchronise</source>
         <translation>동기(&amp;S)</translation>
     </message>
     <message>
@@ -9923,7 +9923,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>카메라의 실제 프레임 속도</translation>
     </message>
     <message>
-        <source>For slow motion: the file plays slower than the camera took it</source>
+        <source>For slow motion: the file plays slower than the camera recorded it</source>
         <translation>슬로 모션용: 파일이 촬영할 때보다 느리게 재생됩니다</translation>
     </message>
     <message>
@@ -9969,11 +9969,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>카메라</translation>
     </message>
     <message>
-        <source>Known to, before</source>
+        <source>Uncertainty before</source>
         <translation>오차(이전)</translation>
     </message>
     <message>
-        <source>Known to, together</source>
+        <source>Uncertainty, joint</source>
         <translation>오차(함께)</translation>
     </message>
     <message>
@@ -10001,11 +10001,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>마커</translation>
     </message>
     <message>
-        <source>Register all cameras together</source>
+        <source>Register all cameras (joint)</source>
         <translation>모든 카메라 함께 정합</translation>
     </message>
     <message>
-        <source>The cameras of layout %1 are fitted again at once, by the markers they were registered with: where they see the same markers, they agree better afterwards, and a marker that was measured wrongly is found.</source>
+        <source>This fits all cameras of layout %1 jointly to the markers they were registered with. Cameras that see the same markers then agree better, and wrongly measured markers show up.</source>
         <translation>배치 %1의 카메라들을 정합에 쓴 마커로 한꺼번에 다시 맞춥니다. 같은 마커를 보는 카메라끼리 더 잘 일치하게 되고, 잘못 잰 마커도 찾아냅니다.</translation>
     </message>
     <message>
@@ -10013,19 +10013,19 @@ Much more than expected means that something is not as it was told: the views ar
         <translation> mm</translation>
     </message>
     <message>
-        <source>Error of the tape measure</source>
+        <source>Uncertainty of the tape measure</source>
         <translation>줄자의 오차</translation>
     </message>
     <message>
-        <source>The markers&apos; places were &amp;measured to</source>
+        <source>Marker positions &amp;measured to</source>
         <translation>마커 위치 측정 오차(&amp;M)</translation>
     </message>
     <message>
-        <source>Fitting the cameras together…</source>
+        <source>Fitting the cameras jointly…</source>
         <translation>카메라들을 함께 맞추는 중…</translation>
     </message>
     <message>
-        <source>What is known together reckons with the markers&apos; places being measured to %1 mm, which a camera that is registered by itself takes as exact. Nothing is changed before you save; trials keep the registration they were analysed with.</source>
+        <source>The joint uncertainty assumes marker positions measured to %1 mm; registering a single camera assumes them exact. Nothing changes until you save; trials keep the registration they were analysed with.</source>
         <translation>함께 구한 오차는 마커 위치를 %1 mm 오차로 쟀다고 보고 계산한 것이며, 카메라를 따로 정합할 때는 마커 위치가 정확하다고 봅니다. 저장하기 전에는 아무것도 바뀌지 않으며, 시행은 분석에 쓴 정합을 그대로 유지합니다.</translation>
     </message>
     <message>
@@ -10041,7 +10041,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>%1 ± %2</translation>
     </message>
     <message>
-        <source>measure it again</source>
+        <source>check its position</source>
         <translation>다시 재십시오</translation>
     </message>
     <message>
@@ -10060,7 +10060,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>키 없음(&amp;N)</translation>
     </message>
     <message>
-        <source>&amp;All as usual</source>
+        <source>Reset &amp;all</source>
         <translation>모두 기본값으로(&amp;A)</translation>
     </message>
     <message>
@@ -10080,15 +10080,15 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>키</translation>
     </message>
     <message>
-        <source>New key of the chosen command</source>
+        <source>New key for the selected command</source>
         <translation>선택한 명령의 새 키</translation>
     </message>
     <message>
-        <source>Choose a command to give it another key.</source>
+        <source>Select a command to change its key.</source>
         <translation>명령을 선택하여 다른 키를 지정하십시오.</translation>
     </message>
     <message>
-        <source>%1 is the key of “%2”, which would have none.</source>
+        <source>%1 is the key of “%2”. That command would lose it.</source>
         <translation>%1은(는) “%2”의 키입니다. 사용하면 그 명령에는 키가 없어집니다.</translation>
     </message>
     <message>
@@ -10111,11 +10111,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>바닥</translation>
     </message>
     <message>
-        <source>What is wrong</source>
+        <source>Problems</source>
         <translation>문제점</translation>
     </message>
     <message>
-        <source>Where the markers lie on the floor, measured with a tape: millimetres from the origin. X goes to the right, Y away from you, seen from above.</source>
+        <source>Enter the floor positions of the markers, measured with a tape in millimetres from the origin. Seen from above, X points right and Y away from you.</source>
         <translation>줄자로 잰 바닥의 마커 위치: 원점에서 잰 밀리미터 값입니다. 위에서 볼 때 X는 오른쪽, Y는 몸에서 멀어지는 쪽입니다.</translation>
     </message>
     <message>
@@ -10175,15 +10175,15 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>180° 회전(&amp;H)</translation>
     </message>
     <message>
-        <source>They were &amp;centimetres</source>
+        <source>Convert from &amp;centimetres</source>
         <translation>센티미터였음(&amp;C)</translation>
     </message>
     <message>
-        <source>They were &amp;metres</source>
+        <source>Convert from &amp;metres</source>
         <translation>미터였음(&amp;M)</translation>
     </message>
     <message>
-        <source>They were &amp;inches</source>
+        <source>Convert from &amp;inches</source>
         <translation>인치였음(&amp;I)</translation>
     </message>
     <message>
@@ -10191,7 +10191,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>가져오기(&amp;I)…</translation>
     </message>
     <message>
-        <source>Places of the markers (label,x_mm,y_mm)</source>
+        <source>Positions of the markers (label,x_mm,y_mm)</source>
         <translation>마커 위치 (label,x_mm,y_mm)</translation>
     </message>
     <message>
@@ -10199,7 +10199,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>내보내기(&amp;E)…</translation>
     </message>
     <message>
-        <source>Places of the markers</source>
+        <source>Positions of the markers</source>
         <translation>마커 위치</translation>
     </message>
     <message>
@@ -10207,7 +10207,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>배치의 이름이 없습니다.</translation>
     </message>
     <message>
-        <source>There is a layout of that name: cameras may stand on it, so it is not overwritten. Give another name.</source>
+        <source>A layout with this name exists, and cameras may use it. Enter another name.</source>
         <translation>같은 이름의 배치가 있습니다. 그 배치를 쓰는 카메라가 있을 수 있어 덮어쓰지 않습니다. 다른 이름을 지정하십시오.</translation>
     </message>
     <message>
@@ -10219,19 +10219,19 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>이름이 %1인 마커가 두 개입니다.</translation>
     </message>
     <message>
-        <source>The place of %1 is not a number.</source>
+        <source>The position of %1 is not a number.</source>
         <translation>%1의 위치가 숫자가 아닙니다.</translation>
     </message>
     <message>
-        <source>Four markers are needed, there are %1.</source>
+        <source>The layout needs four markers; it has %1.</source>
         <translation>마커가 네 개 필요한데 %1개뿐입니다.</translation>
     </message>
     <message>
-        <source>%1 and %2 lie at one place.</source>
+        <source>%1 and %2 have the same position.</source>
         <translation>%1과(와) %2이(가) 같은 위치에 있습니다.</translation>
     </message>
     <message>
-        <source>The markers lie nearly on a line: they do not tell where the camera stands. Lay one aside.</source>
+        <source>The markers are nearly on a line and cannot determine the camera position. Move one to the side.</source>
         <translation>마커들이 거의 한 직선 위에 있어 카메라의 위치를 구할 수 없습니다. 하나를 옆으로 옮기십시오.</translation>
     </message>
 </context>
@@ -10249,11 +10249,11 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>odo::LengthPage</name>
     <message>
-        <source>Take what lies &amp;near a click</source>
+        <source>S&amp;nap to what is near a click</source>
         <translation>클릭한 곳 근처의 표식에 맞춤(&amp;N)</translation>
     </message>
     <message>
-        <source>Picture with both ends; arrow keys move the chosen one, Space snaps it</source>
+        <source>Image with both ends; arrow keys move the selected one, Space snaps it</source>
         <translation>양 끝이 보이는 사진; 화살표 키로 선택한 끝을 옮기고 Space로 표식에 맞춥니다</translation>
     </message>
     <message>
@@ -10281,7 +10281,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation> mm</translation>
     </message>
     <message>
-        <source>lies on the floor</source>
+        <source>on the floor</source>
         <translation>바닥에 놓임</translation>
     </message>
     <message>
@@ -10321,7 +10321,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>측정 결과</translation>
     </message>
     <message>
-        <source>Lay something of known length anywhere on the floor, a metre stick or two markers of known distance, and click both its ends. By keys: the arrows move an end (Ctrl: fast, Shift: a pixel), Space snaps it.</source>
+        <source>Put an object of known length anywhere on the floor, such as a metre stick or two markers at a known distance, and click both ends. Keys: arrows move an end (Ctrl: fast, Shift: one pixel), Space snaps it.</source>
         <translation>1 m 자나 간격을 아는 두 마커처럼 길이를 아는 것을 바닥 아무 데나 놓고 양 끝을 클릭하십시오. 키보드: 화살표로 끝점을 옮기고(Ctrl: 빠르게, Shift: 1픽셀), Space로 표식에 맞춥니다.</translation>
     </message>
     <message>
@@ -10329,15 +10329,15 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>%1 ± %2 mm</translation>
     </message>
     <message>
-        <source>inside the expected error</source>
+        <source>within uncertainty</source>
         <translation>예상 오차 이내</translation>
     </message>
     <message>
-        <source>outside the expected error</source>
+        <source>outside uncertainty</source>
         <translation>예상 오차 초과</translation>
     </message>
     <message>
-        <source> Give its true length to see whether that is right.</source>
+        <source> Enter its true length to check the result.</source>
         <translation> 실제 길이를 입력하면 맞는지 확인할 수 있습니다.</translation>
     </message>
     <message>
@@ -10349,7 +10349,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>지평선 너머</translation>
     </message>
     <message>
-        <source>not put yet</source>
+        <source>not set yet</source>
         <translation>아직 지정 안 됨</translation>
     </message>
 </context>
@@ -10364,11 +10364,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>완료(&amp;D)</translation>
     </message>
     <message>
-        <source>Picture or video of the length</source>
+        <source>Image or video of the length</source>
         <translation>길이를 잴 사진 또는 동영상</translation>
     </message>
     <message>
-        <source>The camera and its picture</source>
+        <source>The camera and its image</source>
         <translation>카메라와 사진</translation>
     </message>
     <message>
@@ -10376,7 +10376,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>길이의 양 끝점</translation>
     </message>
     <message>
-        <source>Lay something of known length on the floor, away from the markers, and see whether the camera measures it as well as it promises. Nothing is changed by it.</source>
+        <source>Put an object of known length on the floor, away from the markers, to check the camera&apos;s stated uncertainty. This changes nothing.</source>
         <translation>길이를 아는 것을 마커에서 떨어진 바닥에 놓고 카메라가 표시된 만큼 정확히 재는지 확인합니다. 이 검증으로 바뀌는 것은 없습니다.</translation>
     </message>
     <message>
@@ -10384,22 +10384,22 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>카메라(&amp;A)</translation>
     </message>
     <message>
-        <source>Where the length is seen</source>
+        <source>Image of the length</source>
         <translation>길이가 보이는 곳</translation>
     </message>
     <message>
-        <source>Getting the picture…</source>
+        <source>Loading the image…</source>
         <translation>사진을 가져오는 중…</translation>
     </message>
 </context>
 <context>
     <name>odo::LensPicturesPage</name>
     <message>
-        <source>Move it to the left of the picture</source>
+        <source>Move it to the left of the image</source>
         <translation>화면 왼쪽으로 옮기십시오</translation>
     </message>
     <message>
-        <source>Move it to the right of the picture</source>
+        <source>Move it to the right of the image</source>
         <translation>화면 오른쪽으로 옮기십시오</translation>
     </message>
     <message>
@@ -10439,7 +10439,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>움직이지 말고 들고 계십시오</translation>
     </message>
     <message>
-        <source>&amp;Take a picture now</source>
+        <source>&amp;Take an image now</source>
         <translation>지금 사진 찍기(&amp;T)</translation>
     </message>
     <message>
@@ -10447,19 +10447,19 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>할 일</translation>
     </message>
     <message>
-        <source>No picture from the camera</source>
+        <source>No image from the camera</source>
         <translation>카메라 영상이 없습니다</translation>
     </message>
     <message>
-        <source>Pictures that do not count</source>
+        <source>Rejected images</source>
         <translation>계산에 넣지 않는 사진</translation>
     </message>
     <message>
-        <source>What the pictures cover</source>
+        <source>Coverage of the images</source>
         <translation>사진이 덮은 범위</translation>
     </message>
     <message>
-        <source>Not counted</source>
+        <source>Rejected</source>
         <translation>제외됨</translation>
     </message>
     <message>
@@ -10467,7 +10467,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>카메라를 기다리는 중…</translation>
     </message>
     <message>
-        <source>Looking for the board…</source>
+        <source>Detecting the board…</source>
         <translation>보드를 찾는 중…</translation>
     </message>
     <message>
@@ -10475,11 +10475,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>보드를 카메라 앞에 드십시오</translation>
     </message>
     <message>
-        <source>Looking for the board</source>
+        <source>Detecting the board</source>
         <translation>보드를 찾는 중</translation>
     </message>
     <message>
-        <source>A picture is taken by itself whenever the board is still, sharp and in a new place.</source>
+        <source>Odograph takes an image whenever the board is still, sharp and in a new position.</source>
         <translation>보드가 정지해 있고 선명하며 새로운 위치에 있을 때마다 저절로 사진을 찍습니다.</translation>
     </message>
     <message>
@@ -10495,15 +10495,15 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>%1장 남음</translation>
     </message>
     <message>
-        <source>No picture counts</source>
+        <source>No image accepted</source>
         <translation>쓸 수 있는 사진이 없습니다</translation>
     </message>
     <message>
-        <source>The reasons stand at the right. Add others by dropping them here.</source>
+        <source>See the reasons on the right. Drop other images here to add them.</source>
         <translation>이유는 오른쪽에 있습니다. 다른 사진을 여기에 끌어다 놓으십시오.</translation>
     </message>
     <message>
-        <source>Looked at all</source>
+        <source>All images checked</source>
         <translation>모두 살펴봄</translation>
     </message>
     <message>
@@ -10511,7 +10511,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>충분합니다.</translation>
     </message>
     <message>
-        <source>More pictures can be dropped here; the bars show what is missing.</source>
+        <source>Drop more images here; the bars show what is missing.</source>
         <translation>사진을 여기에 더 끌어다 놓을 수 있습니다. 막대는 무엇이 모자라는지 나타냅니다.</translation>
     </message>
 </context>
@@ -10546,7 +10546,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>계산 중</translation>
     </message>
     <message>
-        <source>Lens model chosen by itself</source>
+        <source>Automatic choice of the lens model</source>
         <translation>렌즈 모델 자동 선택</translation>
     </message>
     <message>
@@ -10566,15 +10566,15 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>렌즈 모델</translation>
     </message>
     <message>
-        <source>Choose a bar to see its picture.</source>
+        <source>Select a bar to see its image.</source>
         <translation>막대를 선택하면 그 사진이 나옵니다.</translation>
     </message>
     <message>
-        <source>Stands here once the lens is known.</source>
+        <source>Appears here after the calibration.</source>
         <translation>렌즈를 알게 되면 여기에 나옵니다.</translation>
     </message>
     <message>
-        <source>Picture and &amp;residuals</source>
+        <source>Image and &amp;residuals</source>
         <translation>사진과 잔차(&amp;R)</translation>
     </message>
     <message>
@@ -10582,15 +10582,15 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>왜곡 제거(&amp;S)</translation>
     </message>
     <message>
-        <source>Error by picture</source>
+        <source>Error by image</source>
         <translation>사진별 오차</translation>
     </message>
     <message>
-        <source>Lens</source>
+        <source>Calibration</source>
         <translation>렌즈</translation>
     </message>
     <message>
-        <source>What is known of the lens</source>
+        <source>Lens calibration</source>
         <translation>렌즈 정보</translation>
     </message>
     <message>
@@ -10602,11 +10602,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>곧은 모서리는 곧게 보여야 합니다</translation>
     </message>
     <message>
-        <source>Storing the lens and its pictures…</source>
+        <source>Storing the lens calibration and its images…</source>
         <translation>렌즈와 사진을 저장하는 중…</translation>
     </message>
     <message>
-        <source>The lens was not stored. %1</source>
+        <source>The lens calibration was not stored. %1</source>
         <translation>렌즈를 저장하지 못했습니다. %1</translation>
     </message>
     <message>
@@ -10618,7 +10618,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>%1: %2</translation>
     </message>
     <message>
-        <source>Pictures</source>
+        <source>Images</source>
         <translation>사진</translation>
     </message>
     <message>
@@ -10634,7 +10634,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>교차 검증 오차</translation>
     </message>
     <message>
-        <source>needs six pictures</source>
+        <source>needs six images</source>
         <translation>사진이 여섯 장 필요함</translation>
     </message>
     <message>
@@ -10657,11 +10657,11 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>odo::LensSourcePage</name>
     <message>
-        <source>Be&amp;fore the camera: hold the board, pictures are taken by themselves</source>
+        <source>&amp;From the camera: hold up the board, Odograph takes the images</source>
         <translation>카메라 앞에서: 보드를 들고 있으면 저절로 사진을 찍음(&amp;F)</translation>
     </message>
     <message>
-        <source>From &amp;pictures or a video that you have taken</source>
+        <source>From existing images or a &amp;video</source>
         <translation>찍어 둔 사진이나 동영상에서(&amp;P)</translation>
     </message>
     <message>
@@ -10673,7 +10673,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>보드 인쇄(&amp;T)…</translation>
     </message>
     <message>
-        <source>A flat board of squares, seen from many sides, tells how the lens draws. Checkerboard or ChArUco, of any size: which it is, is found out. Measure one square on the paper; it decides every later length. The lens must not be refocused or zoomed afterwards.</source>
+        <source>Show a flat calibration board from many sides to calibrate the lens. Odograph recognises checkerboard and ChArUco boards of any size. Measure one square on the paper: every later length depends on it. Do not refocus or zoom afterwards.</source>
         <translation>정사각형이 그려진 평평한 보드를 여러 방향에서 보면 렌즈가 상을 맺는 방식을 알 수 있습니다. 체커보드든 ChArUco든 크기에 관계없이 종류는 자동으로 알아냅니다. 종이 위의 정사각형 하나를 재십시오. 이후의 모든 길이가 이 값으로 정해집니다. 그 뒤에는 렌즈의 초점이나 줌을 바꾸면 안 됩니다.</translation>
     </message>
     <message>
@@ -10685,11 +10685,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>잰 정사각형 한 변(&amp;S)</translation>
     </message>
     <message>
-        <source>Where the pictures of the board come from</source>
+        <source>Source of the board images</source>
         <translation>보드 사진을 얻을 곳</translation>
     </message>
     <message>
-        <source>Pictures and videos of the board</source>
+        <source>Images and videos of the board</source>
         <translation>보드의 사진과 동영상</translation>
     </message>
     <message>
@@ -10701,11 +10701,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>제거(&amp;R)</translation>
     </message>
     <message>
-        <source>Pictures and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
         <translation>사진과 동영상 (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;모든 파일 (*)</translation>
     </message>
     <message>
-        <source>Files can also be dropped here.</source>
+        <source>You can also drop files here.</source>
         <translation>파일을 여기에 끌어다 놓을 수도 있습니다.</translation>
     </message>
 </context>
@@ -10724,7 +10724,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>카메라와 보드</translation>
     </message>
     <message>
-        <source>Pictures of the board</source>
+        <source>Images of the board</source>
         <translation>보드 사진</translation>
     </message>
     <message>
@@ -10867,7 +10867,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>도움말(&amp;H)</translation>
     </message>
     <message>
-        <source>The pages follow when the project is opened again, for a recording goes on.</source>
+        <source>A recording is running. The change takes effect when you reopen the project.</source>
         <translation>녹화가 진행 중이므로 프로젝트를 다시 열 때 페이지에 반영됩니다.</translation>
     </message>
     <message>
@@ -10875,23 +10875,23 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>백업 복원</translation>
     </message>
     <message>
-        <source>“%1” was deleted, renamed or replaced by another program. What is in it is rescued as soon as the running work has ended.</source>
+        <source>Another program deleted, renamed or replaced “%1”. Odograph will rescue its contents when the running job has ended.</source>
         <translation>다른 프로그램이 “%1”을(를) 삭제하거나 이름을 바꾸거나 교체했습니다. 진행 중인 작업이 끝나는 대로 내용을 구조합니다.</translation>
     </message>
     <message>
-        <source>“%1” was deleted, renamed or replaced by another program. What was in it is rescued in “%2”, which is open now.</source>
+        <source>Another program deleted, renamed or replaced “%1”. Odograph rescued its contents in “%2” and opened that project.</source>
         <translation>다른 프로그램이 “%1”을(를) 삭제하거나 이름을 바꾸거나 교체했습니다. 내용은 “%2”에 구조되었고 지금 열려 있습니다.</translation>
     </message>
     <message>
-        <source>Another program wrote over “%1”. What it holds now is opened as soon as the running work has ended.</source>
+        <source>Another program overwrote “%1”. Odograph will open the new contents when the running job has ended.</source>
         <translation>다른 프로그램이 “%1”을(를) 덮어썼습니다. 진행 중인 작업이 끝나면 지금 들어 있는 내용을 엽니다.</translation>
     </message>
     <message>
-        <source>“%1” was renamed with its videos by another program. It is open as “%2” now.</source>
+        <source>Another program renamed “%1” and its videos. It is now open as “%2”.</source>
         <translation>다른 프로그램이 “%1”의 이름을 동영상과 함께 바꿨습니다. 이제 “%2”(으)로 열려 있습니다.</translation>
     </message>
     <message>
-        <source>Another program wrote over “%1” while it was open: what it held before is gone. What it holds now is shown.</source>
+        <source>Another program overwrote “%1” while it was open. Its earlier contents are gone; the window shows the new ones.</source>
         <translation>열려 있는 동안 다른 프로그램이 “%1”을(를) 덮어써서 이전 내용이 사라졌습니다. 지금 들어 있는 내용을 보여 줍니다.</translation>
     </message>
 </context>
@@ -10962,14 +10962,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>odo::MarkerCanvas</name>
     <message>
-        <source>Picture with the markers; arrow keys move the chosen one</source>
+        <source>Image with the markers; arrow keys move the selected one</source>
         <translation>마커가 보이는 사진; 화살표 키로 선택한 마커를 옮깁니다</translation>
     </message>
 </context>
 <context>
     <name>odo::MarkerPage</name>
     <message>
-        <source>&amp;Take out</source>
+        <source>&amp;Remove</source>
         <translation>빼기(&amp;T)</translation>
     </message>
     <message>
@@ -10981,7 +10981,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>마커</translation>
     </message>
     <message>
-        <source>Place, mm</source>
+        <source>Position, mm</source>
         <translation>위치, mm</translation>
     </message>
     <message>
@@ -11001,7 +11001,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>찾음</translation>
     </message>
     <message>
-        <source>Choose a marker in the table and click where it is; what lies near the click is taken to the tenth of a pixel.</source>
+        <source>Select a marker in the table and click its position. The click snaps to what is near it, to a tenth of a pixel.</source>
         <translation>표에서 마커를 선택하고 그 위치를 클릭하십시오. 클릭한 곳 근처의 표식에 10분의 1픽셀까지 맞춥니다.</translation>
     </message>
     <message>
@@ -11013,7 +11013,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>%1, %2</translation>
     </message>
     <message>
-        <source>not seen</source>
+        <source>not visible</source>
         <translation>보이지 않음</translation>
     </message>
 </context>
@@ -11035,7 +11035,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>odo::MetricModel</name>
     <message>
-        <source>Figure</source>
+        <source>Metric</source>
         <translation>지표</translation>
     </message>
     <message>
@@ -11073,7 +11073,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>다시 정합(&amp;R)…</translation>
     </message>
     <message>
-        <source>Check the cameras</source>
+        <source>Check camera positions</source>
         <translation>카메라 점검</translation>
     </message>
     <message>
@@ -11081,7 +11081,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>카메라</translation>
     </message>
     <message>
-        <source>New picture</source>
+        <source>New image</source>
         <translation>새 사진</translation>
     </message>
     <message>
@@ -11093,7 +11093,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>정합된 카메라</translation>
     </message>
     <message>
-        <source>A camera that was pushed measures wrongly and nothing shows it. Before the robots run, each camera&apos;s markers are looked for again in a new picture.</source>
+        <source>A camera that someone has pushed measures wrong positions without any sign of it. Before the robots run, check each camera&apos;s markers in a new image.</source>
         <translation>부딪혀 밀린 카메라는 틀리게 측정하지만 겉으로는 드러나지 않습니다. 로봇이 주행하기 전에 새 사진에서 각 카메라의 마커를 다시 찾습니다.</translation>
     </message>
     <message>
@@ -11101,11 +11101,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>닫기</translation>
     </message>
     <message>
-        <source>What was found</source>
+        <source>Results of the check</source>
         <translation>점검 결과</translation>
     </message>
     <message>
-        <source>New picture of camera %1</source>
+        <source>New image of camera %1</source>
         <translation>카메라 %1의 새 사진</translation>
     </message>
     <message>
@@ -11117,23 +11117,23 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>점검 안 함</translation>
     </message>
     <message>
-        <source>A picture or video…</source>
+        <source>An image or video…</source>
         <translation>사진 또는 동영상…</translation>
     </message>
     <message>
-        <source>Pictures and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
         <translation>사진과 동영상 (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;모든 파일 (*)</translation>
     </message>
     <message>
-        <source>looking…</source>
+        <source>detecting…</source>
         <translation>찾는 중…</translation>
     </message>
     <message>
-        <source>not told</source>
+        <source>undetermined</source>
         <translation>판정 불가</translation>
     </message>
     <message>
-        <source>Two markers at least must be seen. Nothing is moved or changed by the check.</source>
+        <source>At least two markers must be visible. The check changes nothing.</source>
         <translation>마커가 두 개 이상 보여야 합니다. 점검으로 옮겨지거나 바뀌는 것은 없습니다.</translation>
     </message>
     <message>
@@ -11148,15 +11148,15 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>실시간 위치를 네트워크로 보내기(&amp;S)</translation>
     </message>
     <message>
-        <source>%1: this machine only</source>
+        <source>%1: this computer only</source>
         <translation>%1: 이 컴퓨터만</translation>
     </message>
     <message>
-        <source>%1: not there now</source>
+        <source>%1: not available now</source>
         <translation>%1: 지금은 없음</translation>
     </message>
     <message>
-        <source>The places of the robots that Record follows, as packets of SSL-Vision, for controllers and programs of your own. No name of a team or a robot is in them.</source>
+        <source>Positions of the robots that Record tracks, as SSL-Vision packets for your own controllers and programs. The packets contain no names of teams or robots.</source>
         <translation>녹화 화면에서 따라가는 로봇의 위치를 제어기나 자작 프로그램에서 쓰도록 SSL-Vision 패킷으로 보냅니다. 팀이나 로봇의 이름은 들어 있지 않습니다.</translation>
     </message>
     <message>
@@ -11172,23 +11172,23 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>인터페이스(&amp;I)</translation>
     </message>
     <message>
-        <source>Nothing is sent.</source>
+        <source>Odograph sends nothing.</source>
         <translation>아무것도 보내지 않습니다.</translation>
     </message>
     <message>
-        <source>This is no IPv4 address; write it like 224.5.23.2.</source>
+        <source>This is not an IPv4 address; enter one such as 224.5.23.2.</source>
         <translation>IPv4 주소가 아닙니다. 224.5.23.2와 같이 쓰십시오.</translation>
     </message>
     <message>
-        <source>They go to the one machine that has this address.</source>
+        <source>They go only to the computer with this address.</source>
         <translation>이 주소를 가진 컴퓨터 한 대로만 보냅니다.</translation>
     </message>
     <message>
-        <source>They do not leave this machine.</source>
+        <source>They do not leave this computer.</source>
         <translation>이 컴퓨터 밖으로 나가지 않습니다.</translation>
     </message>
     <message>
-        <source>Whoever is on that network can read where the robots are.</source>
+        <source>Anyone on that network can read the robots&apos; positions.</source>
         <translation>해당 네트워크에 있는 사람은 누구나 로봇의 위치를 읽을 수 있습니다.</translation>
     </message>
 </context>
@@ -11206,7 +11206,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>odo::PickColourDialog</name>
     <message>
-        <source>Robot&apos;s colour from a picture</source>
+        <source>Pick the robot&apos;s colour</source>
         <translation>사진에서 로봇 색 고르기</translation>
     </message>
     <message>
@@ -11222,15 +11222,15 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>프레임(&amp;F)</translation>
     </message>
     <message>
-        <source>Choose a video in which the robot is seen.</source>
+        <source>Choose a video that shows the robot.</source>
         <translation>로봇이 보이는 동영상을 선택하십시오.</translation>
     </message>
     <message>
-        <source>Take this colour</source>
+        <source>Use this colour</source>
         <translation>이 색 사용</translation>
     </message>
     <message>
-        <source>Video in which the robot is seen</source>
+        <source>Video that shows the robot</source>
         <translation>로봇이 보이는 동영상</translation>
     </message>
     <message>
@@ -11246,7 +11246,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>여기서 로봇의 색: %1. 상자의 %2 %를 차지합니다.</translation>
     </message>
     <message>
-        <source>Draw a box closely round the robot with the mouse; or with the arrow keys, which move the box, and with Shift make it larger or smaller.</source>
+        <source>Draw a tight box round the robot with the mouse, or use the keyboard: arrow keys move the box, Shift + arrow keys resize it.</source>
         <translation>마우스로 로봇을 바짝 둘러싸는 상자를 그리십시오. 화살표 키로는 상자를 옮기고, Shift와 함께 누르면 크기를 바꿉니다.</translation>
     </message>
     <message>
@@ -11268,7 +11268,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>odo::PictureBars</name>
     <message>
-        <source>Error of each picture, with a threshold</source>
+        <source>Error of each image, with a threshold</source>
         <translation>사진별 오차와 기준값</translation>
     </message>
     <message>
@@ -11276,33 +11276,33 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>%1: %2 px</translation>
     </message>
     <message>
-        <source>pictures; above %1 px they do not count</source>
+        <source>images; rejected above %1 px</source>
         <translation>사진; %1 px를 넘으면 계산에서 뺍니다</translation>
     </message>
 </context>
 <context>
     <name>odo::PictureChoice</name>
     <message>
-        <source>In the camera&apos;s &amp;newest recording</source>
+        <source>The camera&apos;s &amp;newest recording</source>
         <translation>카메라의 최근 녹화에서(&amp;N)</translation>
     </message>
     <message>
-        <source>In what a &amp;connected camera sees now</source>
+        <source>The current image of a &amp;connected camera</source>
         <translation>연결된 카메라의 현재 영상에서(&amp;C)</translation>
     </message>
     <message>
-        <source>In a &amp;picture or video</source>
+        <source>An image or a &amp;video</source>
         <translation>사진 또는 동영상에서(&amp;P)</translation>
     </message>
     <message>
-        <source>Pictures and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
         <translation>사진과 동영상 (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;모든 파일 (*)</translation>
     </message>
 </context>
 <context>
     <name>odo::PlannedCameraForm</name>
     <message>
-        <source>Stands at x</source>
+        <source>Position x</source>
         <translation>카메라 위치 x</translation>
     </message>
     <message>
@@ -11310,7 +11310,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation> mm</translation>
     </message>
     <message>
-        <source>Stands at y</source>
+        <source>Position y</source>
         <translation>카메라 위치 y</translation>
     </message>
     <message>
@@ -11326,7 +11326,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>바라보는 곳 y</translation>
     </message>
     <message>
-        <source>Direction in which it looks</source>
+        <source>Viewing direction</source>
         <translation>바라보는 방향</translation>
     </message>
     <message>
@@ -11338,19 +11338,19 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>화각</translation>
     </message>
     <message>
-        <source>0° is along X, 90° along Y; turning it turns the point that it looks at about the camera</source>
+        <source>0° is along X, 90° along Y; the point that the camera looks at turns with it</source>
         <translation>0°는 X축 방향, 90°는 Y축 방향입니다. 돌리면 바라보는 점이 카메라를 중심으로 돕니다</translation>
     </message>
     <message>
-        <source>Across the picture&apos;s width: a webcam has some 60° to 80°, a phone 65°</source>
+        <source>Across the image width: a webcam has about 60° to 80°, a phone 65°</source>
         <translation>영상의 가로 방향 화각: 웹캠은 약 60°~80°, 휴대전화는 65°</translation>
     </message>
     <message>
-        <source>Size of its pictures</source>
+        <source>Image size</source>
         <translation>영상 크기</translation>
     </message>
     <message>
-        <source>&amp;Stands at x, y</source>
+        <source>Po&amp;sition x, y</source>
         <translation>카메라 위치 x, y(&amp;S)</translation>
     </message>
     <message>
@@ -11377,7 +11377,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>환경 설정</translation>
     </message>
     <message>
-        <source>Kinds of preferences</source>
+        <source>Categories of preferences</source>
         <translation>환경 설정 종류</translation>
     </message>
     <message>
@@ -11561,7 +11561,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>odo::RegistrationVerdict</name>
     <message>
-        <source>Where the camera stands</source>
+        <source>Camera position</source>
         <translation>카메라가 있는 곳</translation>
     </message>
     <message>
@@ -11569,7 +11569,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>판정</translation>
     </message>
     <message>
-        <source>It stands at x %1 m, y %2 m, %3 m above the floor.</source>
+        <source>Camera position: x %1 m, y %2 m, %3 m above the floor.</source>
         <translation>카메라는 x %1 m, y %2 m, 바닥에서 높이 %3 m에 있습니다.</translation>
     </message>
     <message>
@@ -11614,11 +11614,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>PDF 파일 (*.pdf)</translation>
     </message>
     <message>
-        <source>The report is in %1.</source>
+        <source>Report saved as %1.</source>
         <translation>보고서를 %1에 저장했습니다.</translation>
     </message>
     <message>
-        <source>The report is with the printer %1.</source>
+        <source>Report sent to printer %1.</source>
         <translation>보고서를 프린터 %1(으)로 보냈습니다.</translation>
     </message>
 </context>
@@ -11729,7 +11729,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>학교(&amp;S)</translation>
     </message>
     <message>
-        <source>stands at the head of each page</source>
+        <source>shown at the top of each page</source>
         <translation>각 쪽의 머리에 나옵니다</translation>
     </message>
     <message>
@@ -11737,7 +11737,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>로고</translation>
     </message>
     <message>
-        <source>Pictures (*.png *.jpg *.jpeg *.svg)</source>
+        <source>Images (*.png *.jpg *.jpeg *.svg)</source>
         <translation>그림 (*.png *.jpg *.jpeg *.svg)</translation>
     </message>
     <message>
@@ -11745,15 +11745,15 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>로고(&amp;L)</translation>
     </message>
     <message>
-        <source>How the logo looks</source>
+        <source>Preview of the logo</source>
         <translation>로고 모양</translation>
     </message>
     <message>
-        <source>&amp;At the foot</source>
+        <source>&amp;At the bottom</source>
         <translation>쪽 아래(&amp;A)</translation>
     </message>
     <message>
-        <source>for example: who answers questions</source>
+        <source>for example: whom to ask</source>
         <translation>예: 문의할 곳</translation>
     </message>
 </context>
@@ -11764,7 +11764,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>없음</translation>
     </message>
     <message>
-        <source>&amp;Measure again</source>
+        <source>&amp;Reanalyse</source>
         <translation>다시 측정(&amp;M)</translation>
     </message>
     <message>
@@ -11772,7 +11772,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>유지(&amp;K)</translation>
     </message>
     <message>
-        <source>Measure trials again</source>
+        <source>Reanalyse trials</source>
         <translation>시행 다시 측정</translation>
     </message>
     <message>
@@ -11780,7 +11780,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>로봇</translation>
     </message>
     <message>
-        <source>Figure</source>
+        <source>Metric</source>
         <translation>지표</translation>
     </message>
     <message>
@@ -11804,7 +11804,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>바뀌는 것(글)</translation>
     </message>
     <message>
-        <source>What was seen in the videos stays as it is; where it lies on the floor is computed with the registrations in force now. Look at what changes, then keep it or not: the older analysis stays in the project too.</source>
+        <source>What was detected in the videos stays as it is; its floor positions are recomputed with the current registrations. Check what changes, then keep it or not: the older analysis stays in the project too.</source>
         <translation>동영상에서 본 것은 그대로 두고, 바닥의 어디인지를 지금 적용 중인 정합으로 계산합니다. 무엇이 바뀌는지 보고 유지할지 정하십시오. 이전 분석도 프로젝트에 남습니다.</translation>
     </message>
     <message>
@@ -11899,15 +11899,15 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>odo::RevisionPicture</name>
     <message>
-        <source>Picture that it was made from</source>
+        <source>Source image</source>
         <translation>이것을 만든 사진</translation>
     </message>
     <message>
-        <source>Reading the picture…</source>
+        <source>Reading the image…</source>
         <translation>사진을 읽는 중…</translation>
     </message>
     <message>
-        <source>The picture cannot be read.</source>
+        <source>Cannot read the image.</source>
         <translation>사진을 읽을 수 없습니다.</translation>
     </message>
 </context>
@@ -11918,11 +11918,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>이 버전 사용(&amp;U)</translation>
     </message>
     <message>
-        <source>&amp;Register with this lens</source>
+        <source>&amp;Register with this calibration</source>
         <translation>이 렌즈로 정합(&amp;R)</translation>
     </message>
     <message>
-        <source>&amp;Measure trials again…</source>
+        <source>Reanalyse &amp;trials…</source>
         <translation>시행 다시 측정(&amp;M)…</translation>
     </message>
     <message>
@@ -11954,7 +11954,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>시행</translation>
     </message>
     <message>
-        <source>In force</source>
+        <source>Current</source>
         <translation>적용</translation>
     </message>
     <message>
@@ -11962,11 +11962,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>버전</translation>
     </message>
     <message>
-        <source>Puts the chosen revision in force for what is measured from now on; trials keep theirs</source>
+        <source>Makes the selected revision the current one for new measurements; trials keep theirs</source>
         <translation>선택한 버전을 앞으로의 측정에 적용합니다. 시행은 쓰던 버전을 유지합니다</translation>
     </message>
     <message>
-        <source>Computes the registration in force anew from the same markers, with the lens in force</source>
+        <source>Recomputes the current registration from the same markers, with the current lens calibration</source>
         <translation>적용 중인 정합을 같은 마커와 적용 중인 렌즈로 새로 계산합니다</translation>
     </message>
     <message>
@@ -11998,27 +11998,27 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>정합 %1</translation>
     </message>
     <message>
-        <source>in force</source>
+        <source>current</source>
         <translation>적용 중</translation>
     </message>
     <message>
-        <source>No trial was measured with it.</source>
+        <source>No trial uses it.</source>
         <translation>이것으로 측정한 시행이 없습니다.</translation>
     </message>
     <message>
-        <source>Trials measured with it: %1.</source>
+        <source>Trials that use it: %1.</source>
         <translation>이것으로 측정한 시행: %1.</translation>
     </message>
     <message>
-        <source>%1 is in force. The registrations keep the lens that they were made with: register the camera with this one.</source>
+        <source>%1 is now current. The registrations keep the lens calibration that they were made with: register the camera with this one.</source>
         <translation>%1을(를) 적용했습니다. 기존 정합은 만들 때의 렌즈를 유지합니다. 이 렌즈로 카메라를 정합하십시오.</translation>
     </message>
     <message>
-        <source>%1 is in force. Trials keep theirs until they are measured again.</source>
+        <source>%1 is now current. Trials keep theirs until you reanalyse them.</source>
         <translation>%1을(를) 적용했습니다. 시행은 다시 측정할 때까지 쓰던 것을 유지합니다.</translation>
     </message>
     <message>
-        <source>Registration %1 is in force: the same markers, with this lens. %2</source>
+        <source>Registration %1 is now current: the same markers, with this lens calibration. %2</source>
         <translation>정합 %1을(를) 적용했습니다. 같은 마커를 이 렌즈로 계산했습니다. %2</translation>
     </message>
 </context>
@@ -12029,7 +12029,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>로봇 추가</translation>
     </message>
     <message>
-        <source>Found from the views</source>
+        <source>Estimated from the views</source>
         <translation>뷰에서 구함</translation>
     </message>
     <message>
@@ -12053,7 +12053,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>이름(&amp;N)</translation>
     </message>
     <message>
-        <source>From a &amp;picture…</source>
+        <source>&amp;Pick from a video…</source>
         <translation>사진에서(&amp;P)…</translation>
     </message>
     <message>
@@ -12077,7 +12077,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>로봇 변경</translation>
     </message>
     <message>
-        <source>How it differs from the floor</source>
+        <source>Its silhouette</source>
         <translation>바닥과 다른 점</translation>
     </message>
     <message>
@@ -12085,19 +12085,19 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>고유한 색</translation>
     </message>
     <message>
-        <source>A robot of any look is found by how it differs from the floor. A colour of its own helps where several things move.</source>
+        <source>The silhouette works for any robot. A colour of its own helps if several things move.</source>
         <translation>어떤 모습의 로봇이든 바닥과 다른 점으로 찾습니다. 여러 물체가 움직이는 곳에서는 고유한 색이 도움이 됩니다.</translation>
     </message>
     <message>
-        <source>&amp;Found by</source>
+        <source>D&amp;etected by</source>
         <translation>찾는 방법(&amp;F)</translation>
     </message>
     <message>
-        <source>In charts and maps, whatever the robot looks like</source>
+        <source>Colour in charts and maps; the robot itself may have another</source>
         <translation>로봇의 모습과 상관없이 차트와 지도에 쓰이는 색</translation>
     </message>
     <message>
-        <source>From the middle of what the robot covers of the floor; 0 and 0 is the middle itself.</source>
+        <source>Offset from the middle of the robot&apos;s footprint; 0 and 0 is the middle itself.</source>
         <translation>로봇이 바닥에서 차지하는 영역의 중심에서 잰 값입니다. 0과 0은 중심 자체입니다.</translation>
     </message>
     <message>
@@ -12105,7 +12105,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation> mm 앞</translation>
     </message>
     <message>
-        <source>Measured point, forward of the robot&apos;s middle</source>
+        <source>Reference point, forward of the robot&apos;s middle</source>
         <translation>측정점, 로봇 중심의 앞쪽</translation>
     </message>
     <message>
@@ -12113,11 +12113,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation> mm 왼쪽</translation>
     </message>
     <message>
-        <source>Measured point, left of the robot&apos;s middle</source>
+        <source>Reference point, left of the robot&apos;s middle</source>
         <translation>측정점, 로봇 중심의 왼쪽</translation>
     </message>
     <message>
-        <source>&amp;Measured point</source>
+        <source>&amp;Reference point</source>
         <translation>측정점(&amp;M)</translation>
     </message>
 </context>
@@ -12158,7 +12158,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>odo::RobotsDialog</name>
     <message>
-        <source>found from the views</source>
+        <source>estimated from the views</source>
         <translation>뷰에서 구함</translation>
     </message>
     <message>
@@ -12198,11 +12198,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>길이 × 너비</translation>
     </message>
     <message>
-        <source>Another colour or height counts from the next tracking on; what was measured before stays as it is.</source>
+        <source>A new colour or height applies from the next tracking on; earlier results stay as they are.</source>
         <translation>색이나 높이를 바꾸면 다음 추적부터 반영되며, 이미 측정한 것은 그대로 남습니다.</translation>
     </message>
     <message>
-        <source>What was done</source>
+        <source>Latest change</source>
         <translation>작업 결과</translation>
     </message>
     <message>
@@ -12218,7 +12218,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>실루엣</translation>
     </message>
     <message>
-        <source>Found by</source>
+        <source>Detected by</source>
         <translation>찾는 방법</translation>
     </message>
 </context>
@@ -12445,11 +12445,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>줄 제거(&amp;V)</translation>
     </message>
     <message>
-        <source>Each line gives all of its points where the figure is at the one bound or better, none at the other or worse, and evenly between them. Points below zero are a penalty.</source>
+        <source>Each line gives all its points if the metric reaches the first bound, none at the second bound or worse, and a proportional share between them. Negative points are a penalty.</source>
         <translation>각 줄은 지표가 만점 기준과 같거나 그보다 좋으면 배점을 모두 주고, 0점 기준과 같거나 그보다 나쁘면 주지 않으며, 그 사이에서는 고르게 나누어 줍니다. 배점이 0보다 작으면 감점입니다.</translation>
     </message>
     <message>
-        <source>Figure</source>
+        <source>Metric</source>
         <translation>지표</translation>
     </message>
     <message>
@@ -12477,7 +12477,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>줄 추가(&amp;A)</translation>
     </message>
     <message>
-        <source>Figure that counts</source>
+        <source>Scored metric</source>
         <translation>채점할 지표</translation>
     </message>
     <message>
@@ -12485,7 +12485,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>줄이 없으면 이 과제의 주행을 채점하지 않습니다.</translation>
     </message>
     <message>
-        <source>In all %1 points.</source>
+        <source>Total: %1 points.</source>
         <translation>모두 %1점입니다.</translation>
     </message>
 </context>
@@ -12503,7 +12503,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>odo::SharedPointsPage</name>
     <message>
-        <source>&amp;Take out</source>
+        <source>&amp;Remove</source>
         <translation>빼기(&amp;T)</translation>
     </message>
     <message>
@@ -12511,11 +12511,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>실행 취소(&amp;U)</translation>
     </message>
     <message>
-        <source>Picture of the camera to register; arrow keys move the chosen point</source>
+        <source>Image of the camera to register; arrow keys move the selected point</source>
         <translation>정합할 카메라의 사진; 화살표 키로 선택한 점을 옮깁니다</translation>
     </message>
     <message>
-        <source>Picture of the registered camera; arrow keys move the chosen point</source>
+        <source>Image of the registered camera; arrow keys move the selected point</source>
         <translation>정합된 카메라의 사진; 화살표 키로 선택한 점을 옮깁니다</translation>
     </message>
     <message>
@@ -12535,7 +12535,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>오차</translation>
     </message>
     <message>
-        <source>Points of the floor</source>
+        <source>Floor points</source>
         <translation>바닥의 점</translation>
     </message>
     <message>
@@ -12552,7 +12552,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>P%1</translation>
     </message>
     <message>
-        <source>Click a point of the floor in the left picture, then the same one in the right picture. What lies near a click is taken to the tenth of a pixel; the arrow keys move the chosen point, Space snaps it.</source>
+        <source>Click a floor point in the left image, then the same point in the right image. A click snaps to what is near it, to a tenth of a pixel; arrow keys move the selected point, Space snaps it.</source>
         <translation>왼쪽 사진에서 바닥의 한 점을 클릭하고, 오른쪽 사진에서 같은 점을 클릭하십시오. 클릭한 곳 근처의 표식에 10분의 1픽셀까지 맞춥니다. 화살표 키로 선택한 점을 옮기고 Space로 표식에 맞춥니다.</translation>
     </message>
     <message>
@@ -12568,7 +12568,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>%1 mm</translation>
     </message>
     <message>
-        <source>both pictures</source>
+        <source>both images</source>
         <translation>두 사진</translation>
     </message>
     <message>
@@ -12580,7 +12580,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>오른쪽만</translation>
     </message>
     <message>
-        <source>not put yet</source>
+        <source>not set yet</source>
         <translation>아직 지정 안 됨</translation>
     </message>
 </context>
@@ -12665,7 +12665,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>이유</translation>
     </message>
     <message>
-        <source>%1 doubtful</source>
+        <source>%1 ambiguous</source>
         <translation>%1개 불확실</translation>
     </message>
     <message>
@@ -12680,7 +12680,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>과제를 선택하십시오</translation>
     </message>
     <message>
-        <source>three trials at different times tell</source>
+        <source>needs three trials at different times</source>
         <translation>서로 다른 때의 시행 세 개로 알 수 있음</translation>
     </message>
     <message>
@@ -12700,7 +12700,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>시행 하나</translation>
     </message>
     <message>
-        <source>One more than the teams that are better beyond doubt: their medians differ by more than 1.96 σ. Runs of different tasks are not ranked</source>
+        <source>One more than the number of significantly better teams (medians differ by more than 1.96 σ). Runs of different tasks are not ranked</source>
         <translation>확실히 더 나은 팀의 수에 1을 더한 값입니다. 중앙값 차이가 1.96 σ를 넘어야 확실한 것으로 봅니다. 서로 다른 과제의 주행은 순위를 매기지 않습니다</translation>
     </message>
     <message>
@@ -12740,7 +12740,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>산포</translation>
     </message>
     <message>
-        <source>Change through the term by a straight line; beyond the spread by Student&apos;s test, 95 %</source>
+        <source>Change over the term by a straight-line fit; Student&apos;s t-test (95 %) decides if it exceeds the spread</source>
         <translation>직선으로 본 학기 중 변화; 산포를 넘는지는 스튜던트 t 검정(95 %)으로 판단</translation>
     </message>
     <message>
@@ -12814,7 +12814,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>분석 %1, Odograph %2</translation>
     </message>
     <message>
-        <source>Units of lengths, speeds and times; to be chosen in the preferences</source>
+        <source>Units of lengths, speeds and times; change them in the preferences</source>
         <translation>길이, 속력, 시간의 단위; 환경 설정에서 선택합니다</translation>
     </message>
     <message>
@@ -12944,7 +12944,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>한 장입니다. 인쇄한 뒤 종이에서 정사각형을 재십시오. 프린터는 흔히 2~4 % 작게 인쇄합니다.</translation>
     </message>
     <message>
-        <source>One sheet for each marker. A tag&apos;s number is the place of its label in the layout.</source>
+        <source>One sheet for each marker. A tag&apos;s number is the position of its label in the layout.</source>
         <translation>마커마다 한 장입니다. 태그의 번호는 배치에서 그 이름표의 순서입니다.</translation>
     </message>
     <message>
@@ -13037,7 +13037,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>채점(&amp;R)</translation>
     </message>
     <message>
-        <source>What is wrong</source>
+        <source>Problems</source>
         <translation>문제점</translation>
     </message>
     <message>
@@ -13049,7 +13049,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>취소</translation>
     </message>
     <message>
-        <source>Take gates, path, limits and zones from a task file (JSON)</source>
+        <source>Import gates, path, limits and zones from a task file (JSON)</source>
         <translation>과제 파일(JSON)에서 게이트, 경로, 한계, 구역을 가져옵니다</translation>
     </message>
     <message>
@@ -13065,7 +13065,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>가속도 한계(&amp;I)</translation>
     </message>
     <message>
-        <source>What no robot in the task can do: a measurement beyond it is a spike</source>
+        <source>No robot in the task can exceed it: a measurement beyond it is a spike</source>
         <translation>이 과제의 어떤 로봇도 넘을 수 없는 값: 이를 넘는 측정값은 이상점입니다</translation>
     </message>
     <message>
@@ -13081,7 +13081,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>과제의 이름이 없습니다.</translation>
     </message>
     <message>
-        <source>There is a task of that name. Give another name.</source>
+        <source>A task with this name exists. Enter another name.</source>
         <translation>같은 이름의 과제가 있습니다. 다른 이름을 지정하십시오.</translation>
     </message>
     <message>
@@ -13120,7 +13120,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>삭제(&amp;D)</translation>
     </message>
     <message>
-        <source>&amp;Measure them again</source>
+        <source>Reanalyse &amp;them</source>
         <translation>다시 측정(&amp;M)</translation>
     </message>
     <message>
@@ -13132,7 +13132,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>과제에 딸린 것</translation>
     </message>
     <message>
-        <source>What was done</source>
+        <source>Latest change</source>
         <translation>작업 결과</translation>
     </message>
     <message>
@@ -13152,7 +13152,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>쓰는 곳</translation>
     </message>
     <message>
-        <source>An archived task is not offered any more; its trials, results and scores stay as they are</source>
+        <source>Archived tasks no longer appear in lists; their trials, results and scores stay as they are</source>
         <translation>보관된 과제는 더 이상 고를 수 없습니다. 그 시행, 결과, 점수는 그대로 남습니다</translation>
     </message>
     <message numerus="yes">
@@ -13180,11 +13180,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>%1, 보관됨</translation>
     </message>
     <message>
-        <source>No task yet. New makes one from a template: its gates, path and scoring say what is to be driven, and how well it was.</source>
+        <source>No task yet. New creates one from a template. Its gates, path and scoring define the course and rate the runs.</source>
         <translation>아직 과제가 없습니다. 새로 만들기는 템플릿으로 과제를 만듭니다. 과제의 게이트, 경로, 채점은 무엇을 주행해야 하고 얼마나 잘했는지를 정합니다.</translation>
     </message>
     <message numerus="yes">
-        <source>The course as it was before it was changed: %n result(s) measured by it keep it.</source>
+        <source>Earlier version of the course: %n result(s) still use it.</source>
         <translation>
             <numerusform>변경하기 전의 코스입니다. 이 코스로 측정한 결과 %n개가 이것을 유지합니다.</numerusform>
         </translation>
@@ -13200,13 +13200,13 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>이 과제의 시행이 없습니다.</translation>
     </message>
     <message numerus="yes">
-        <source>%n of them measured by another course: times at gates and distances from the path are of that one, and there is no score until they are measured again.</source>
+        <source>%n of them were measured with another course: their gate times and distances from the path belong to that one, and they have no score until you reanalyse them.</source>
         <translation>
             <numerusform>그중 %n개는 다른 코스로 측정했습니다. 게이트 통과 시각과 경로에서 떨어진 거리는 그 코스의 것이며, 다시 측정할 때까지 점수가 없습니다.</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>It is scored by %n figure(s).</source>
+        <source>It is scored by %n metric(s).</source>
         <translation>
             <numerusform>지표 %n개로 채점합니다.</numerusform>
         </translation>
@@ -13216,19 +13216,19 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>채점하지 않습니다.</translation>
     </message>
     <message>
-        <source>Out of the &amp;archive</source>
+        <source>Restore from &amp;archive</source>
         <translation>보관 해제(&amp;A)</translation>
     </message>
     <message>
-        <source>Trials have this task, or were measured by it: it stays, so that their figures say what they were measured by</source>
+        <source>Trials have this task or were measured with it: it stays to document their metrics</source>
         <translation>이 과제의 시행이 있거나 이 과제로 측정한 시행이 있습니다. 지표를 무엇으로 측정했는지 알 수 있도록 과제를 남겨 둡니다</translation>
     </message>
     <message>
-        <source>Deletes the task (Del); Ctrl+Z takes it back</source>
+        <source>Deletes the task (Del); Ctrl+Z undoes this</source>
         <translation>과제를 삭제합니다(Del). Ctrl+Z로 되돌릴 수 있습니다</translation>
     </message>
     <message numerus="yes">
-        <source>%n result(s) measured by this course stay true: a course that is changed is kept for them as an earlier version. The trials go over to the new one; their times and scores follow once they are measured again.</source>
+        <source>%n result(s) measured with this course stay valid: if you change the course, they keep the earlier version. Reanalyse the trials to update their times and scores.</source>
         <translation>
             <numerusform>이 코스로 측정한 결과 %n개는 계속 유효합니다. 코스를 변경하면 그 결과를 위해 이전 버전을 남겨 둡니다. 시행은 새 코스로 넘어가며, 시간과 점수는 다시 측정하면 반영됩니다.</numerusform>
         </translation>
@@ -13377,7 +13377,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>폭(&amp;W)</translation>
     </message>
     <message>
-        <source>The way it is driven: 0° along X, 90° along Y</source>
+        <source>Driving direction: 0° along X, 90° along Y</source>
         <translation>주행 방향: 0°는 X축 방향, 90°는 Y축 방향</translation>
     </message>
     <message>
@@ -13428,7 +13428,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>아직 카메라가 없습니다</translation>
     </message>
     <message>
-        <source>A testbed is a floor with markers and the cameras that watch it. Begin with the lens of the first camera, or with the places of the markers.</source>
+        <source>A testbed is a floor with markers and the cameras that watch it. Start with the lens calibration of the first camera, or with the marker positions.</source>
         <translation>테스트베드는 마커가 있는 바닥과 그 바닥을 보는 카메라들입니다. 첫 카메라의 렌즈나 마커의 위치부터 시작하십시오.</translation>
     </message>
     <message>
@@ -13436,7 +13436,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>과제(&amp;K)…</translation>
     </message>
     <message>
-        <source>What is driven on this floor: gates, paths, limits, scoring</source>
+        <source>Courses on this floor: gates, paths, limits, scoring</source>
         <translation>이 바닥에서 주행할 것: 게이트, 경로, 한계, 채점</translation>
     </message>
     <message>
@@ -13444,7 +13444,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>카메라</translation>
     </message>
     <message>
-        <source>What is known of the camera</source>
+        <source>Details of the camera</source>
         <translation>카메라 정보</translation>
     </message>
     <message>
@@ -13456,12 +13456,12 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>마커 배치</translation>
     </message>
     <message>
-        <source>Picture</source>
-        <translation>영상</translation>
-    </message>
-    <message>
         <source>Camera %1</source>
         <translation>카메라 %1</translation>
+    </message>
+    <message>
+        <source>Image</source>
+        <translation>영상</translation>
     </message>
 </context>
 <context>
@@ -13475,7 +13475,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>보정…</translation>
     </message>
     <message>
-        <source>Measure a camera&apos;s lens from pictures of a board</source>
+        <source>Calibrate a camera with images of a board</source>
         <translation>보드 사진으로 카메라의 렌즈를 측정합니다</translation>
     </message>
     <message>
@@ -13487,43 +13487,43 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>정합…</translation>
     </message>
     <message>
-        <source>Find where a camera stands from the floor markers</source>
+        <source>Determine a camera&apos;s position from the floor markers</source>
         <translation>바닥 마커로 카메라가 있는 곳을 구합니다</translation>
     </message>
     <message>
-        <source>Register t&amp;hrough another camera…</source>
+        <source>Register via anot&amp;her camera…</source>
         <translation>다른 카메라를 통해 정합(&amp;H)…</translation>
     </message>
     <message>
-        <source>Through another…</source>
+        <source>Via another…</source>
         <translation>통해 정합…</translation>
     </message>
     <message>
-        <source>Find where a camera stands that sees no markers, from points of the floor that another camera sees as well</source>
+        <source>Determine the position of a camera that sees no markers, from floor points that another camera also sees</source>
         <translation>마커가 보이지 않는 카메라가 있는 곳을, 다른 카메라에도 보이는 바닥의 점들로 구합니다</translation>
     </message>
     <message>
-        <source>Register all cameras to&amp;gether…</source>
+        <source>Re&amp;gister all cameras (joint)…</source>
         <translation>모든 카메라 함께 정합(&amp;G)…</translation>
     </message>
     <message>
-        <source>All together…</source>
+        <source>All cameras (joint)…</source>
         <translation>함께 정합…</translation>
     </message>
     <message>
-        <source>Fit the cameras of the chosen layout at once, so that they agree, and find markers that were measured wrongly</source>
+        <source>Fit all cameras of the selected layout jointly to make them agree, and find wrongly measured markers</source>
         <translation>선택한 배치의 카메라들을 한꺼번에 맞추어 서로 일치하게 하고, 잘못 잰 마커를 찾습니다</translation>
     </message>
     <message>
-        <source>Import &amp;intrinsics…</source>
+        <source>&amp;Import lens calibration…</source>
         <translation>내부 파라미터 가져오기(&amp;I)…</translation>
     </message>
     <message>
-        <source>Import lens…</source>
+        <source>Import calibration…</source>
         <translation>렌즈 가져오기…</translation>
     </message>
     <message>
-        <source>Take a camera&apos;s lens from a ROS or OpenCV YAML file</source>
+        <source>Import a camera&apos;s lens calibration from a ROS or OpenCV YAML file</source>
         <translation>ROS나 OpenCV의 YAML 파일에서 카메라의 렌즈를 가져옵니다</translation>
     </message>
     <message>
@@ -13535,7 +13535,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>새 배치…</translation>
     </message>
     <message>
-        <source>Say where the markers lie, from the start or from the layout that is chosen</source>
+        <source>Enter the marker positions, from scratch or based on the selected layout</source>
         <translation>마커의 위치를 처음부터, 또는 선택한 배치를 바탕으로 입력합니다</translation>
     </message>
     <message>
@@ -13547,7 +13547,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>배치 가져오기…</translation>
     </message>
     <message>
-        <source>Take the places of the markers from a table</source>
+        <source>Import the marker positions from a table</source>
         <translation>표에서 마커의 위치를 가져옵니다</translation>
     </message>
     <message>
@@ -13559,7 +13559,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>인쇄…</translation>
     </message>
     <message>
-        <source>Boards for the lens and markers for the floor, to scale</source>
+        <source>Calibration boards and floor markers, to scale</source>
         <translation>렌즈용 보드와 바닥용 마커를 실제 크기로 인쇄합니다</translation>
     </message>
     <message>
@@ -13571,15 +13571,15 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>카메라 %1을(를) 정합했습니다. %2</translation>
     </message>
     <message>
-        <source>Camera %1 is registered through camera %2. %3</source>
+        <source>Camera %1 is registered via camera %2. %3</source>
         <translation>카메라 %2을(를) 통해 카메라 %1을(를) 정합했습니다. %3</translation>
     </message>
     <message>
-        <source>The cameras of layout %1 are registered together. %2</source>
+        <source>The cameras of layout %1 are registered jointly. %2</source>
         <translation>배치 %1의 카메라들을 함께 정합했습니다. %2</translation>
     </message>
     <message>
-        <source>Intrinsics of a camera</source>
+        <source>Lens calibration of a camera</source>
         <translation>카메라의 내부 파라미터</translation>
     </message>
     <message>
@@ -13587,7 +13587,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>보정 (*.yaml *.yml);;모든 파일 (*)</translation>
     </message>
     <message>
-        <source>Import intrinsics</source>
+        <source>Import lens calibration</source>
         <translation>내부 파라미터 가져오기</translation>
     </message>
     <message>
@@ -13595,11 +13595,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>카메라:</translation>
     </message>
     <message>
-        <source>The lens of camera %1 was taken from %2.</source>
+        <source>Lens calibration of camera %1 imported from %2.</source>
         <translation>카메라 %1의 렌즈를 %2에서 가져왔습니다.</translation>
     </message>
     <message>
-        <source>Places of the markers (label,x_mm,y_mm)</source>
+        <source>Positions of the markers (label,x_mm,y_mm)</source>
         <translation>마커 위치 (label,x_mm,y_mm)</translation>
     </message>
     <message>
@@ -13614,15 +13614,15 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>odo::ThroughSourcePage</name>
     <message>
-        <source>Picture or video of the camera to register</source>
+        <source>Image or video of the camera to register</source>
         <translation>정합할 카메라의 사진 또는 동영상</translation>
     </message>
     <message>
-        <source>Picture or video of the registered camera</source>
+        <source>Image or video of the registered camera</source>
         <translation>정합된 카메라의 사진 또는 동영상</translation>
     </message>
     <message>
-        <source>A camera cannot be registered through itself: choose two different ones.</source>
+        <source>A camera cannot be registered via itself: choose two different ones.</source>
         <translation>카메라를 자신을 통해 정합할 수는 없습니다. 서로 다른 두 카메라를 선택하십시오.</translation>
     </message>
     <message>
@@ -13634,7 +13634,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>정합된 카메라</translation>
     </message>
     <message>
-        <source>A camera that sees no markers can be registered by points of the floor that a registered camera sees as well: corners of tiles, ends of tape, screws. Four are enough, six or more spread over the common part are better. Neither camera may be moved afterwards.</source>
+        <source>Register a camera that sees no markers by floor points that a registered camera also sees: corners of tiles, ends of tape, screws. Four are enough; six or more, spread over the common area, are better. Do not move either camera afterwards.</source>
         <translation>마커가 보이지 않는 카메라는 정합된 카메라에도 보이는 바닥의 점, 곧 타일 모서리, 테이프 끝, 나사 등으로 정합할 수 있습니다. 네 개면 충분하고, 함께 보이는 영역에 고루 퍼진 여섯 개 이상이면 더 좋습니다. 이후에는 두 카메라 모두 움직이면 안 됩니다.</translation>
     </message>
     <message>
@@ -13642,22 +13642,22 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>정합할 카메라(&amp;A)</translation>
     </message>
     <message>
-        <source>&amp;Through camera</source>
+        <source>&amp;Via camera</source>
         <translation>통할 카메라(&amp;T)</translation>
     </message>
     <message>
-        <source>Its picture</source>
+        <source>Its image</source>
         <translation>그 카메라의 사진</translation>
     </message>
     <message>
-        <source>The registered camera&apos;s picture</source>
+        <source>The registered camera&apos;s image</source>
         <translation>정합된 카메라의 사진</translation>
     </message>
 </context>
 <context>
     <name>odo::ThroughWizard</name>
     <message>
-        <source>Register through another camera</source>
+        <source>Register via another camera</source>
         <translation>다른 카메라를 통해 정합</translation>
     </message>
     <message>
@@ -13665,15 +13665,15 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>저장(&amp;S)</translation>
     </message>
     <message>
-        <source>Two cameras and their pictures</source>
+        <source>Two cameras and their images</source>
         <translation>두 카메라와 사진</translation>
     </message>
     <message>
-        <source>The same points in both pictures</source>
+        <source>The same points in both images</source>
         <translation>두 사진의 같은 점</translation>
     </message>
     <message>
-        <source>Getting the pictures…</source>
+        <source>Loading the images…</source>
         <translation>사진을 가져오는 중…</translation>
     </message>
 </context>
@@ -13711,7 +13711,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>거꾸로 재생, 다시 누르면 더 빠르게</translation>
     </message>
     <message>
-        <source>&amp;Stop; held, the two beside go by one frame</source>
+        <source>&amp;Stop; while held, the keys beside it step one frame</source>
         <translation>정지(&amp;S); 누른 채 양옆 키를 누르면 한 프레임씩</translation>
     </message>
     <message>
@@ -13789,7 +13789,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>odo::TrackDialog</name>
     <message>
-        <source>Robots to follow</source>
+        <source>Robots to track</source>
         <translation>따라갈 로봇</translation>
     </message>
     <message>
@@ -13848,7 +13848,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>묶은 프로젝트 (*%1)</translation>
     </message>
     <message>
-        <source>The project is packed into %1. Elsewhere it is unpacked by &quot;Unpack a packed project&quot;.</source>
+        <source>Project packed into %1. To use it on another computer, choose &quot;Unpack a packed project&quot; there.</source>
         <translation>프로젝트를 %1에 묶었습니다. 다른 곳에서는 &quot;묶은 프로젝트 풀기&quot;로 풉니다.</translation>
     </message>
     <message>
@@ -13864,15 +13864,15 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>묶은 프로젝트 (*%1);;모든 파일 (*)</translation>
     </message>
     <message>
-        <source>Where shall the project be unpacked?</source>
+        <source>Choose a folder for the unpacked project</source>
         <translation>프로젝트를 어디에 풀까요?</translation>
     </message>
     <message>
-        <source>In which folder, or below, may the lost videos lie?</source>
+        <source>Choose the folder to search for the lost videos (with subfolders)</source>
         <translation>잃은 동영상이 어느 폴더나 그 아래에 있습니까?</translation>
     </message>
     <message>
-        <source>%1 of %2 lost videos were found, by their content.</source>
+        <source>Found %1 of %2 lost videos by their content.</source>
         <translation>잃은 동영상 %2개 중 %1개를 내용으로 찾았습니다.</translation>
     </message>
     <message>
@@ -13894,7 +13894,7 @@ Much more than expected means that something is not as it was told: the views ar
         </translation>
     </message>
     <message>
-        <source>Videos can become trials of their own. Removed files are gone for good.</source>
+        <source>You can add videos as trials. Removed files are gone for good.</source>
         <translation>동영상은 별도의 시행이 될 수 있습니다. 제거한 파일은 되돌릴 수 없습니다.</translation>
     </message>
     <message>
@@ -13918,7 +13918,7 @@ Much more than expected means that something is not as it was told: the views ar
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n other file(s), listed last, stay: missing recordings, projects, and what is neither a video nor a picture.</source>
+        <source>%n other file(s), listed last, stay: missing recordings, projects, and files that are neither videos nor images.</source>
         <translation>
             <numerusform>목록 끝에 있는 다른 파일 %n개는 그대로 둡니다: 없어진 녹화, 프로젝트, 그리고 동영상도 그림도 아닌 것.</numerusform>
         </translation>
@@ -13986,11 +13986,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>로봇 추가(&amp;R)…</translation>
     </message>
     <message>
-        <source>The sample at %1 of %2 is not used. Undo takes it back.</source>
+        <source>The sample at %1 of %2 is not used. Choose Undo to use it.</source>
         <translation>%2의 %1 샘플을 사용하지 않습니다. 실행 취소로 되돌릴 수 있습니다.</translation>
     </message>
     <message>
-        <source>The sample at %1 of %2 is used. Undo takes it back.</source>
+        <source>The sample at %1 of %2 is used. Choose Undo to reverse this.</source>
         <translation>%2의 %1 샘플을 사용합니다. 실행 취소로 되돌릴 수 있습니다.</translation>
     </message>
     <message>
@@ -14002,11 +14002,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>MP4 동영상 (*.mp4)</translation>
     </message>
     <message>
-        <source>The video of %1 is there: %2</source>
+        <source>Video of %1 saved as %2</source>
         <translation>%1의 동영상을 만들었습니다: %2</translation>
     </message>
     <message>
-        <source>Robot %1 is known now.</source>
+        <source>Robot %1 added.</source>
         <translation>로봇 %1을(를) 추가했습니다.</translation>
     </message>
 </context>
@@ -14210,7 +14210,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>추적 안 함</translation>
     </message>
     <message>
-        <source>measure again</source>
+        <source>reanalyse</source>
         <translation>다시 측정</translation>
     </message>
     <message>
@@ -14299,7 +14299,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>실행 취소함: %1.</translation>
     </message>
     <message>
-        <source>Made again: %1.</source>
+        <source>Redone: %1.</source>
         <translation>다시 실행함: %1.</translation>
     </message>
     <message>
@@ -14322,7 +14322,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>odo::VideoDialog</name>
     <message>
-        <source>As it was driven</source>
+        <source>Real time</source>
         <translation>주행한 그대로</translation>
     </message>
     <message>
@@ -14346,7 +14346,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>어둡게</translation>
     </message>
     <message>
-        <source>One video with the pictures of all cameras, the map and the speed, to be shown or sent: whoever gets it needs no Odograph.</source>
+        <source>One video with all camera views, the map and the speed, to show or send. It plays without Odograph.</source>
         <translation>모든 카메라의 영상과 지도, 속력을 담은 동영상 하나를 만들어 보여 주거나 보낼 수 있습니다. 받는 사람에게는 Odograph가 필요 없습니다.</translation>
     </message>
     <message>
@@ -14362,7 +14362,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>테마(&amp;T)</translation>
     </message>
     <message>
-        <source>Choose a place…</source>
+        <source>Choose a file…</source>
         <translation>위치 선택…</translation>
     </message>
 </context>
@@ -14396,15 +14396,15 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>움직임이나 번쩍임에서</translation>
     </message>
     <message>
-        <source>Begun together</source>
+        <source>Same start time</source>
         <translation>동시에 시작</translation>
     </message>
     <message>
-        <source>By hand: begun later by</source>
+        <source>By hand: time offset</source>
         <translation>직접: 늦게 시작한 만큼</translation>
     </message>
     <message>
-        <source>How view %1 gets in step with the first</source>
+        <source>How to synchronise view %1 with the first</source>
         <translation>뷰 %1을(를) 첫째 뷰와 동기화하는 방법</translation>
     </message>
     <message>
@@ -14416,11 +14416,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation> s</translation>
     </message>
     <message>
-        <source>How much later view %1 began</source>
+        <source>Time offset of view %1</source>
         <translation>뷰 %1이(가) 늦게 시작한 시간</translation>
     </message>
     <message>
-        <source>Below zero: it began earlier than the first view</source>
+        <source>Negative: it started before the first view</source>
         <translation>0보다 작으면 첫째 뷰보다 먼저 시작한 것입니다</translation>
     </message>
     <message>
@@ -14443,14 +14443,14 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>최근 프로젝트</translation>
     </message>
     <message>
-        <source>not found any more</source>
+        <source>no longer found</source>
         <translation>더 이상 찾을 수 없음</translation>
     </message>
 </context>
 <context>
     <name>odo::Workspace</name>
     <message>
-        <source>%1: %2. Here it can only be looked at; to change it, close it there and open it here again.</source>
+        <source>%1: %2. It is read-only here; to change it, close it there and reopen it here.</source>
         <translation>%1: %2. 여기서는 보기만 할 수 있습니다. 변경하려면 그쪽에서 닫고 여기서 다시 여십시오.</translation>
     </message>
     <message>
@@ -14501,7 +14501,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>진입 금지 구역 추가(&amp;K)</translation>
     </message>
     <message>
-        <source>The robot&apos;s centre must stay in a zone, or keep out of it. Each is judged by itself; how often, how long and how far it was broken can be scored. Drag corners and edges on the map.</source>
+        <source>The robot&apos;s reference point must stay in a zone or keep out of it. Each zone counts separately; you can score how often, how long and how far a robot broke it. Drag corners and edges on the map.</source>
         <translation>로봇의 중심은 구역을 벗어나지 않거나 구역에 들어가지 않아야 합니다. 구역마다 따로 판정하며, 몇 번, 얼마 동안, 얼마나 멀리 어겼는지를 채점에 쓸 수 있습니다. 지도에서 꼭짓점과 변을 끌어 옮기십시오.</translation>
     </message>
     <message>
@@ -17358,7 +17358,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>ui.backup_is_sound</name>
     <message>
-        <source>its backup of %1 is sound; what was done since is not in it</source>
+        <source>its backup of %1 is intact; it does not contain later changes</source>
         <translation>%1의 백업 사본은 온전합니다. 그 뒤에 한 일은 들어 있지 않습니다</translation>
     </message>
 </context>
@@ -17400,7 +17400,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>ui.cannot_make_another</name>
     <message>
-        <source>cannot make another project</source>
+        <source>cannot create another project</source>
         <translation>다른 프로젝트를 만들 수 없습니다</translation>
     </message>
 </context>
@@ -17449,7 +17449,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>ui.charuco_numbered_in_two_ways</name>
     <message>
-        <source>a ChArUco board of %1 rows of squares is numbered in two ways by different programs</source>
+        <source>programs number a ChArUco board with %1 rows of squares in two different ways</source>
         <translation>정사각형이 %1행인 ChArUco 보드는 프로그램에 따라 번호가 두 가지로 매겨집니다</translation>
     </message>
 </context>
@@ -17498,7 +17498,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>ui.completing_recording</name>
     <message>
-        <source>Completing a recording that was cut off</source>
+        <source>Completing an interrupted recording</source>
         <translation>중간에 끊긴 녹화를 마무리하는 중</translation>
     </message>
 </context>
@@ -17589,21 +17589,21 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>ui.give_board_size</name>
     <message>
-        <source>give a size as 9x6</source>
+        <source>give a size such as 9x6</source>
         <translation>9x6처럼 크기를 주십시오</translation>
     </message>
 </context>
 <context>
     <name>ui.give_marker_size</name>
     <message>
-        <source>give its size, as 150mm</source>
+        <source>give its size, such as 150mm</source>
         <translation>150mm처럼 크기를 주십시오</translation>
     </message>
 </context>
 <context>
     <name>ui.give_square_side</name>
     <message>
-        <source>give the side of a square, as 25mm</source>
+        <source>give the side of a square, such as 25mm</source>
         <translation>25mm처럼 정사각형 한 변의 길이를 주십시오</translation>
     </message>
 </context>
@@ -17624,7 +17624,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>ui.is_printer_ready</name>
     <message>
-        <source>look whether the printer is ready</source>
+        <source>check that the printer is ready</source>
         <translation>프린터가 준비되었는지 확인하십시오</translation>
     </message>
 </context>
@@ -17638,7 +17638,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>ui.lens_of_other_size</name>
     <message>
-        <source>it is %1×%2, but the lens was measured at %3×%4</source>
+        <source>its size is %1×%2, but the lens was calibrated at %3×%4</source>
         <translation>%1×%2인데 렌즈는 %3×%4에서 측정되었습니다</translation>
     </message>
 </context>
@@ -17666,21 +17666,21 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>ui.looking_for_lost</name>
     <message>
-        <source>Looking for lost videos</source>
+        <source>Searching for lost videos</source>
         <translation>잃은 동영상 찾는 중</translation>
     </message>
 </context>
 <context>
     <name>ui.looking_for_strays</name>
     <message>
-        <source>Looking for stray files</source>
+        <source>Searching for stray files</source>
         <translation>소속 없는 파일 찾는 중</translation>
     </message>
 </context>
 <context>
     <name>ui.make_marker_smaller</name>
     <message>
-        <source>make it %1 at most, or take a larger paper</source>
+        <source>make it at most %1, or use larger paper</source>
         <translation>최대 %1로 하거나 더 큰 용지를 쓰십시오</translation>
     </message>
 </context>
@@ -17694,42 +17694,42 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>ui.make_squares_smaller</name>
     <message>
-        <source>make the squares %1 at most, or take a larger paper</source>
+        <source>make the squares at most %1, or use larger paper</source>
         <translation>정사각형을 최대 %1로 하거나 더 큰 용지를 쓰십시오</translation>
     </message>
 </context>
 <context>
     <name>ui.making_demo</name>
     <message>
-        <source>Making the demo lesson</source>
+        <source>Creating the demo lesson</source>
         <translation>데모 수업 만드는 중</translation>
     </message>
 </context>
 <context>
     <name>ui.making_hashes</name>
     <message>
-        <source>Making the hashes of new recordings</source>
+        <source>Computing the hashes of new recordings</source>
         <translation>새 녹화의 해시를 만드는 중</translation>
     </message>
 </context>
 <context>
     <name>ui.making_report</name>
     <message>
-        <source>Making the report</source>
+        <source>Creating the report</source>
         <translation>보고서 만드는 중</translation>
     </message>
 </context>
 <context>
     <name>ui.making_video</name>
     <message>
-        <source>Making the video of %1</source>
+        <source>Creating the video of %1</source>
         <translation>%1의 동영상 만드는 중</translation>
     </message>
 </context>
 <context>
     <name>ui.making_videos</name>
     <message>
-        <source>Making the video of %1 (%2 of %3)</source>
+        <source>Creating the video of %1 (%2 of %3)</source>
         <translation>%1의 동영상 만드는 중(%2/%3)</translation>
     </message>
 </context>
@@ -17743,21 +17743,21 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>ui.measuring_again</name>
     <message>
-        <source>Measuring %1 again</source>
+        <source>Reanalysing %1</source>
         <translation>%1 다시 측정하는 중</translation>
     </message>
 </context>
 <context>
     <name>ui.measuring_trials_again</name>
     <message>
-        <source>Measuring %1 again (%2 of %3)</source>
+        <source>Reanalysing %1 (%2 of %3)</source>
         <translation>%1 다시 측정하는 중(%2/%3)</translation>
     </message>
 </context>
 <context>
     <name>ui.mend_and_choose_again</name>
     <message>
-        <source>mend what stands there, and choose these trials again</source>
+        <source>correct the listed errors, then select these trials again</source>
         <translation>위의 문제를 해결한 뒤 이 시행들을 다시 선택하십시오</translation>
     </message>
 </context>
@@ -17771,7 +17771,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>ui.name_one_marker</name>
     <message>
-        <source>name at least one, as O</source>
+        <source>name at least one, for example O</source>
         <translation>O처럼 하나 이상 적으십시오</translation>
     </message>
 </context>
@@ -17792,7 +17792,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>ui.no_marker_to_print</name>
     <message>
-        <source>there is no marker to print</source>
+        <source>no marker to print</source>
         <translation>인쇄할 마커가 없습니다</translation>
     </message>
 </context>
@@ -17827,7 +17827,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>ui.no_trial_yet</name>
     <message>
-        <source>there is no trial yet</source>
+        <source>the project has no trial yet</source>
         <translation>아직 시행이 없습니다</translation>
     </message>
 </context>
@@ -17841,35 +17841,35 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>ui.nothing_changed_here</name>
     <message>
-        <source>nothing was changed here</source>
+        <source>no change was made here</source>
         <translation>여기서 변경한 것이 없습니다</translation>
     </message>
 </context>
 <context>
     <name>ui.only_be_read</name>
     <message>
-        <source>this project can only be read</source>
+        <source>this project is read-only</source>
         <translation>이 프로젝트는 읽기만 할 수 있습니다</translation>
     </message>
 </context>
 <context>
     <name>ui.only_one_camera</name>
     <message>
-        <source>there is only one camera</source>
+        <source>the project has only one camera</source>
         <translation>카메라가 한 대뿐입니다</translation>
     </message>
 </context>
 <context>
     <name>ui.only_so_many_charuco_markers</name>
     <message>
-        <source>there are only 250 markers for a ChArUco board</source>
+        <source>only 250 markers exist for a ChArUco board</source>
         <translation>ChArUco 보드에 쓸 수 있는 마커는 250개뿐입니다</translation>
     </message>
 </context>
 <context>
     <name>ui.only_so_many_tags</name>
     <message>
-        <source>there are only %1 tags</source>
+        <source>only %1 tags exist</source>
         <translation>태그는 %1개뿐입니다</translation>
     </message>
 </context>
@@ -17883,7 +17883,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>ui.open_project_first</name>
     <message>
-        <source>open or make a project first</source>
+        <source>open or create a project first</source>
         <translation>먼저 프로젝트를 열거나 만드십시오</translation>
     </message>
 </context>
@@ -17918,7 +17918,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>ui.picture</name>
     <message>
-        <source>the picture</source>
+        <source>the image</source>
         <translation>사진</translation>
     </message>
 </context>
@@ -17988,7 +17988,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>ui.registration_through_another</name>
     <message>
-        <source>registration through another camera</source>
+        <source>registration via another camera</source>
         <translation>다른 카메라를 통한 정합</translation>
     </message>
 </context>
@@ -18051,7 +18051,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>ui.save_copy</name>
     <message>
-        <source>save a copy and work on that</source>
+        <source>save a copy and work on the copy</source>
         <translation>사본을 저장하여 그것으로 작업하십시오</translation>
     </message>
 </context>
@@ -18086,21 +18086,21 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>ui.take_at_that_resolution</name>
     <message>
-        <source>take it at that resolution, or measure the lens again</source>
+        <source>use that resolution, or calibrate the lens again</source>
         <translation>그 해상도로 찍거나 렌즈를 다시 측정하십시오</translation>
     </message>
 </context>
 <context>
     <name>ui.take_even_rows</name>
     <message>
-        <source>take an even number of rows of inner corners, as 9x6</source>
+        <source>use an even number of rows of inner corners, such as 9x6</source>
         <translation>9x6처럼 내부 모서리의 행을 짝수로 하십시오</translation>
     </message>
 </context>
 <context>
     <name>ui.take_fewer_squares</name>
     <message>
-        <source>take fewer squares</source>
+        <source>use fewer squares</source>
         <translation>정사각형을 줄이십시오</translation>
     </message>
 </context>
@@ -18114,7 +18114,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>ui.taking_over_setup</name>
     <message>
-        <source>Taking over the set-up</source>
+        <source>Copying the set-up</source>
         <translation>설정을 가져오는 중</translation>
     </message>
 </context>
@@ -18163,7 +18163,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>ui.trials_measured_again</name>
     <message>
-        <source>Trials measured again: %1 of %2</source>
+        <source>Trials reanalysed: %1 of %2</source>
         <translation>다시 측정한 시행: %2개 중 %1개</translation>
     </message>
 </context>
@@ -18177,7 +18177,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>ui.unarchive_task</name>
     <message>
-        <source>take task %1 out of the archive</source>
+        <source>restore task %1 from the archive</source>
         <translation>과제 %1 보관 해제</translation>
     </message>
 </context>
@@ -18212,7 +18212,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>ui.undo_in_menu</name>
     <message>
-        <source>what was changed before is taken back in the window&apos;s menu Edit</source>
+        <source>use the window&apos;s Edit menu to undo earlier changes</source>
         <translation>이전에 변경한 것은 창의 편집 메뉴에서 되돌리십시오</translation>
     </message>
 </context>
@@ -18254,7 +18254,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>ui.videos_made</name>
     <message>
-        <source>Videos made: %1 of %2</source>
+        <source>Videos created: %1 of %2</source>
         <translation>만든 동영상: %2개 중 %1개</translation>
     </message>
 </context>

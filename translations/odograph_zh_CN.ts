@@ -4,7 +4,7 @@
 <context>
     <name>AccuracyLayer</name>
     <message>
-        <source>expected ±, hatched: not seen</source>
+        <source>expected ±, hatched: not visible</source>
         <translation>预期 ±，斜线：看不到</translation>
     </message>
     <message>
@@ -19,11 +19,11 @@
         <translation>%1 ms</translation>
     </message>
     <message>
-        <source>begun %1 earlier</source>
+        <source>started %1 earlier</source>
         <translation>早开始 %1</translation>
     </message>
     <message>
-        <source>begun %1 later</source>
+        <source>started %1 later</source>
         <translation>晚开始 %1</translation>
     </message>
     <message>
@@ -43,31 +43,31 @@
         <translation>无：原始差分</translation>
     </message>
     <message>
-        <source>%1, as told by hand</source>
+        <source>%1, set by hand</source>
         <translation>%1，手动指定</translation>
     </message>
     <message>
-        <source>in step to %1, found from the motion; %2</source>
+        <source>synchronised to %1 by the motion; %2</source>
         <translation>同步至 %1，由运动得出；%2</translation>
     </message>
     <message>
-        <source>in step to %1, found from a flash of light; %2</source>
+        <source>synchronised to %1 by a flash of light; %2</source>
         <translation>同步至 %1，由闪光得出；%2</translation>
     </message>
     <message>
-        <source>in step to %1, by the cameras&apos; time stamps; %2</source>
+        <source>synchronised to %1 by the cameras&apos; time stamps; %2</source>
         <translation>同步至 %1，由相机时间戳得出；%2</translation>
     </message>
     <message>
-        <source>taken as begun together</source>
+        <source>assumed to start at the same time</source>
         <translation>视为同时开始</translation>
     </message>
     <message>
-        <source>, its clock %1 ppm fast</source>
+        <source>, clock %1 ppm fast</source>
         <translation>，其时钟快 %1 ppm</translation>
     </message>
     <message>
-        <source>, its clock %1 ppm slow</source>
+        <source>, clock %1 ppm slow</source>
         <translation>，其时钟慢 %1 ppm</translation>
     </message>
     <message>
@@ -208,19 +208,19 @@
 <context>
     <name>ComparisonExplanation</name>
     <message>
-        <source>There is no difference.</source>
+        <source>No difference.</source>
         <translation>没有差别。</translation>
     </message>
     <message>
-        <source>Both are exact, so that any difference is one.</source>
+        <source>Both values are exact: any difference is real.</source>
         <translation>两者都是精确值，因此任何差别都是真实的。</translation>
     </message>
     <message>
-        <source>It is %1 σ, more than 1.96: were there no difference, chance would give as much in less than 5 of 100 cases.</source>
+        <source>%1 σ, above 1.96: without a real difference, chance would give this much in fewer than 5 of 100 cases.</source>
         <translation>差值为 %1 σ，大于 1.96：假如并无差别，偶然出现这么大差值的可能性不到 5 %。</translation>
     </message>
     <message>
-        <source>It is %1 σ, not more than 1.96: within the error, so that no difference can be claimed.</source>
+        <source>%1 σ, not above 1.96: the difference is not significant.</source>
         <translation>差值为 %1 σ，不大于 1.96：在误差范围内，不能断定有差别。</translation>
     </message>
     <message>
@@ -228,7 +228,7 @@
         <translation>沿任务的参考路径</translation>
     </message>
     <message>
-        <source>along the way of %1</source>
+        <source>along the path of %1</source>
         <translation>沿 %1 的路线</translation>
     </message>
     <message>
@@ -240,19 +240,19 @@
         <translation>零时刻：各自开始运动</translation>
     </message>
     <message>
-        <source>time 0: each first comes to the same place of the way</source>
+        <source>time 0: each first reaches the same point of the path</source>
         <translation>零时刻：各自首次到达路线上的同一位置</translation>
     </message>
     <message>
-        <source>time 0: told by hand, to a frame</source>
+        <source>time 0: set by hand, to one frame</source>
         <translation>零时刻：手动指定，精确到一帧</translation>
     </message>
     <message>
-        <source>both by the same registrations and for the same solid: what the calibration adds is common, and only its difference counts</source>
+        <source>both with the same registrations and robot shape: the calibration uncertainty is common, so only its difference counts</source>
         <translation>两者采用相同的配准和相同的几何体：标定带来的误差是共有的，只计其差值</translation>
     </message>
     <message>
-        <source>not by the same registrations, or not for the same solid: what the calibration adds counts for both in full</source>
+        <source>different registrations or robot shapes: the calibration uncertainty counts in full for both</source>
         <translation>两者的配准或几何体不同：标定带来的误差对两者都全部计入</translation>
     </message>
     <message>
@@ -260,7 +260,7 @@
         <translation>无</translation>
     </message>
     <message>
-        <source>%1: %2 less %3</source>
+        <source>%1: %2 minus %3</source>
         <translation>%1：%2 减 %3</translation>
     </message>
     <message>
@@ -268,11 +268,11 @@
         <translation>%1：%2</translation>
     </message>
     <message>
-        <source>only one of the two has it</source>
+        <source>only one of the two runs has it</source>
         <translation>两者中只有一个有此项</translation>
     </message>
     <message>
-        <source>the figure of %1 less that of %2</source>
+        <source>the value of %1 minus that of %2</source>
         <translation>%1 的指标减去 %2 的指标</translation>
     </message>
     <message>
@@ -280,15 +280,15 @@
         <translation>各自：%1</translation>
     </message>
     <message>
-        <source>√(σ₁² + σ₂²), both as independent; where the runs share their calibration, its error of scale leaves only its part of the difference</source>
+        <source>√(σ₁² + σ₂²), treated as independent; where the runs share their calibration, its scale uncertainty counts only for the difference</source>
         <translation>√(σ₁² + σ₂²)，视两者为相互独立；若两次运行共用标定，其尺度误差只按差值部分计入</translation>
     </message>
     <message>
-        <source>not seen at an end</source>
+        <source>not visible at one end</source>
         <translation>在一端未被看到</translation>
     </message>
     <message>
-        <source>Sector %1 to %2: %3 less %4</source>
+        <source>Sector %1 to %2: %3 minus %4</source>
         <translation>区段 %1 至 %2：%3 减 %4</translation>
     </message>
     <message>
@@ -300,15 +300,15 @@
         <translation>结束</translation>
     </message>
     <message>
-        <source>The time from the first arrival at the one gate to the first arrival at the next, of each run, by its place along the common path; waiting counts.</source>
+        <source>For each run, the time from its first arrival at one gate to its first arrival at the next, by its position along the common path; waiting counts.</source>
         <translation>每次运行从首次到达前一计时门到首次到达后一计时门的时间，按其在公共路径上的位置计算；停留等待的时间也计入。</translation>
     </message>
     <message>
-        <source>of each arrival: σ of the place along the path over the speed; displacements at two gates count as independent</source>
+        <source>of each arrival: σ of the position along the path divided by the speed; displacements at two gates count as independent</source>
         <translation>每次到达的误差：沿路径方向位置的 σ 除以速度；两个计时门处的位置误差视为相互独立</translation>
     </message>
     <message>
-        <source>from %1 to %2 of the way</source>
+        <source>from %1 to %2 along the path</source>
         <translation>路线上从 %1 到 %2</translation>
     </message>
     <message>
@@ -316,11 +316,11 @@
         <translation>%1 相对于 %2 在 %3 处的 Δt</translation>
     </message>
     <message>
-        <source>The time of the first arrival at this place of the common path, each from its own time 0: that of %1 less that of %2. Above 0 it is later.</source>
+        <source>The time of the first arrival at this point of the common path, each from its own time 0: that of %1 minus that of %2. Positive means later.</source>
         <translation>首次到达公共路径上该处的时间，各自从自己的零时刻算起：%1 的减去 %2 的。大于 0 表示较晚。</translation>
     </message>
     <message>
-        <source>of both arrivals: σ of the place along the path over the speed, and of both times 0</source>
+        <source>of both arrivals: σ of the position along the path divided by the speed, and of both times 0</source>
         <translation>两次到达的误差：沿路径方向位置的 σ 除以速度；以及两个零时刻的误差</translation>
     </message>
     <message>
@@ -328,11 +328,11 @@
         <translation>%1 在 %2 处的速度</translation>
     </message>
     <message>
-        <source>|v| of the smoothed curve where the run first comes to this place of the common path, between frames interpolated</source>
+        <source>|v| of the smoothed curve where the run first reaches this point of the common path, interpolated between frames</source>
         <translation>该次运行首次到达公共路径上该处时平滑曲线的 |v|，帧与帧之间插值</translation>
     </message>
     <message>
-        <source>σ of the smoothed velocity there, with the calibration&apos;s error of scale</source>
+        <source>σ of the smoothed velocity there, including the calibration&apos;s scale uncertainty</source>
         <translation>该处平滑速度的 σ，含标定的尺度误差</translation>
     </message>
 </context>
@@ -437,7 +437,7 @@
 <context>
     <name>Explanation</name>
     <message>
-        <source>that of the smoothed curve there, and the calibration&apos;s error of scale</source>
+        <source>that of the smoothed curve there, and the calibration&apos;s scale uncertainty</source>
         <translation>平滑曲线在该处的误差，以及标定的尺度误差</translation>
     </message>
     <message>
@@ -445,7 +445,7 @@
         <translation>从开始运动到最后一次停下。运动是指速度大于 20 mm/s 且大于速度的三个 σ，并持续至少三帧；两帧之间的时刻由插值得出。</translation>
     </message>
     <message>
-        <source>of both moments: σ of the speed over its steepness there</source>
+        <source>of both moments: σ of the speed divided by its slope there</source>
         <translation>两个时刻的误差：速度的 σ 除以速度曲线在该处的斜率</translation>
     </message>
     <message>
@@ -453,7 +453,7 @@
         <translation>运动期间的 ∫|v|dt，对平滑后的速度用梯形法计算。未补接的间断按直线计。</translation>
     </message>
     <message>
-        <source>of the ends&apos; positions, of errors across the path where it turns, and the calibration&apos;s error of scale</source>
+        <source>of the end positions, of lateral errors where the path turns, and the calibration&apos;s scale uncertainty</source>
         <translation>两端位置的误差、转弯处垂直于路径方向的误差，以及标定的尺度误差</translation>
     </message>
     <message>
@@ -461,11 +461,11 @@
         <translation>路程 / 用时</translation>
     </message>
     <message>
-        <source>of both, taken as independent</source>
+        <source>of both, treated as independent</source>
         <translation>两者的误差，视为相互独立</translation>
     </message>
     <message>
-        <source>The speed |v| of the smoothed curve where |v| − 2σ is largest, so that a badly known point does not win by its error.</source>
+        <source>The speed |v| of the smoothed curve where |v| − 2σ is largest. A point does not win only because its uncertainty is large.</source>
         <translation>平滑曲线上 |v| − 2σ 最大处的速度 |v|，这样误差大的点不会因误差而成为最大值。</translation>
     </message>
     <message>
@@ -473,7 +473,7 @@
         <translation>运动期间的 √(|v|² 的平均值)</translation>
     </message>
     <message>
-        <source>the bound for errors that all go together, and the calibration&apos;s error of scale</source>
+        <source>the bound for fully correlated errors, and the calibration&apos;s scale uncertainty</source>
         <translation>所有误差同向时的上限，以及标定的尺度误差</translation>
     </message>
     <message>
@@ -485,11 +485,11 @@
         <translation>运动期间的 √(|a|² 的平均值)</translation>
     </message>
     <message>
-        <source>distance from the first to the last place of the motion / path length</source>
+        <source>distance from the first to the last position of the motion / path length</source>
         <translation>运动的起点到终点的距离 / 路程</translation>
     </message>
     <message>
-        <source>of the ends&apos; positions</source>
+        <source>of the end positions</source>
         <translation>两端位置的误差</translation>
     </message>
     <message>
@@ -497,7 +497,7 @@
         <translation>处于运动中的时间：速度大于 20 mm/s 且大于速度的三个 σ。</translation>
     </message>
     <message>
-        <source>of each start and stop: σ of the speed over its steepness</source>
+        <source>of each start and stop: σ of the speed divided by its slope</source>
         <translation>每次起动和停下的误差：速度的 σ 除以速度曲线的斜率</translation>
     </message>
     <message>
@@ -517,7 +517,7 @@
         <translation>运动时间的一半低于此速度。</translation>
     </message>
     <message>
-        <source>of the stretches within 1.5 σ of it, each by its mean</source>
+        <source>of the intervals within 1.5 σ of it, each by its mean</source>
         <translation>与其相差不到 1.5 σ 的各段的误差，每段取平均值</translation>
     </message>
     <message>
@@ -529,7 +529,7 @@
         <translation>运动时间的 95 % 低于此加速度。</translation>
     </message>
     <message>
-        <source>(vx·ay − vy·ax)/|v|² of the smoothed curve, either way, where it less 2σ is largest.</source>
+        <source>(vx·ay − vy·ax)/|v|² of the smoothed curve, to the left or right, where its amount minus 2σ is largest.</source>
         <translation>平滑曲线的 (vx·ay − vy·ax)/|v|²，左转或右转均可，取其减去 2σ 后最大处。</translation>
     </message>
     <message>
@@ -537,11 +537,11 @@
         <translation>σ² = σa²/|v|² + |a|²σv²/|v|⁴，一阶近似</translation>
     </message>
     <message>
-        <source>The circle with the least squared distances from the places of the motion.</source>
+        <source>The least-squares circle through the positions of the motion.</source>
         <translation>到运动中各位置的距离平方和最小的圆。</translation>
     </message>
     <message>
-        <source>of the distances&apos; scatter, neighbours counted as fewer by 1 + 2Σρ, and the calibration&apos;s error of scale</source>
+        <source>of the scatter of the distances, with their number divided by 1 + 2Σρ for correlated neighbours, and the calibration&apos;s scale uncertainty</source>
         <translation>距离离散的误差，相邻点因相关而按 1 + 2Σρ 折减个数；以及标定的尺度误差</translation>
     </message>
     <message>
@@ -549,7 +549,7 @@
         <translation>从通过起点门到通过终点门，各自在帧与帧之间插值。</translation>
     </message>
     <message>
-        <source>of both passages: σ of the position across the gate over the speed</source>
+        <source>of both passages: σ of the position across the gate divided by the speed</source>
         <translation>两次通过的误差：垂直于计时门方向位置的 σ 除以速度</translation>
     </message>
     <message>
@@ -561,7 +561,7 @@
         <translation>用时最短的一圈。</translation>
     </message>
     <message>
-        <source>of its two passages; the calibration&apos;s error of a gate passed twice cancels</source>
+        <source>of its two passages; the calibration uncertainty of a gate passed twice cancels</source>
         <translation>两次通过的误差；同一计时门通过两次，标定误差相互抵消</translation>
     </message>
     <message>
@@ -573,15 +573,15 @@
         <translation>首次和末次通过的误差除以圈数</translation>
     </message>
     <message>
-        <source>The mean distance from the reference path, over the way.</source>
+        <source>The distance from the reference path, averaged along the path.</source>
         <translation>到参考路径的平均距离，按路程平均。</translation>
     </message>
     <message>
-        <source>of the position across the path, and of its noise, which has no sign there</source>
+        <source>of the position across the path, and of its noise: the distance has no sign, so noise does not cancel</source>
         <translation>垂直于路径方向位置的误差，以及其噪声（在此不分正负）的误差</translation>
     </message>
     <message>
-        <source>√(mean of the squared distance from the reference path), over the way</source>
+        <source>√(mean of the squared distance from the reference path), averaged along the path</source>
         <translation>√(到参考路径距离平方的平均值)，按路程平均</translation>
     </message>
     <message>
@@ -605,23 +605,23 @@
         <translation>垂直于路径方向位置的误差，主要来自标定</translation>
     </message>
     <message>
-        <source>The share of the reference path that was followed.</source>
+        <source>The share of the reference path that the robot followed.</source>
         <translation>参考路径中已走过的比例。</translation>
     </message>
     <message>
-        <source>How often the robot&apos;s centre left a zone to stay in, or came into one to keep out of. It counts where it is beyond the edge by more than three σ of the track&apos;s own noise.</source>
+        <source>How often the robot&apos;s reference point left a zone to stay in or entered a zone to keep out of. It counts if the point is beyond the edge by more than three σ of the track&apos;s noise.</source>
         <translation>机器人中心离开应留区域或进入禁入区域的次数。超出边界多于轨迹自身噪声的三个 σ 时才计入。</translation>
     </message>
     <message>
-        <source>The time in which the robot&apos;s centre was beyond the edge of a zone, interpolated between frames; in two zones at once it counts twice.</source>
+        <source>The time for which the robot&apos;s reference point was beyond the edge of a zone, interpolated between frames; in two zones at once it counts twice.</source>
         <translation>机器人中心超出区域边界的时间，帧与帧之间插值；同时涉及两个区域时计两次。</translation>
     </message>
     <message>
-        <source>of each moment at an edge: σ of the position across it over the speed; and what the time differs by when the calibration puts the track nearer or further</source>
+        <source>of each crossing of an edge: σ of the position across it divided by the speed; and the change of the time when the calibration uncertainty shifts the track</source>
         <translation>每个越界时刻的误差：垂直于边界方向位置的 σ 除以速度；以及标定使轨迹移近或移远时该时间的变化</translation>
     </message>
     <message>
-        <source>How far the robot&apos;s centre was beyond the edge of a zone at most.</source>
+        <source>The largest distance of the robot&apos;s reference point beyond the edge of a zone.</source>
         <translation>机器人中心超出区域边界的最大距离。</translation>
     </message>
     <message>
@@ -657,7 +657,7 @@
         <translation>分析 %1，由 Odograph %2 完成</translation>
     </message>
     <message>
-        <source>σ of the smoothed velocity there, with the calibration&apos;s error of scale</source>
+        <source>σ of the smoothed velocity there, including the calibration&apos;s scale uncertainty</source>
         <translation>该处平滑速度的 σ，含标定的尺度误差</translation>
     </message>
     <message>
@@ -673,11 +673,11 @@
         <translation>加速度</translation>
     </message>
     <message>
-        <source>a·v/|v| of the smoothed curve at this frame: along the path, so that braking is negative; |a| while it stands</source>
+        <source>a·v/|v| of the smoothed curve at this frame: along the path, negative when braking; |a| while the robot stands still</source>
         <translation>该帧处平滑曲线的 a·v/|v|：沿路径方向，因此制动为负；静止时为 |a|</translation>
     </message>
     <message>
-        <source>σ of the smoothed acceleration there, with the calibration&apos;s error of scale</source>
+        <source>σ of the smoothed acceleration there, including the calibration&apos;s scale uncertainty</source>
         <translation>该处平滑加速度的 σ，含标定的尺度误差</translation>
     </message>
     <message>
@@ -685,11 +685,11 @@
         <translation>航向</translation>
     </message>
     <message>
-        <source>atan2(vy, vx) of the smoothed curve at this frame, anticlockwise from X, without steps of a whole turn</source>
+        <source>atan2(vy, vx) of the smoothed curve at this frame, anticlockwise from X, without jumps of a whole turn</source>
         <translation>该帧处平滑曲线的 atan2(vy, vx)，自 X 轴起逆时针，不作整圈跳变</translation>
     </message>
     <message>
-        <source>σ of the velocity across the motion over the speed</source>
+        <source>σ of the velocity across the motion divided by the speed</source>
         <translation>垂直于运动方向速度的 σ 除以速度</translation>
     </message>
     <message>
@@ -713,11 +713,11 @@
         <translation>该帧处的平滑曲线</translation>
     </message>
     <message>
-        <source>σ of the smoothed position, with the calibration&apos;s part</source>
+        <source>σ of the smoothed position, including the calibration&apos;s part</source>
         <translation>平滑位置的 σ，含标定部分</translation>
     </message>
     <message>
-        <source>at this frame no view found the robot: the curve goes across</source>
+        <source>no view found the robot in this frame: the curve bridges the gap</source>
         <translation>该帧没有视角找到机器人：曲线由此跨过</translation>
     </message>
     <message>
@@ -729,23 +729,23 @@
         <translation>由 %1 测得</translation>
     </message>
     <message>
-        <source>it is flagged and not used: the curve comes from its neighbours</source>
+        <source>it is flagged and not used: the curve follows its neighbours</source>
         <translation>已标为异常，未被采用：曲线由相邻点得出</translation>
     </message>
     <message>
-        <source>Jump: the place is beyond what the motion before and after allows for (χ² of two degrees of freedom, 99.9 %).</source>
+        <source>Jump: the position does not fit the motion before and after (χ² with two degrees of freedom, 99.9 %).</source>
         <translation>跳变：该位置超出前后运动所允许的范围（两个自由度的 χ²，99.9 %）。</translation>
     </message>
     <message>
-        <source>Limit: to get there it had to be faster than the limit of the task or of the analysis.</source>
+        <source>Limit: to get there, the robot had to exceed the speed limit of the task or of the analysis.</source>
         <translation>限值：要到达该处，速度须超过任务或分析的限值。</translation>
     </message>
     <message>
-        <source>Limit: to get there it had to accelerate harder than the limit of the task or of the analysis.</source>
+        <source>Limit: to get there, the robot had to exceed the acceleration limit of the task or of the analysis.</source>
         <translation>限值：要到达该处，加速度须超过任务或分析的限值。</translation>
     </message>
     <message>
-        <source>Views disagree: their places differ by more than their errors and their usual disagreement explain (χ², 99.9 %).</source>
+        <source>Views disagree: their floor positions differ by more than their uncertainty and their usual disagreement explain (χ², 99.9 %).</source>
         <translation>视角不一致：各视角的位置相差过大，其误差和通常的差异都不足以解释（χ²，99.9 %）。</translation>
     </message>
     <message>
@@ -757,15 +757,15 @@
         <translation>丢失：没有视角找到机器人。</translation>
     </message>
     <message>
-        <source>Repeated picture: the camera gave the same picture twice, so its time is not known.</source>
+        <source>Repeated frame: the camera delivered the same frame twice, so its time is unknown.</source>
         <translation>重复画面：相机把同一画面给出了两次，因此其时间未知。</translation>
     </message>
     <message>
-        <source>Bridged: the curve goes across without a measurement.</source>
+        <source>Bridged: the curve crosses a gap without measurements.</source>
         <translation>补接：曲线在没有测量的情况下跨过此处。</translation>
     </message>
     <message>
-        <source>By hand: a person judged it, over the analysis.</source>
+        <source>By hand: a manual override replaces the result of the analysis.</source>
         <translation>手动：由人作出判断，优先于分析。</translation>
     </message>
     <message>
@@ -797,7 +797,7 @@
         <translation>视角：%1</translation>
     </message>
     <message>
-        <source>%1: from %2 to %3, %4 beyond the edge at most</source>
+        <source>%1: from %2 to %3, at most %4 beyond the edge</source>
         <translation>%1：从 %2 到 %3，最多超出边界 %4</translation>
     </message>
     <message>
@@ -813,11 +813,11 @@
         <translation>该采样点予以保留，但不用于曲线。</translation>
     </message>
     <message>
-        <source>The sample is used for the curve nevertheless: what is wrong with it was left out, or a person restored it.</source>
+        <source>The curve uses the sample nevertheless: its faulty part was left out, or a manual override restored it.</source>
         <translation>该采样点仍用于曲线：其中有问题的部分已剔除，或已由人恢复。</translation>
     </message>
     <message>
-        <source>the views are %1 apart there</source>
+        <source>the views&apos; floor positions differ by %1 there</source>
         <translation>该处各视角相距 %1</translation>
     </message>
 </context>
@@ -906,39 +906,39 @@
         <translation>播放一次运行</translation>
     </message>
     <message>
-        <source>Two cameras watched a robot drive. Press Space: both videos, the map and the curves play in step. Space again stops.</source>
+        <source>Two cameras filmed a robot. Press Space: both videos, the map and the curves play together. Press Space again to stop.</source>
         <translation>两台相机记录了一台机器人的行驶。按空格键：两段视频、地图和曲线同步播放。再按空格键则停止。</translation>
     </message>
     <message>
-        <source>Read a figure</source>
+        <source>Read a result</source>
         <translation>读取指标</translation>
     </message>
     <message>
-        <source>Click into the speed curve. The bubble tells the speed at that moment and its ±: how far off it may be. The band around the curve is where the truth lies in 95 of 100 cases.</source>
+        <source>Click the speed curve. The bubble shows the speed at that moment and its uncertainty (±). The band around the curve contains the true speed in 95 of 100 cases.</source>
         <translation>在速度曲线上点击。气泡会显示那一时刻的速度及其 ±：可能的偏差有多大。曲线周围的带表示：100 次中有 95 次真值落在其中。</translation>
     </message>
     <message>
-        <source>Look at what was flagged</source>
+        <source>Check the flagged samples</source>
         <translation>查看被标出的点</translation>
     </message>
     <message>
-        <source>Go through the trials with Ctrl+Page Up and Ctrl+Page Down to one whose list of spikes, at the right, is not empty. A spike is a moment at which what was measured cannot be true; the list says why.</source>
+        <source>Press Ctrl+Page Up or Ctrl+Page Down until the list of spikes on the right is not empty. A spike is a measurement that cannot be true; the list gives the reason.</source>
         <translation>用 Ctrl+Page Up 和 Ctrl+Page Down 逐个浏览试验，找到右侧异常点列表不为空的一个。异常点是测得的结果不可能为真的时刻；列表会说明原因。</translation>
     </message>
     <message>
-        <source>Overrule it</source>
+        <source>Override it</source>
         <translation>推翻判定</translation>
     </message>
     <message>
-        <source>Click a spike in the list and look at the videos: was the robot really there? Press U to use the sample all the same. Nothing that was measured is ever lost.</source>
+        <source>Click a spike in the list and watch the videos: was the robot really there? Press U to use the sample nevertheless. Odograph never deletes a measurement.</source>
         <translation>点击列表中的一个异常点并查看视频：机器人真的在那里吗？按 U 即可仍然采用该采样点。测得的数据绝不会丢失。</translation>
     </message>
     <message>
-        <source>Take it back</source>
+        <source>Undo it</source>
         <translation>撤回</translation>
     </message>
     <message>
-        <source>Press Ctrl+Z. Whatever you change is saved at once, and can be taken back.</source>
+        <source>Press Ctrl+Z. Odograph saves every change at once, and you can undo it.</source>
         <translation>按 Ctrl+Z。您的每项更改都会立即保存，也都可以撤回。</translation>
     </message>
     <message>
@@ -946,7 +946,7 @@
         <translation>比较两次运行</translation>
     </message>
     <message>
-        <source>Press Ctrl+4. Choose two runs at the right: where was one faster, and is that more than the error? What is grey is not.</source>
+        <source>Press Ctrl+4. Choose two runs on the right: where was one faster? Grey differences are not significant.</source>
         <translation>按 Ctrl+4。在右侧选择两次运行：哪一次在哪里更快，差别是否超过误差？灰色的就没有超过。</translation>
     </message>
     <message>
@@ -954,15 +954,15 @@
         <translation>再次找到它</translation>
     </message>
     <message>
-        <source>Press Ctrl+5. History holds the whole year: type a team&apos;s name to search, open a run with Enter, and see under Teams who made progress.</source>
+        <source>Press Ctrl+5. History lists the whole year: type a team&apos;s name to search, press Enter to open a run, and see under Teams who made progress.</source>
         <translation>按 Ctrl+5。“历史”保存着全年的记录：输入小组名称即可搜索，按 Enter 打开一次运行，在“小组”下可看到谁有进步。</translation>
     </message>
     <message>
-        <source>That was it</source>
+        <source>That&apos;s it</source>
         <translation>就是这些</translation>
     </message>
     <message>
-        <source>With your own robots: make a project (Ctrl+N), set up the floor in Testbed (Ctrl+1), then record (Ctrl+2) or bring in videos (Ctrl+I). F1 explains each page.</source>
+        <source>For your own robots: create a project (Ctrl+N), set up the floor in Testbed (Ctrl+1), then record (Ctrl+2) or import videos (Ctrl+I). F1 explains each page.</source>
         <translation>用您自己的机器人：新建项目 (Ctrl+N)，在“试验场”中设置地面 (Ctrl+1)，然后录制 (Ctrl+2) 或导入视频 (Ctrl+I)。按 F1 可查看每一页的说明。</translation>
     </message>
 </context>
@@ -1068,7 +1068,7 @@ The method follows S. Park, “Computational Vision for Automatic Tracking and O
 <context>
     <name>OwnChanges</name>
     <message>
-        <source>Done: %1. Ctrl+Z takes it back.</source>
+        <source>Done: %1. Press Ctrl+Z to undo it.</source>
         <translation>已完成：%1。可用 Ctrl+Z 撤回。</translation>
     </message>
     <message>
@@ -1076,7 +1076,7 @@ The method follows S. Park, “Computational Vision for Automatic Tracking and O
         <translation>已撤销：%1。</translation>
     </message>
     <message>
-        <source>Made again: %1.</source>
+        <source>Redone: %1.</source>
         <translation>已重做：%1。</translation>
     </message>
 </context>
@@ -1614,11 +1614,11 @@ The method follows S. Park, “Computational Vision for Automatic Tracking and O
         <translation>RMS %1，中位数 %2</translation>
     </message>
     <message>
-        <source>expected by the errors: %1</source>
+        <source>expected from the uncertainty: %1</source>
         <translation>按误差预期：%1</translation>
     </message>
     <message>
-        <source>%1 – more than they explain</source>
+        <source>%1 – more than it explains</source>
         <translation>%1 – 超出误差所能解释的程度</translation>
     </message>
     <message>
@@ -1626,15 +1626,15 @@ The method follows S. Park, “Computational Vision for Automatic Tracking and O
         <translation>视角差异</translation>
     </message>
     <message>
-        <source>Each view alone puts the robot at a place on the floor. Shown is how far these places are apart in each frame in which two views or more saw it (of more than two, the largest distance); RMS is √(mean of the squares). Samples that are not used are left out.
-Expected is √(tr A + tr B + (v·σs)²) from the covariances A and B of two views (pixels and calibration), the speed v and the views&apos; step σs.
-Much more than expected means that something is not as it was told: the views are not in step (then it grows with the speed), a camera has moved or is badly registered (then it depends on the place), or the robot&apos;s height is wrong (then it points to and from the cameras).</source>
+        <source>Each view alone gives a floor position of the robot. The chart shows the distance between these positions in each frame with two views or more (of more than two, the largest distance); RMS is √(mean of the squares). Unused samples are left out.
+Expected is √(tr A + tr B + (v·σs)²) from the covariances A and B of two views (pixels and calibration), the speed v and the synchronisation uncertainty σs of the views.
+Much more than expected means that a setting is wrong: the views are not synchronised (the distance grows with the speed), a camera has moved or is badly registered (it depends on the position), or the robot&apos;s height is wrong (it points to and from the cameras).</source>
         <translation>每个视角单独就能给出机器人在地面上的位置。这里显示在有两个或更多视角看到机器人的每一帧中，这些位置相距多远（多于两个视角时取最大距离）；RMS 为 √(平方的平均值)。未采用的采样点不计入。
 预期值为 √(tr A + tr B + (v·σs)²)，由两个视角的协方差 A 和 B（像素与标定）、速度 v 以及视角同步的 σs 得出。
 若远大于预期，说明有某项与设定不符：视角不同步（差异随速度增大），相机移动过或配准不佳（差异取决于位置），或机器人高度有误（差异沿朝向或背离相机的方向）。</translation>
     </message>
     <message>
-        <source>%1 frames seen by two views or more; largest %2; views in step to %3 ms</source>
+        <source>%1 frames with two views or more; largest %2; views synchronised to %3 ms</source>
         <translation>有两个或更多视角看到的帧：%1；最大 %2；视角同步至 %3 ms</translation>
     </message>
 </context>
@@ -1661,11 +1661,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>满分 %1</translation>
     </message>
     <message>
-        <source>the sum of the points of each line; a line gives points × (figure − none at) / (all at − none at), from 0 to all</source>
+        <source>the sum of the points of each line; a line gives points × (metric − none at) / (all at − none at), from 0 to all</source>
         <translation>各评分项得分之和；每项得分为 分值 × (指标 − 零分界限) / (满分界限 − 零分界限)，从 0 分到满分</translation>
     </message>
     <message>
-        <source>of each line half of what its points differ by when its figure is one σ more or less; root of the sum of the squares</source>
+        <source>for each line, half the difference in points between its metric plus and minus one σ; root of the sum of the squares</source>
         <translation>对每个评分项，取其指标增减一个 σ 时得分之差的一半；再取平方和的平方根</translation>
     </message>
     <message>
@@ -1754,11 +1754,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>地面标记 %1（圆环），%2</translation>
     </message>
     <message>
-        <source>Print at 100 % (actual size). Glue it flat onto something stiff, measure a square, and tell Odograph what you measured.</source>
+        <source>Print at 100 % (actual size). Glue it flat onto something stiff, measure a square, and enter its side in Odograph.</source>
         <translation>请按 100 %（实际大小）打印。将其平整地粘在硬板上，测量一个方格，并把测得的数值告诉 Odograph。</translation>
     </message>
     <message>
-        <source>Print at 100 % (actual size). Lay it flat; the marker&apos;s place is its middle, where the four lines at the edges point.</source>
+        <source>Print at 100 % (actual size). Lay it flat; the marker&apos;s position is its middle, where the four lines at the edges point.</source>
         <translation>请按 100 %（实际大小）打印。平放在地面上；标记的位置是其中心，即四边的四条线所指之处。</translation>
     </message>
 </context>
@@ -1777,11 +1777,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>鱼眼</translation>
     </message>
     <message>
-        <source>Picture</source>
-        <translation>画面</translation>
+        <source>Image size</source>
+        <translation>画面尺寸</translation>
     </message>
     <message>
-        <source>Lens</source>
+        <source>Calibration</source>
         <translation>镜头</translation>
     </message>
     <message>
@@ -1797,7 +1797,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>标定板误差</translation>
     </message>
     <message>
-        <source>%1 px in %2 pictures</source>
+        <source>%1 px in %2 images</source>
         <translation>%1 px，共 %2 张图片</translation>
     </message>
     <message>
@@ -1825,7 +1825,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>上次检查</translation>
     </message>
     <message>
-        <source>Place</source>
+        <source>Position</source>
         <translation>位置</translation>
     </message>
     <message>
@@ -1837,15 +1837,15 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>标记</translation>
     </message>
     <message>
-        <source>Attention</source>
+        <source>Warning</source>
         <translation>注意</translation>
     </message>
     <message>
-        <source>not calibrated: taken as free of distortion</source>
+        <source>not calibrated: no distortion assumed</source>
         <translation>未标定：视为无畸变</translation>
     </message>
     <message>
-        <source>not registered: positions cannot be measured yet</source>
+        <source>not registered: cannot measure positions yet</source>
         <translation>未配准：尚不能测量位置</translation>
     </message>
 </context>
@@ -8163,7 +8163,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>移除(&amp;R)</translation>
     </message>
     <message>
-        <source>&amp;Best place</source>
+        <source>Find &amp;best position</source>
         <translation>最佳位置(&amp;B)</translation>
     </message>
     <message>
@@ -8175,7 +8175,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>预期精度说明</translation>
     </message>
     <message>
-        <source>What is wrong</source>
+        <source>Problems</source>
         <translation>问题所在</translation>
     </message>
     <message>
@@ -8183,11 +8183,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>关闭</translation>
     </message>
     <message>
-        <source>Cameras that count</source>
+        <source>Cameras included</source>
         <translation>参与计算的相机</translation>
     </message>
     <message>
-        <source>All ticked cameras together</source>
+        <source>All ticked cameras (joint)</source>
         <translation>所有勾选的相机合用</translation>
     </message>
     <message>
@@ -8215,15 +8215,15 @@ Much more than expected means that something is not as it was told: the views ar
         <translation> m</translation>
     </message>
     <message>
-        <source>As under a ceiling; a tripod would stand in the robots&apos; way</source>
+        <source>On a ceiling, for example; a tripod would be in the robots&apos; way</source>
         <translation>例如装在天花板下；三脚架则会挡住机器人的路</translation>
     </message>
     <message>
-        <source>Puts the camera where, with the others that are ticked, the worst place of the floor is known best</source>
+        <source>Moves the camera to where it, together with the other ticked cameras, minimises the largest uncertainty on the floor</source>
         <translation>把相机放到这样的位置：与其他勾选的相机合用时，地面上精度最差的地方也能测得最准</translation>
     </message>
     <message>
-        <source>Room beyond the &amp;markers</source>
+        <source>Margin beyond the &amp;markers</source>
         <translation>标记外的范围(&amp;M)</translation>
     </message>
     <message>
@@ -8243,7 +8243,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>%1：%2；%3。</translation>
     </message>
     <message>
-        <source>Looking for the best place…</source>
+        <source>Searching for the best position…</source>
         <translation>正在寻找最佳位置…</translation>
     </message>
 </context>
@@ -8269,7 +8269,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>odo::BoardCanvas</name>
     <message>
-        <source>Picture of the board</source>
+        <source>Image of the board</source>
         <translation>标定板图片</translation>
     </message>
     <message>
@@ -8280,18 +8280,18 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>odo::BoardSearchWorker</name>
     <message>
-        <source>picture %1</source>
+        <source>image %1</source>
         <translation>图片 %1</translation>
     </message>
     <message>
-        <source>in none of its pictures is a board that is still, sharp and new</source>
+        <source>none of its images shows a board that is still, sharp and in a new position</source>
         <translation>其图片中没有静止、清晰且处于新位置的标定板</translation>
     </message>
 </context>
 <context>
     <name>odo::BoxCanvas</name>
     <message>
-        <source>Picture; arrow keys move the box round the robot, with Shift they change its size</source>
+        <source>Video frame; arrow keys move the box round the robot, Shift + arrow keys resize it</source>
         <translation>画面；方向键移动机器人周围的框，按住 Shift 则改变框的大小</translation>
     </message>
 </context>
@@ -8377,7 +8377,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>相机</translation>
     </message>
     <message>
-        <source>Lens</source>
+        <source>Calibration</source>
         <translation>镜头</translation>
     </message>
     <message>
@@ -8502,7 +8502,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>已撤销</translation>
     </message>
     <message>
-        <source>made again</source>
+        <source>redone</source>
         <translation>已重做</translation>
     </message>
     <message>
@@ -8521,15 +8521,15 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>odo::ChangesDialog</name>
     <message>
-        <source>Changes of the project</source>
+        <source>Project changes</source>
         <translation>项目的更改记录</translation>
     </message>
     <message>
-        <source>Nothing has been changed yet.</source>
+        <source>No changes yet.</source>
         <translation>尚无任何更改。</translation>
     </message>
     <message>
-        <source>What was changed, in this window and by the command line, the newest first. Recordings, imports and tracking are told too; they cannot be undone.</source>
+        <source>All changes made in this window and on the command line, newest first. The list includes recordings, imports and tracking, but you cannot undo them.</source>
         <translation>在此窗口中和通过命令行所作的更改，最新的在前。录制、导入和跟踪也会列出，但不能撤销。</translation>
     </message>
     <message>
@@ -8594,15 +8594,15 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>odo::CheckTools</name>
     <message>
-        <source>&amp;Check the cameras…</source>
+        <source>&amp;Check camera positions…</source>
         <translation>检查相机(&amp;C)…</translation>
     </message>
     <message>
-        <source>Moved?</source>
-        <translation>移动过？</translation>
+        <source>Check camera positions…</source>
+        <translation>检查相机…</translation>
     </message>
     <message>
-        <source>Look whether each camera still stands where it was registered, before the robots run</source>
+        <source>Check before the robots run that no camera has moved since its registration</source>
         <translation>在机器人运行之前，查看各相机是否仍在配准时的位置</translation>
     </message>
     <message>
@@ -8610,11 +8610,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>检查已知长度(&amp;L)…</translation>
     </message>
     <message>
-        <source>Length…</source>
-        <translation>长度…</translation>
+        <source>Check a known length…</source>
+        <translation>检查已知长度…</translation>
     </message>
     <message>
-        <source>Measure something of known length in a camera&apos;s picture, and see whether the camera is as good as it promises</source>
+        <source>Measure an object of known length in a camera&apos;s image to check the camera&apos;s stated uncertainty</source>
         <translation>在相机画面中测量一段已知长度，看相机是否达到其应有的精度</translation>
     </message>
     <message>
@@ -8626,7 +8626,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>精度…</translation>
     </message>
     <message>
-        <source>See how well each place of the floor will be known, also with cameras that are only planned</source>
+        <source>Show the expected uncertainty everywhere on the floor, also with planned cameras</source>
         <translation>查看地面各处的位置能测得多准，也可包括仅在规划中的相机</translation>
     </message>
     <message>
@@ -8638,15 +8638,15 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>版本…</translation>
     </message>
     <message>
-        <source>See every calibration and registration of a camera, put an older one in force, measure trials again</source>
+        <source>Show all calibrations and registrations of a camera, switch to an older one, reanalyse trials</source>
         <translation>查看相机的全部标定和配准，使以前的版本生效，重新测量试验</translation>
     </message>
     <message>
-        <source>The cameras are checked: see their badges.</source>
+        <source>Cameras checked: see their badges.</source>
         <translation>相机已检查：请看各自的状态标志。</translation>
     </message>
     <message>
-        <source>Calibrations and trials are as they were chosen.</source>
+        <source>The chosen calibrations and analyses are now current.</source>
         <translation>标定和试验已按所选设定。</translation>
     </message>
 </context>
@@ -8948,15 +8948,15 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>覆盖</translation>
     </message>
     <message>
-        <source>%1 pictures: enough. More do no harm.</source>
+        <source>%1 images: enough. More do no harm.</source>
         <translation>%1 张图片：已足够。更多也无妨。</translation>
     </message>
     <message>
-        <source>1 picture; ten or more are wanted.</source>
+        <source>1 image; take ten or more.</source>
         <translation>1 张图片；需要十张或更多。</translation>
     </message>
     <message>
-        <source>%1 pictures; ten or more are wanted.</source>
+        <source>%1 images; take ten or more.</source>
         <translation>%1 张图片；需要十张或更多。</translation>
     </message>
 </context>
@@ -8967,11 +8967,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>Odograph 意外退出</translation>
     </message>
     <message>
-        <source>The last time, Odograph ended by a fault of its own. What was saved is safe. A recording that was cut off is kept up to its last second as soon as its project is opened again.</source>
+        <source>Odograph crashed the last time. Saved data is safe. If a recording was cut off, open its project to recover it up to the last second.</source>
         <translation>上一次，Odograph 因自身故障而退出。已保存的内容是安全的。被中断的录像会在其项目再次打开时补全，直到中断前的最后一秒。</translation>
     </message>
     <message>
-        <source>The last time, Odograph ended by a fault of its own. What was saved is safe.</source>
+        <source>Odograph crashed the last time. Saved data is safe.</source>
         <translation>上一次，Odograph 因自身故障而退出。已保存的内容是安全的。</translation>
     </message>
     <message>
@@ -9006,23 +9006,23 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>%1 至 %2</translation>
     </message>
     <message>
-        <source>Only one of the two has it</source>
+        <source>Only one of the two runs has it</source>
         <translation>两者中只有一个有此项</translation>
     </message>
     <message>
-        <source>%1: beyond the error (95 %)</source>
+        <source>%1: significant (95 %)</source>
         <translation>%1：超出误差（95 %）</translation>
     </message>
     <message>
-        <source>%1: within the error (95 %), no difference can be claimed</source>
+        <source>%1: not significant (95 %)</source>
         <translation>%1：在误差范围内（95 %），不能断定有差别</translation>
     </message>
     <message>
-        <source>beyond the error</source>
+        <source>significant</source>
         <translation>超出误差</translation>
     </message>
     <message>
-        <source>within the error</source>
+        <source>not significant</source>
         <translation>在误差范围内</translation>
     </message>
     <message>
@@ -9320,7 +9320,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>Odograph 项目 (*.odo);;所有文件 (*)</translation>
     </message>
     <message>
-        <source>Where shall the demo lesson be made?</source>
+        <source>Choose a folder for the demo lesson</source>
         <translation>演示课放在哪里？</translation>
     </message>
     <message>
@@ -9336,7 +9336,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>保存副本</translation>
     </message>
     <message>
-        <source>A copy was saved as %1. Its videos stay where they are.</source>
+        <source>Copy saved as %1. Its videos stay where they are.</source>
         <translation>副本已保存为 %1。其视频仍在原处。</translation>
     </message>
     <message>
@@ -9351,7 +9351,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>odo::FilmStrip</name>
     <message>
-        <source>&amp;Take out</source>
+        <source>&amp;Remove</source>
         <translation>取出(&amp;T)</translation>
     </message>
     <message>
@@ -9359,7 +9359,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>撤销(&amp;U)</translation>
     </message>
     <message>
-        <source>Pictures that count</source>
+        <source>Accepted images</source>
         <translation>参与计算的图片</translation>
     </message>
 </context>
@@ -9413,7 +9413,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>%1，高 %2 m</translation>
     </message>
     <message>
-        <source>Markers and cameras are drawn here once there is a layout or a registered camera.</source>
+        <source>This sketch shows markers and cameras once the testbed has a layout or a registered camera.</source>
         <translation>有了标记布局或已配准的相机后，标记和相机会画在这里。</translation>
     </message>
     <message>
@@ -9424,11 +9424,11 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>odo::FloorSourcePage</name>
     <message>
-        <source>Picture or video of the markers</source>
+        <source>Image or video of the markers</source>
         <translation>标记的图片或视频</translation>
     </message>
     <message>
-        <source>Markers whose places on the floor are known tell where the camera stands. Four are enough, a fifth checks them. Afterwards the camera must not be moved.</source>
+        <source>Markers with known floor positions determine the camera position. Four are enough; a fifth checks them. Do not move the camera afterwards.</source>
         <translation>由地面上位置已知的标记可以得出相机的位置。四个就够，第五个用于检验。此后不得移动相机。</translation>
     </message>
     <message>
@@ -9440,15 +9440,15 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>标记布局(&amp;L)</translation>
     </message>
     <message>
-        <source>Where the markers are seen</source>
+        <source>Image of the markers</source>
         <translation>标记见于何处</translation>
     </message>
     <message>
-        <source>Its lens is measured.</source>
+        <source>Its lens is calibrated.</source>
         <translation>镜头已测量。</translation>
     </message>
     <message>
-        <source>Its lens was not measured: it is taken as free of distortion, and its focal length is estimated from the markers where they tell it.</source>
+        <source>Its lens is not calibrated. Odograph assumes no distortion and estimates the focal length from the markers if they determine it.</source>
         <translation>镜头未测量：视为无畸变，其焦距在标记足以确定时由标记估计。</translation>
     </message>
 </context>
@@ -9467,11 +9467,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>相机及其标记</translation>
     </message>
     <message>
-        <source>The markers in the picture</source>
+        <source>The markers in the image</source>
         <translation>画面中的标记</translation>
     </message>
     <message>
-        <source>Looking for the markers…</source>
+        <source>Detecting the markers…</source>
         <translation>正在查找标记…</translation>
     </message>
 </context>
@@ -9498,7 +9498,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>移除(&amp;V)</translation>
     </message>
     <message>
-        <source>&amp;Other way</source>
+        <source>Reverse directi&amp;on</source>
         <translation>反向(&amp;O)</translation>
     </message>
     <message>
@@ -9526,7 +9526,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>y₂，mm</translation>
     </message>
     <message>
-        <source>Gates in the order in which they are passed</source>
+        <source>Gates in passing order</source>
         <translation>计时门，按通过的顺序</translation>
     </message>
     <message>
@@ -9534,7 +9534,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>添加计时门(&amp;A)</translation>
     </message>
     <message>
-        <source>The chosen gate is passed the other way</source>
+        <source>Robots pass the selected gate the other way</source>
         <translation>将所选计时门改为反向通过</translation>
     </message>
     <message>
@@ -9549,7 +9549,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>odo::GeneralPage</name>
     <message>
-        <source>Odograph shows it when it is started again.</source>
+        <source>Restart Odograph to see the change.</source>
         <translation>重新启动 Odograph 后生效。</translation>
     </message>
     <message>
@@ -9561,7 +9561,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>结果的单位(&amp;U)</translation>
     </message>
     <message>
-        <source>Floors and targets are set up in millimetres, as they are printed. Exported files have the units that their format asks for.</source>
+        <source>Floors and targets always use millimetres, as printed. Exported files use the units of their format.</source>
         <translation>地面和靶标按印制尺寸以毫米设置。导出的文件采用其格式所要求的单位。</translation>
     </message>
     <message>
@@ -9573,7 +9573,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>地图配色(&amp;C)</translation>
     </message>
     <message>
-        <source>Both can be told apart by people who do not see red or green, and in a print without colours.</source>
+        <source>Both remain readable for people with red-green colour blindness and in black-and-white prints.</source>
         <translation>两种配色对红绿色盲者和在黑白打印件上都能区分。</translation>
     </message>
     <message>
@@ -9597,7 +9597,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>语言</translation>
     </message>
     <message>
-        <source>As the computer has it</source>
+        <source>As set on the computer</source>
         <translation>与计算机相同</translation>
     </message>
     <message>
@@ -9605,7 +9605,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>主题</translation>
     </message>
     <message>
-        <source>As the desktop has it</source>
+        <source>As set on the desktop</source>
         <translation>跟随系统</translation>
     </message>
     <message>
@@ -9674,11 +9674,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>导入名单(&amp;R)…</translation>
     </message>
     <message>
-        <source>&amp;Changes of the project…</source>
+        <source>Show project &amp;changes…</source>
         <translation>项目的更改记录(&amp;C)…</translation>
     </message>
     <message>
-        <source>Import a roster: a table with the columns class and team, perhaps pseudonym</source>
+        <source>Import a roster: a table with the columns class, team and optionally pseudonym</source>
         <translation>导入名单：含“class”（班级）和“team”（小组）两列的表格，可另有“pseudonym”（化名）列</translation>
     </message>
     <message>
@@ -9686,7 +9686,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>CSV 表格 (*.csv)</translation>
     </message>
     <message>
-        <source>The roster is imported. Teams that are new: %1, changed: %2, as before: %3.</source>
+        <source>Roster imported. New teams: %1, changed: %2, unchanged: %3.</source>
         <translation>名单已导入。新增小组：%1，有更改：%2，不变：%3。</translation>
     </message>
     <message numerus="yes">
@@ -9708,7 +9708,7 @@ Much more than expected means that something is not as it was told: the views ar
         </translation>
     </message>
     <message numerus="yes">
-        <source>%1 of %n trial(s) removed for good; the rest is still there.</source>
+        <source>Removed %1 of %n trial(s) for good; the rest is still in the bin.</source>
         <translation>
             <numerusform>已永久移除 %n 次试验中的 %1 次；其余的仍在。</numerusform>
         </translation>
@@ -9812,7 +9812,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>无</translation>
     </message>
     <message>
-        <source>Positions that another program has measured, or Odograph has exported: TUM, CSV or Tracker&apos;s text. They are measured as a run without video.</source>
+        <source>Positions measured by another program or exported by Odograph: TUM, CSV or Tracker text. Odograph analyses them as a run without video.</source>
         <translation>由其他程序测得、或由 Odograph 导出的位置：TUM、CSV 或 Tracker 文本。将作为没有视频的运行来测量。</translation>
     </message>
     <message>
@@ -9844,7 +9844,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>轨迹 %1 的机器人</translation>
     </message>
     <message>
-        <source>A name that is new makes a new robot</source>
+        <source>A new name creates a new robot</source>
         <translation>输入新名称会新建机器人</translation>
     </message>
     <message>
@@ -9899,7 +9899,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>视频</translation>
     </message>
     <message>
-        <source>In &amp;step</source>
+        <source>&amp;Synchronise</source>
         <translation>同步(&amp;S)</translation>
     </message>
     <message>
@@ -9923,7 +9923,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>相机实际帧率</translation>
     </message>
     <message>
-        <source>For slow motion: the file plays slower than the camera took it</source>
+        <source>For slow motion: the file plays slower than the camera recorded it</source>
         <translation>用于慢动作：文件的播放比相机拍摄时慢</translation>
     </message>
     <message>
@@ -9969,11 +9969,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>相机</translation>
     </message>
     <message>
-        <source>Known to, before</source>
+        <source>Uncertainty before</source>
         <translation>原精度</translation>
     </message>
     <message>
-        <source>Known to, together</source>
+        <source>Uncertainty, joint</source>
         <translation>联合精度</translation>
     </message>
     <message>
@@ -10001,11 +10001,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>标记</translation>
     </message>
     <message>
-        <source>Register all cameras together</source>
+        <source>Register all cameras (joint)</source>
         <translation>联合配准所有相机</translation>
     </message>
     <message>
-        <source>The cameras of layout %1 are fitted again at once, by the markers they were registered with: where they see the same markers, they agree better afterwards, and a marker that was measured wrongly is found.</source>
+        <source>This fits all cameras of layout %1 jointly to the markers they were registered with. Cameras that see the same markers then agree better, and wrongly measured markers show up.</source>
         <translation>布局 %1 的各相机将根据其配准时所用的标记一并重新拟合：看到相同标记的相机此后更加一致，量错的标记也会被发现。</translation>
     </message>
     <message>
@@ -10013,19 +10013,19 @@ Much more than expected means that something is not as it was told: the views ar
         <translation> mm</translation>
     </message>
     <message>
-        <source>Error of the tape measure</source>
+        <source>Uncertainty of the tape measure</source>
         <translation>卷尺误差</translation>
     </message>
     <message>
-        <source>The markers&apos; places were &amp;measured to</source>
+        <source>Marker positions &amp;measured to</source>
         <translation>标记位置的测量误差(&amp;M)</translation>
     </message>
     <message>
-        <source>Fitting the cameras together…</source>
+        <source>Fitting the cameras jointly…</source>
         <translation>正在联合拟合各相机…</translation>
     </message>
     <message>
-        <source>What is known together reckons with the markers&apos; places being measured to %1 mm, which a camera that is registered by itself takes as exact. Nothing is changed before you save; trials keep the registration they were analysed with.</source>
+        <source>The joint uncertainty assumes marker positions measured to %1 mm; registering a single camera assumes them exact. Nothing changes until you save; trials keep the registration they were analysed with.</source>
         <translation>联合精度计入了标记位置 %1 mm 的测量误差，而相机单独配准时视标记位置为精确。保存之前不会有任何更改；试验保留其分析时所用的配准。</translation>
     </message>
     <message>
@@ -10041,7 +10041,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>%1 ± %2</translation>
     </message>
     <message>
-        <source>measure it again</source>
+        <source>check its position</source>
         <translation>请重新测量</translation>
     </message>
     <message>
@@ -10060,7 +10060,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>不设按键(&amp;N)</translation>
     </message>
     <message>
-        <source>&amp;All as usual</source>
+        <source>Reset &amp;all</source>
         <translation>全部恢复默认(&amp;A)</translation>
     </message>
     <message>
@@ -10080,15 +10080,15 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>按键</translation>
     </message>
     <message>
-        <source>New key of the chosen command</source>
+        <source>New key for the selected command</source>
         <translation>所选命令的新按键</translation>
     </message>
     <message>
-        <source>Choose a command to give it another key.</source>
+        <source>Select a command to change its key.</source>
         <translation>选择一个命令，为其设置其他按键。</translation>
     </message>
     <message>
-        <source>%1 is the key of “%2”, which would have none.</source>
+        <source>%1 is the key of “%2”. That command would lose it.</source>
         <translation>%1 是“%2”的按键，改用后该命令将没有按键。</translation>
     </message>
     <message>
@@ -10111,11 +10111,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>地面</translation>
     </message>
     <message>
-        <source>What is wrong</source>
+        <source>Problems</source>
         <translation>问题所在</translation>
     </message>
     <message>
-        <source>Where the markers lie on the floor, measured with a tape: millimetres from the origin. X goes to the right, Y away from you, seen from above.</source>
+        <source>Enter the floor positions of the markers, measured with a tape in millimetres from the origin. Seen from above, X points right and Y away from you.</source>
         <translation>标记在地面上的位置，用卷尺测量：以毫米为单位，从原点算起。俯视时 X 向右，Y 朝远离您的方向。</translation>
     </message>
     <message>
@@ -10175,15 +10175,15 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>旋转 180°(&amp;H)</translation>
     </message>
     <message>
-        <source>They were &amp;centimetres</source>
+        <source>Convert from &amp;centimetres</source>
         <translation>原为厘米(&amp;C)</translation>
     </message>
     <message>
-        <source>They were &amp;metres</source>
+        <source>Convert from &amp;metres</source>
         <translation>原为米(&amp;M)</translation>
     </message>
     <message>
-        <source>They were &amp;inches</source>
+        <source>Convert from &amp;inches</source>
         <translation>原为英寸(&amp;I)</translation>
     </message>
     <message>
@@ -10191,7 +10191,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>导入(&amp;I)…</translation>
     </message>
     <message>
-        <source>Places of the markers (label,x_mm,y_mm)</source>
+        <source>Positions of the markers (label,x_mm,y_mm)</source>
         <translation>标记的位置 (label,x_mm,y_mm)</translation>
     </message>
     <message>
@@ -10199,7 +10199,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>导出(&amp;E)…</translation>
     </message>
     <message>
-        <source>Places of the markers</source>
+        <source>Positions of the markers</source>
         <translation>标记的位置</translation>
     </message>
     <message>
@@ -10207,7 +10207,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>布局没有名称。</translation>
     </message>
     <message>
-        <source>There is a layout of that name: cameras may stand on it, so it is not overwritten. Give another name.</source>
+        <source>A layout with this name exists, and cameras may use it. Enter another name.</source>
         <translation>已有同名的布局：可能有相机以它为依据，因此不会覆盖。请另取名称。</translation>
     </message>
     <message>
@@ -10219,19 +10219,19 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>有两个标记的标号都是 %1。</translation>
     </message>
     <message>
-        <source>The place of %1 is not a number.</source>
+        <source>The position of %1 is not a number.</source>
         <translation>%1 的位置不是数字。</translation>
     </message>
     <message>
-        <source>Four markers are needed, there are %1.</source>
+        <source>The layout needs four markers; it has %1.</source>
         <translation>需要四个标记，现有 %1 个。</translation>
     </message>
     <message>
-        <source>%1 and %2 lie at one place.</source>
+        <source>%1 and %2 have the same position.</source>
         <translation>%1 和 %2 位于同一处。</translation>
     </message>
     <message>
-        <source>The markers lie nearly on a line: they do not tell where the camera stands. Lay one aside.</source>
+        <source>The markers are nearly on a line and cannot determine the camera position. Move one to the side.</source>
         <translation>各标记几乎在一条直线上：无法由此确定相机的位置。请把其中一个移到旁边。</translation>
     </message>
 </context>
@@ -10249,11 +10249,11 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>odo::LengthPage</name>
     <message>
-        <source>Take what lies &amp;near a click</source>
+        <source>S&amp;nap to what is near a click</source>
         <translation>吸附到点击处附近(&amp;N)</translation>
     </message>
     <message>
-        <source>Picture with both ends; arrow keys move the chosen one, Space snaps it</source>
+        <source>Image with both ends; arrow keys move the selected one, Space snaps it</source>
         <translation>含两个端点的画面；方向键移动所选端点，空格键使其吸附</translation>
     </message>
     <message>
@@ -10281,7 +10281,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation> mm</translation>
     </message>
     <message>
-        <source>lies on the floor</source>
+        <source>on the floor</source>
         <translation>位于地面</translation>
     </message>
     <message>
@@ -10321,7 +10321,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>测量结果</translation>
     </message>
     <message>
-        <source>Lay something of known length anywhere on the floor, a metre stick or two markers of known distance, and click both its ends. By keys: the arrows move an end (Ctrl: fast, Shift: a pixel), Space snaps it.</source>
+        <source>Put an object of known length anywhere on the floor, such as a metre stick or two markers at a known distance, and click both ends. Keys: arrows move an end (Ctrl: fast, Shift: one pixel), Space snaps it.</source>
         <translation>在地面上任意处放一件已知长度的物体，如米尺，或两个距离已知的标记，然后点击其两端。用按键：方向键移动端点（Ctrl：快速，Shift：一个像素），空格键使其吸附。</translation>
     </message>
     <message>
@@ -10329,15 +10329,15 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>%1 ± %2 mm</translation>
     </message>
     <message>
-        <source>inside the expected error</source>
+        <source>within uncertainty</source>
         <translation>在预期误差之内</translation>
     </message>
     <message>
-        <source>outside the expected error</source>
+        <source>outside uncertainty</source>
         <translation>超出预期误差</translation>
     </message>
     <message>
-        <source> Give its true length to see whether that is right.</source>
+        <source> Enter its true length to check the result.</source>
         <translation> 请输入真实长度，以检验是否正确。</translation>
     </message>
     <message>
@@ -10349,7 +10349,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>在地平线以外</translation>
     </message>
     <message>
-        <source>not put yet</source>
+        <source>not set yet</source>
         <translation>尚未放置</translation>
     </message>
 </context>
@@ -10364,11 +10364,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>完成(&amp;D)</translation>
     </message>
     <message>
-        <source>Picture or video of the length</source>
+        <source>Image or video of the length</source>
         <translation>长度的图片或视频</translation>
     </message>
     <message>
-        <source>The camera and its picture</source>
+        <source>The camera and its image</source>
         <translation>相机及其画面</translation>
     </message>
     <message>
@@ -10376,7 +10376,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>长度的两个端点</translation>
     </message>
     <message>
-        <source>Lay something of known length on the floor, away from the markers, and see whether the camera measures it as well as it promises. Nothing is changed by it.</source>
+        <source>Put an object of known length on the floor, away from the markers, to check the camera&apos;s stated uncertainty. This changes nothing.</source>
         <translation>在地面上远离标记处放一件已知长度的物体，看相机的测量是否达到其应有的精度。检查不会更改任何内容。</translation>
     </message>
     <message>
@@ -10384,22 +10384,22 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>相机(&amp;A)</translation>
     </message>
     <message>
-        <source>Where the length is seen</source>
+        <source>Image of the length</source>
         <translation>长度见于何处</translation>
     </message>
     <message>
-        <source>Getting the picture…</source>
+        <source>Loading the image…</source>
         <translation>正在获取画面…</translation>
     </message>
 </context>
 <context>
     <name>odo::LensPicturesPage</name>
     <message>
-        <source>Move it to the left of the picture</source>
+        <source>Move it to the left of the image</source>
         <translation>移向画面左侧</translation>
     </message>
     <message>
-        <source>Move it to the right of the picture</source>
+        <source>Move it to the right of the image</source>
         <translation>移向画面右侧</translation>
     </message>
     <message>
@@ -10439,7 +10439,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>保持不动</translation>
     </message>
     <message>
-        <source>&amp;Take a picture now</source>
+        <source>&amp;Take an image now</source>
         <translation>立即拍一张(&amp;T)</translation>
     </message>
     <message>
@@ -10447,19 +10447,19 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>操作提示</translation>
     </message>
     <message>
-        <source>No picture from the camera</source>
+        <source>No image from the camera</source>
         <translation>没有来自相机的画面</translation>
     </message>
     <message>
-        <source>Pictures that do not count</source>
+        <source>Rejected images</source>
         <translation>不参与计算的图片</translation>
     </message>
     <message>
-        <source>What the pictures cover</source>
+        <source>Coverage of the images</source>
         <translation>图片的覆盖情况</translation>
     </message>
     <message>
-        <source>Not counted</source>
+        <source>Rejected</source>
         <translation>不计入</translation>
     </message>
     <message>
@@ -10467,7 +10467,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>正在等待相机…</translation>
     </message>
     <message>
-        <source>Looking for the board…</source>
+        <source>Detecting the board…</source>
         <translation>正在查找标定板…</translation>
     </message>
     <message>
@@ -10475,11 +10475,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>请将标定板举在相机前</translation>
     </message>
     <message>
-        <source>Looking for the board</source>
+        <source>Detecting the board</source>
         <translation>正在查找标定板</translation>
     </message>
     <message>
-        <source>A picture is taken by itself whenever the board is still, sharp and in a new place.</source>
+        <source>Odograph takes an image whenever the board is still, sharp and in a new position.</source>
         <translation>只要标定板静止、清晰且处于新位置，就会自动拍摄一张图片。</translation>
     </message>
     <message>
@@ -10495,15 +10495,15 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>还需 %1 张</translation>
     </message>
     <message>
-        <source>No picture counts</source>
+        <source>No image accepted</source>
         <translation>没有可用的图片</translation>
     </message>
     <message>
-        <source>The reasons stand at the right. Add others by dropping them here.</source>
+        <source>See the reasons on the right. Drop other images here to add them.</source>
         <translation>原因见右侧。可把其他图片拖放到此处来添加。</translation>
     </message>
     <message>
-        <source>Looked at all</source>
+        <source>All images checked</source>
         <translation>已全部检查</translation>
     </message>
     <message>
@@ -10511,7 +10511,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>已足够。</translation>
     </message>
     <message>
-        <source>More pictures can be dropped here; the bars show what is missing.</source>
+        <source>Drop more images here; the bars show what is missing.</source>
         <translation>可把更多图片拖放到此处；条形图显示还缺什么。</translation>
     </message>
 </context>
@@ -10546,7 +10546,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>正在求解</translation>
     </message>
     <message>
-        <source>Lens model chosen by itself</source>
+        <source>Automatic choice of the lens model</source>
         <translation>自动选择镜头模型</translation>
     </message>
     <message>
@@ -10566,15 +10566,15 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>镜头模型</translation>
     </message>
     <message>
-        <source>Choose a bar to see its picture.</source>
+        <source>Select a bar to see its image.</source>
         <translation>选择一个条形以查看其图片。</translation>
     </message>
     <message>
-        <source>Stands here once the lens is known.</source>
+        <source>Appears here after the calibration.</source>
         <translation>镜头求解后显示在此处。</translation>
     </message>
     <message>
-        <source>Picture and &amp;residuals</source>
+        <source>Image and &amp;residuals</source>
         <translation>图片与残差(&amp;R)</translation>
     </message>
     <message>
@@ -10582,15 +10582,15 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>校正后(&amp;S)</translation>
     </message>
     <message>
-        <source>Error by picture</source>
+        <source>Error by image</source>
         <translation>各图片的误差</translation>
     </message>
     <message>
-        <source>Lens</source>
+        <source>Calibration</source>
         <translation>镜头</translation>
     </message>
     <message>
-        <source>What is known of the lens</source>
+        <source>Lens calibration</source>
         <translation>镜头的已知参数</translation>
     </message>
     <message>
@@ -10602,11 +10602,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>直边应当是直的</translation>
     </message>
     <message>
-        <source>Storing the lens and its pictures…</source>
+        <source>Storing the lens calibration and its images…</source>
         <translation>正在存储镜头及其图片…</translation>
     </message>
     <message>
-        <source>The lens was not stored. %1</source>
+        <source>The lens calibration was not stored. %1</source>
         <translation>镜头未能存储。%1</translation>
     </message>
     <message>
@@ -10618,7 +10618,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>%1：%2</translation>
     </message>
     <message>
-        <source>Pictures</source>
+        <source>Images</source>
         <translation>图片</translation>
     </message>
     <message>
@@ -10634,7 +10634,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>留出验证误差</translation>
     </message>
     <message>
-        <source>needs six pictures</source>
+        <source>needs six images</source>
         <translation>需要六张图片</translation>
     </message>
     <message>
@@ -10657,11 +10657,11 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>odo::LensSourcePage</name>
     <message>
-        <source>Be&amp;fore the camera: hold the board, pictures are taken by themselves</source>
+        <source>&amp;From the camera: hold up the board, Odograph takes the images</source>
         <translation>相机实拍：手持标定板，自动拍摄图片(&amp;F)</translation>
     </message>
     <message>
-        <source>From &amp;pictures or a video that you have taken</source>
+        <source>From existing images or a &amp;video</source>
         <translation>使用已拍好的图片或视频(&amp;P)</translation>
     </message>
     <message>
@@ -10673,7 +10673,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>打印标定板(&amp;T)…</translation>
     </message>
     <message>
-        <source>A flat board of squares, seen from many sides, tells how the lens draws. Checkerboard or ChArUco, of any size: which it is, is found out. Measure one square on the paper; it decides every later length. The lens must not be refocused or zoomed afterwards.</source>
+        <source>Show a flat calibration board from many sides to calibrate the lens. Odograph recognises checkerboard and ChArUco boards of any size. Measure one square on the paper: every later length depends on it. Do not refocus or zoom afterwards.</source>
         <translation>从多个方向拍摄一块带方格的平板，即可得知镜头的成像规律。棋盘格或 ChArUco 均可，大小不限：种类会自动识别。请测量纸上一个方格的边长，此后的一切长度都以它为准。之后不得再对镜头重新对焦或变焦。</translation>
     </message>
     <message>
@@ -10685,11 +10685,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>实测方格边长(&amp;S)</translation>
     </message>
     <message>
-        <source>Where the pictures of the board come from</source>
+        <source>Source of the board images</source>
         <translation>标定板图片的来源</translation>
     </message>
     <message>
-        <source>Pictures and videos of the board</source>
+        <source>Images and videos of the board</source>
         <translation>标定板的图片和视频</translation>
     </message>
     <message>
@@ -10701,11 +10701,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>移除(&amp;R)</translation>
     </message>
     <message>
-        <source>Pictures and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
         <translation>图片和视频 (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;所有文件 (*)</translation>
     </message>
     <message>
-        <source>Files can also be dropped here.</source>
+        <source>You can also drop files here.</source>
         <translation>也可将文件拖放到此处。</translation>
     </message>
 </context>
@@ -10724,7 +10724,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>相机和标定板</translation>
     </message>
     <message>
-        <source>Pictures of the board</source>
+        <source>Images of the board</source>
         <translation>标定板的图片</translation>
     </message>
     <message>
@@ -10867,7 +10867,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>帮助(&amp;H)</translation>
     </message>
     <message>
-        <source>The pages follow when the project is opened again, for a recording goes on.</source>
+        <source>A recording is running. The change takes effect when you reopen the project.</source>
         <translation>正在录制，因此各页面要到项目再次打开时才更新。</translation>
     </message>
     <message>
@@ -10875,23 +10875,23 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>恢复备份</translation>
     </message>
     <message>
-        <source>“%1” was deleted, renamed or replaced by another program. What is in it is rescued as soon as the running work has ended.</source>
+        <source>Another program deleted, renamed or replaced “%1”. Odograph will rescue its contents when the running job has ended.</source>
         <translation>“%1”被其他程序删除、重命名或替换。当前工作结束后，将立即抢救其中的内容。</translation>
     </message>
     <message>
-        <source>“%1” was deleted, renamed or replaced by another program. What was in it is rescued in “%2”, which is open now.</source>
+        <source>Another program deleted, renamed or replaced “%1”. Odograph rescued its contents in “%2” and opened that project.</source>
         <translation>“%1”被其他程序删除、重命名或替换。其中的内容已抢救到“%2”，现已打开。</translation>
     </message>
     <message>
-        <source>Another program wrote over “%1”. What it holds now is opened as soon as the running work has ended.</source>
+        <source>Another program overwrote “%1”. Odograph will open the new contents when the running job has ended.</source>
         <translation>另一个程序覆盖了“%1”。正在进行的工作结束后，将打开其当前内容。</translation>
     </message>
     <message>
-        <source>“%1” was renamed with its videos by another program. It is open as “%2” now.</source>
+        <source>Another program renamed “%1” and its videos. It is now open as “%2”.</source>
         <translation>另一个程序已将“%1”及其视频重命名。现在以“%2”打开。</translation>
     </message>
     <message>
-        <source>Another program wrote over “%1” while it was open: what it held before is gone. What it holds now is shown.</source>
+        <source>Another program overwrote “%1” while it was open. Its earlier contents are gone; the window shows the new ones.</source>
         <translation>“%1”打开期间被另一个程序覆盖：之前的内容已丢失。现在显示的是其当前内容。</translation>
     </message>
 </context>
@@ -10962,14 +10962,14 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>odo::MarkerCanvas</name>
     <message>
-        <source>Picture with the markers; arrow keys move the chosen one</source>
+        <source>Image with the markers; arrow keys move the selected one</source>
         <translation>含标记的画面；方向键移动所选标记</translation>
     </message>
 </context>
 <context>
     <name>odo::MarkerPage</name>
     <message>
-        <source>&amp;Take out</source>
+        <source>&amp;Remove</source>
         <translation>取出(&amp;T)</translation>
     </message>
     <message>
@@ -10981,7 +10981,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>标记</translation>
     </message>
     <message>
-        <source>Place, mm</source>
+        <source>Position, mm</source>
         <translation>位置，mm</translation>
     </message>
     <message>
@@ -11001,7 +11001,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>已找到</translation>
     </message>
     <message>
-        <source>Choose a marker in the table and click where it is; what lies near the click is taken to the tenth of a pixel.</source>
+        <source>Select a marker in the table and click its position. The click snaps to what is near it, to a tenth of a pixel.</source>
         <translation>在表中选择一个标记，然后在画面上点击它所在之处；点击处附近的图形会以十分之一像素的精度定位。</translation>
     </message>
     <message>
@@ -11013,7 +11013,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>%1，%2</translation>
     </message>
     <message>
-        <source>not seen</source>
+        <source>not visible</source>
         <translation>未看到</translation>
     </message>
 </context>
@@ -11035,7 +11035,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>odo::MetricModel</name>
     <message>
-        <source>Figure</source>
+        <source>Metric</source>
         <translation>指标</translation>
     </message>
     <message>
@@ -11073,7 +11073,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>重新配准(&amp;R)…</translation>
     </message>
     <message>
-        <source>Check the cameras</source>
+        <source>Check camera positions</source>
         <translation>检查相机</translation>
     </message>
     <message>
@@ -11081,7 +11081,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>相机</translation>
     </message>
     <message>
-        <source>New picture</source>
+        <source>New image</source>
         <translation>新图片</translation>
     </message>
     <message>
@@ -11093,7 +11093,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>已配准的相机</translation>
     </message>
     <message>
-        <source>A camera that was pushed measures wrongly and nothing shows it. Before the robots run, each camera&apos;s markers are looked for again in a new picture.</source>
+        <source>A camera that someone has pushed measures wrong positions without any sign of it. Before the robots run, check each camera&apos;s markers in a new image.</source>
         <translation>相机被碰动后会测错，而且看不出来。在机器人运行之前，会在新图片中重新查找每台相机的标记。</translation>
     </message>
     <message>
@@ -11101,11 +11101,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>关闭</translation>
     </message>
     <message>
-        <source>What was found</source>
+        <source>Results of the check</source>
         <translation>检查结果</translation>
     </message>
     <message>
-        <source>New picture of camera %1</source>
+        <source>New image of camera %1</source>
         <translation>相机 %1 的新图片</translation>
     </message>
     <message>
@@ -11117,23 +11117,23 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>不检查</translation>
     </message>
     <message>
-        <source>A picture or video…</source>
+        <source>An image or video…</source>
         <translation>图片或视频…</translation>
     </message>
     <message>
-        <source>Pictures and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
         <translation>图片和视频 (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;所有文件 (*)</translation>
     </message>
     <message>
-        <source>looking…</source>
+        <source>detecting…</source>
         <translation>正在检查…</translation>
     </message>
     <message>
-        <source>not told</source>
+        <source>undetermined</source>
         <translation>未能确定</translation>
     </message>
     <message>
-        <source>Two markers at least must be seen. Nothing is moved or changed by the check.</source>
+        <source>At least two markers must be visible. The check changes nothing.</source>
         <translation>至少要能看到两个标记。检查不会移动或更改任何内容。</translation>
     </message>
     <message>
@@ -11148,15 +11148,15 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>在网络上发送实时位置(&amp;S)</translation>
     </message>
     <message>
-        <source>%1: this machine only</source>
+        <source>%1: this computer only</source>
         <translation>%1：仅限本机</translation>
     </message>
     <message>
-        <source>%1: not there now</source>
+        <source>%1: not available now</source>
         <translation>%1：当前不可用</translation>
     </message>
     <message>
-        <source>The places of the robots that Record follows, as packets of SSL-Vision, for controllers and programs of your own. No name of a team or a robot is in them.</source>
+        <source>Positions of the robots that Record tracks, as SSL-Vision packets for your own controllers and programs. The packets contain no names of teams or robots.</source>
         <translation>“录制”所跟踪的机器人位置，以 SSL-Vision 数据包的形式发送，供控制器和您自己的程序使用。其中不含小组或机器人的名称。</translation>
     </message>
     <message>
@@ -11172,23 +11172,23 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>接口(&amp;I)</translation>
     </message>
     <message>
-        <source>Nothing is sent.</source>
+        <source>Odograph sends nothing.</source>
         <translation>不发送任何内容。</translation>
     </message>
     <message>
-        <source>This is no IPv4 address; write it like 224.5.23.2.</source>
+        <source>This is not an IPv4 address; enter one such as 224.5.23.2.</source>
         <translation>这不是 IPv4 地址；请写成 224.5.23.2 这样的形式。</translation>
     </message>
     <message>
-        <source>They go to the one machine that has this address.</source>
+        <source>They go only to the computer with this address.</source>
         <translation>发送到拥有该地址的那一台计算机。</translation>
     </message>
     <message>
-        <source>They do not leave this machine.</source>
+        <source>They do not leave this computer.</source>
         <translation>不会离开本机。</translation>
     </message>
     <message>
-        <source>Whoever is on that network can read where the robots are.</source>
+        <source>Anyone on that network can read the robots&apos; positions.</source>
         <translation>该网络上的任何人都能读到机器人的位置。</translation>
     </message>
 </context>
@@ -11206,7 +11206,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>odo::PickColourDialog</name>
     <message>
-        <source>Robot&apos;s colour from a picture</source>
+        <source>Pick the robot&apos;s colour</source>
         <translation>从图片取机器人颜色</translation>
     </message>
     <message>
@@ -11222,15 +11222,15 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>帧(&amp;F)</translation>
     </message>
     <message>
-        <source>Choose a video in which the robot is seen.</source>
+        <source>Choose a video that shows the robot.</source>
         <translation>请选择一段能看到机器人的视频。</translation>
     </message>
     <message>
-        <source>Take this colour</source>
+        <source>Use this colour</source>
         <translation>采用此颜色</translation>
     </message>
     <message>
-        <source>Video in which the robot is seen</source>
+        <source>Video that shows the robot</source>
         <translation>能看到机器人的视频</translation>
     </message>
     <message>
@@ -11246,7 +11246,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>机器人此处的颜色：%1。占框内的 %2 %。</translation>
     </message>
     <message>
-        <source>Draw a box closely round the robot with the mouse; or with the arrow keys, which move the box, and with Shift make it larger or smaller.</source>
+        <source>Draw a tight box round the robot with the mouse, or use the keyboard: arrow keys move the box, Shift + arrow keys resize it.</source>
         <translation>请用鼠标紧贴机器人画一个框；或用方向键移动框，按住 Shift 则放大或缩小。</translation>
     </message>
     <message>
@@ -11268,7 +11268,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>odo::PictureBars</name>
     <message>
-        <source>Error of each picture, with a threshold</source>
+        <source>Error of each image, with a threshold</source>
         <translation>各图片的误差，含阈值</translation>
     </message>
     <message>
@@ -11276,33 +11276,33 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>%1：%2 px</translation>
     </message>
     <message>
-        <source>pictures; above %1 px they do not count</source>
+        <source>images; rejected above %1 px</source>
         <translation>图片；超过 %1 px 的不计入</translation>
     </message>
 </context>
 <context>
     <name>odo::PictureChoice</name>
     <message>
-        <source>In the camera&apos;s &amp;newest recording</source>
+        <source>The camera&apos;s &amp;newest recording</source>
         <translation>相机的最新录像(&amp;N)</translation>
     </message>
     <message>
-        <source>In what a &amp;connected camera sees now</source>
+        <source>The current image of a &amp;connected camera</source>
         <translation>已连接相机的当前画面(&amp;C)</translation>
     </message>
     <message>
-        <source>In a &amp;picture or video</source>
+        <source>An image or a &amp;video</source>
         <translation>图片或视频(&amp;P)</translation>
     </message>
     <message>
-        <source>Pictures and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
+        <source>Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All files (*)</source>
         <translation>图片和视频 (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;所有文件 (*)</translation>
     </message>
 </context>
 <context>
     <name>odo::PlannedCameraForm</name>
     <message>
-        <source>Stands at x</source>
+        <source>Position x</source>
         <translation>所在 x</translation>
     </message>
     <message>
@@ -11310,7 +11310,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation> mm</translation>
     </message>
     <message>
-        <source>Stands at y</source>
+        <source>Position y</source>
         <translation>所在 y</translation>
     </message>
     <message>
@@ -11326,7 +11326,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>注视点 y</translation>
     </message>
     <message>
-        <source>Direction in which it looks</source>
+        <source>Viewing direction</source>
         <translation>拍摄方向</translation>
     </message>
     <message>
@@ -11338,19 +11338,19 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>视场角</translation>
     </message>
     <message>
-        <source>0° is along X, 90° along Y; turning it turns the point that it looks at about the camera</source>
+        <source>0° is along X, 90° along Y; the point that the camera looks at turns with it</source>
         <translation>0° 沿 X，90° 沿 Y；改变方向会使注视点绕相机转动</translation>
     </message>
     <message>
-        <source>Across the picture&apos;s width: a webcam has some 60° to 80°, a phone 65°</source>
+        <source>Across the image width: a webcam has about 60° to 80°, a phone 65°</source>
         <translation>按画面宽度：网络摄像头约 60° 至 80°，手机约 65°</translation>
     </message>
     <message>
-        <source>Size of its pictures</source>
+        <source>Image size</source>
         <translation>画面尺寸</translation>
     </message>
     <message>
-        <source>&amp;Stands at x, y</source>
+        <source>Po&amp;sition x, y</source>
         <translation>所在 x、y(&amp;S)</translation>
     </message>
     <message>
@@ -11377,7 +11377,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>首选项</translation>
     </message>
     <message>
-        <source>Kinds of preferences</source>
+        <source>Categories of preferences</source>
         <translation>首选项类别</translation>
     </message>
     <message>
@@ -11561,7 +11561,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>odo::RegistrationVerdict</name>
     <message>
-        <source>Where the camera stands</source>
+        <source>Camera position</source>
         <translation>相机所在位置</translation>
     </message>
     <message>
@@ -11569,7 +11569,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>评定</translation>
     </message>
     <message>
-        <source>It stands at x %1 m, y %2 m, %3 m above the floor.</source>
+        <source>Camera position: x %1 m, y %2 m, %3 m above the floor.</source>
         <translation>位于 x %1 m，y %2 m，距地面 %3 m。</translation>
     </message>
     <message>
@@ -11614,11 +11614,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>PDF 文件 (*.pdf)</translation>
     </message>
     <message>
-        <source>The report is in %1.</source>
+        <source>Report saved as %1.</source>
         <translation>报告已保存为 %1。</translation>
     </message>
     <message>
-        <source>The report is with the printer %1.</source>
+        <source>Report sent to printer %1.</source>
         <translation>报告已送至打印机 %1。</translation>
     </message>
 </context>
@@ -11729,7 +11729,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>学校(&amp;S)</translation>
     </message>
     <message>
-        <source>stands at the head of each page</source>
+        <source>shown at the top of each page</source>
         <translation>位于每页的页眉</translation>
     </message>
     <message>
@@ -11737,7 +11737,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>校徽</translation>
     </message>
     <message>
-        <source>Pictures (*.png *.jpg *.jpeg *.svg)</source>
+        <source>Images (*.png *.jpg *.jpeg *.svg)</source>
         <translation>图片 (*.png *.jpg *.jpeg *.svg)</translation>
     </message>
     <message>
@@ -11745,15 +11745,15 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>校徽(&amp;L)</translation>
     </message>
     <message>
-        <source>How the logo looks</source>
+        <source>Preview of the logo</source>
         <translation>校徽的样子</translation>
     </message>
     <message>
-        <source>&amp;At the foot</source>
+        <source>&amp;At the bottom</source>
         <translation>页脚(&amp;A)</translation>
     </message>
     <message>
-        <source>for example: who answers questions</source>
+        <source>for example: whom to ask</source>
         <translation>例如：由谁解答问题</translation>
     </message>
 </context>
@@ -11764,7 +11764,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>无</translation>
     </message>
     <message>
-        <source>&amp;Measure again</source>
+        <source>&amp;Reanalyse</source>
         <translation>重新测量(&amp;M)</translation>
     </message>
     <message>
@@ -11772,7 +11772,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>保留(&amp;K)</translation>
     </message>
     <message>
-        <source>Measure trials again</source>
+        <source>Reanalyse trials</source>
         <translation>重新测量试验</translation>
     </message>
     <message>
@@ -11780,7 +11780,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>机器人</translation>
     </message>
     <message>
-        <source>Figure</source>
+        <source>Metric</source>
         <translation>指标</translation>
     </message>
     <message>
@@ -11804,7 +11804,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>变化情况说明</translation>
     </message>
     <message>
-        <source>What was seen in the videos stays as it is; where it lies on the floor is computed with the registrations in force now. Look at what changes, then keep it or not: the older analysis stays in the project too.</source>
+        <source>What was detected in the videos stays as it is; its floor positions are recomputed with the current registrations. Check what changes, then keep it or not: the older analysis stays in the project too.</source>
         <translation>视频中所见的内容保持不变；其在地面上的位置按当前生效的配准重新计算。请查看变化，再决定是否保留：以前的分析也仍留在项目中。</translation>
     </message>
     <message>
@@ -11899,15 +11899,15 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>odo::RevisionPicture</name>
     <message>
-        <source>Picture that it was made from</source>
+        <source>Source image</source>
         <translation>制作时所用的图片</translation>
     </message>
     <message>
-        <source>Reading the picture…</source>
+        <source>Reading the image…</source>
         <translation>正在读取图片…</translation>
     </message>
     <message>
-        <source>The picture cannot be read.</source>
+        <source>Cannot read the image.</source>
         <translation>无法读取图片。</translation>
     </message>
 </context>
@@ -11918,11 +11918,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>使用此版本(&amp;U)</translation>
     </message>
     <message>
-        <source>&amp;Register with this lens</source>
+        <source>&amp;Register with this calibration</source>
         <translation>用此镜头配准(&amp;R)</translation>
     </message>
     <message>
-        <source>&amp;Measure trials again…</source>
+        <source>Reanalyse &amp;trials…</source>
         <translation>重新测量试验(&amp;M)…</translation>
     </message>
     <message>
@@ -11954,7 +11954,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>试验</translation>
     </message>
     <message>
-        <source>In force</source>
+        <source>Current</source>
         <translation>生效</translation>
     </message>
     <message>
@@ -11962,11 +11962,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>版本</translation>
     </message>
     <message>
-        <source>Puts the chosen revision in force for what is measured from now on; trials keep theirs</source>
+        <source>Makes the selected revision the current one for new measurements; trials keep theirs</source>
         <translation>使所选版本对今后的测量生效；已有试验保留各自的版本</translation>
     </message>
     <message>
-        <source>Computes the registration in force anew from the same markers, with the lens in force</source>
+        <source>Recomputes the current registration from the same markers, with the current lens calibration</source>
         <translation>用相同的标记和当前生效的镜头重新计算生效的配准</translation>
     </message>
     <message>
@@ -11998,27 +11998,27 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>配准 %1</translation>
     </message>
     <message>
-        <source>in force</source>
+        <source>current</source>
         <translation>生效</translation>
     </message>
     <message>
-        <source>No trial was measured with it.</source>
+        <source>No trial uses it.</source>
         <translation>没有试验用它测量。</translation>
     </message>
     <message>
-        <source>Trials measured with it: %1.</source>
+        <source>Trials that use it: %1.</source>
         <translation>用它测量的试验：%1。</translation>
     </message>
     <message>
-        <source>%1 is in force. The registrations keep the lens that they were made with: register the camera with this one.</source>
+        <source>%1 is now current. The registrations keep the lens calibration that they were made with: register the camera with this one.</source>
         <translation>%1 已生效。各配准仍保留制作时所用的镜头：请用此镜头配准相机。</translation>
     </message>
     <message>
-        <source>%1 is in force. Trials keep theirs until they are measured again.</source>
+        <source>%1 is now current. Trials keep theirs until you reanalyse them.</source>
         <translation>%1 已生效。试验在重新测量之前保留各自的版本。</translation>
     </message>
     <message>
-        <source>Registration %1 is in force: the same markers, with this lens. %2</source>
+        <source>Registration %1 is now current: the same markers, with this lens calibration. %2</source>
         <translation>配准 %1 已生效：标记相同，采用此镜头。%2</translation>
     </message>
 </context>
@@ -12029,7 +12029,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>添加机器人</translation>
     </message>
     <message>
-        <source>Found from the views</source>
+        <source>Estimated from the views</source>
         <translation>由视角得出</translation>
     </message>
     <message>
@@ -12053,7 +12053,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>名称(&amp;N)</translation>
     </message>
     <message>
-        <source>From a &amp;picture…</source>
+        <source>&amp;Pick from a video…</source>
         <translation>从图片选取(&amp;P)…</translation>
     </message>
     <message>
@@ -12077,7 +12077,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>更改机器人</translation>
     </message>
     <message>
-        <source>How it differs from the floor</source>
+        <source>Its silhouette</source>
         <translation>与地面的差别</translation>
     </message>
     <message>
@@ -12085,19 +12085,19 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>自己的颜色</translation>
     </message>
     <message>
-        <source>A robot of any look is found by how it differs from the floor. A colour of its own helps where several things move.</source>
+        <source>The silhouette works for any robot. A colour of its own helps if several things move.</source>
         <translation>任何外观的机器人都按它与地面的差别来寻找。有多个物体移动时，自己的颜色会有帮助。</translation>
     </message>
     <message>
-        <source>&amp;Found by</source>
+        <source>D&amp;etected by</source>
         <translation>寻找依据(&amp;F)</translation>
     </message>
     <message>
-        <source>In charts and maps, whatever the robot looks like</source>
+        <source>Colour in charts and maps; the robot itself may have another</source>
         <translation>用于图表和地图，与机器人的外观无关</translation>
     </message>
     <message>
-        <source>From the middle of what the robot covers of the floor; 0 and 0 is the middle itself.</source>
+        <source>Offset from the middle of the robot&apos;s footprint; 0 and 0 is the middle itself.</source>
         <translation>从机器人在地面上所占区域的中心算起；0 和 0 即中心本身。</translation>
     </message>
     <message>
@@ -12105,7 +12105,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation> 毫米向前</translation>
     </message>
     <message>
-        <source>Measured point, forward of the robot&apos;s middle</source>
+        <source>Reference point, forward of the robot&apos;s middle</source>
         <translation>测量点，在机器人中心前方</translation>
     </message>
     <message>
@@ -12113,11 +12113,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation> 毫米向左</translation>
     </message>
     <message>
-        <source>Measured point, left of the robot&apos;s middle</source>
+        <source>Reference point, left of the robot&apos;s middle</source>
         <translation>测量点，在机器人中心左侧</translation>
     </message>
     <message>
-        <source>&amp;Measured point</source>
+        <source>&amp;Reference point</source>
         <translation>测量点(&amp;M)</translation>
     </message>
 </context>
@@ -12158,7 +12158,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>odo::RobotsDialog</name>
     <message>
-        <source>found from the views</source>
+        <source>estimated from the views</source>
         <translation>由视角得出</translation>
     </message>
     <message>
@@ -12198,11 +12198,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>长 × 宽</translation>
     </message>
     <message>
-        <source>Another colour or height counts from the next tracking on; what was measured before stays as it is.</source>
+        <source>A new colour or height applies from the next tracking on; earlier results stay as they are.</source>
         <translation>更改颜色或高度后，从下一次跟踪起生效；之前的测量结果保持不变。</translation>
     </message>
     <message>
-        <source>What was done</source>
+        <source>Latest change</source>
         <translation>已完成的操作</translation>
     </message>
     <message>
@@ -12218,7 +12218,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>其轮廓</translation>
     </message>
     <message>
-        <source>Found by</source>
+        <source>Detected by</source>
         <translation>寻找依据</translation>
     </message>
 </context>
@@ -12445,11 +12445,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>移除评分项(&amp;V)</translation>
     </message>
     <message>
-        <source>Each line gives all of its points where the figure is at the one bound or better, none at the other or worse, and evenly between them. Points below zero are a penalty.</source>
+        <source>Each line gives all its points if the metric reaches the first bound, none at the second bound or worse, and a proportional share between them. Negative points are a penalty.</source>
         <translation>每个评分项在指标达到满分界限或更好时得满分，在零分界限或更差时不得分，两者之间按比例给分。负的分值为扣分。</translation>
     </message>
     <message>
-        <source>Figure</source>
+        <source>Metric</source>
         <translation>指标</translation>
     </message>
     <message>
@@ -12477,7 +12477,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>添加评分项(&amp;A)</translation>
     </message>
     <message>
-        <source>Figure that counts</source>
+        <source>Scored metric</source>
         <translation>计分的指标</translation>
     </message>
     <message>
@@ -12485,7 +12485,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>没有评分项时，该任务的运行不评分。</translation>
     </message>
     <message>
-        <source>In all %1 points.</source>
+        <source>Total: %1 points.</source>
         <translation>合计 %1 分。</translation>
     </message>
 </context>
@@ -12503,7 +12503,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>odo::SharedPointsPage</name>
     <message>
-        <source>&amp;Take out</source>
+        <source>&amp;Remove</source>
         <translation>取出(&amp;T)</translation>
     </message>
     <message>
@@ -12511,11 +12511,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>撤销(&amp;U)</translation>
     </message>
     <message>
-        <source>Picture of the camera to register; arrow keys move the chosen point</source>
+        <source>Image of the camera to register; arrow keys move the selected point</source>
         <translation>待配准相机的画面；方向键移动所选的点</translation>
     </message>
     <message>
-        <source>Picture of the registered camera; arrow keys move the chosen point</source>
+        <source>Image of the registered camera; arrow keys move the selected point</source>
         <translation>已配准相机的画面；方向键移动所选的点</translation>
     </message>
     <message>
@@ -12535,7 +12535,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>误差</translation>
     </message>
     <message>
-        <source>Points of the floor</source>
+        <source>Floor points</source>
         <translation>地面上的点</translation>
     </message>
     <message>
@@ -12552,7 +12552,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>P%1</translation>
     </message>
     <message>
-        <source>Click a point of the floor in the left picture, then the same one in the right picture. What lies near a click is taken to the tenth of a pixel; the arrow keys move the chosen point, Space snaps it.</source>
+        <source>Click a floor point in the left image, then the same point in the right image. A click snaps to what is near it, to a tenth of a pixel; arrow keys move the selected point, Space snaps it.</source>
         <translation>在左侧画面中点击地面上的一点，再在右侧画面中点击同一点。点击处附近的图形会以十分之一像素的精度定位；方向键移动所选的点，空格键使其吸附。</translation>
     </message>
     <message>
@@ -12568,7 +12568,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>%1 mm</translation>
     </message>
     <message>
-        <source>both pictures</source>
+        <source>both images</source>
         <translation>两个画面</translation>
     </message>
     <message>
@@ -12580,7 +12580,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>仅右侧</translation>
     </message>
     <message>
-        <source>not put yet</source>
+        <source>not set yet</source>
         <translation>尚未放置</translation>
     </message>
 </context>
@@ -12665,7 +12665,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>原因</translation>
     </message>
     <message>
-        <source>%1 doubtful</source>
+        <source>%1 ambiguous</source>
         <translation>%1 处存疑</translation>
     </message>
     <message>
@@ -12680,7 +12680,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>请选择任务</translation>
     </message>
     <message>
-        <source>three trials at different times tell</source>
+        <source>needs three trials at different times</source>
         <translation>需要三次不同时间的试验</translation>
     </message>
     <message>
@@ -12700,7 +12700,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>仅一次试验</translation>
     </message>
     <message>
-        <source>One more than the teams that are better beyond doubt: their medians differ by more than 1.96 σ. Runs of different tasks are not ranked</source>
+        <source>One more than the number of significantly better teams (medians differ by more than 1.96 σ). Runs of different tasks are not ranked</source>
         <translation>确定更好的小组数加一：其中位数相差超过 1.96 σ。不同任务的运行不排名次</translation>
     </message>
     <message>
@@ -12740,7 +12740,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>离散度</translation>
     </message>
     <message>
-        <source>Change through the term by a straight line; beyond the spread by Student&apos;s test, 95 %</source>
+        <source>Change over the term by a straight-line fit; Student&apos;s t-test (95 %) decides if it exceeds the spread</source>
         <translation>一学期内的变化，按直线拟合；是否超出离散度按学生 t 检验判断，95 %</translation>
     </message>
     <message>
@@ -12814,7 +12814,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>分析 %1，Odograph %2</translation>
     </message>
     <message>
-        <source>Units of lengths, speeds and times; to be chosen in the preferences</source>
+        <source>Units of lengths, speeds and times; change them in the preferences</source>
         <translation>长度、速度和时间的单位；可在首选项中选择</translation>
     </message>
     <message>
@@ -12944,7 +12944,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>一张纸。打印后请测量纸上的一个方格：打印机常会缩小 2 至 4 %。</translation>
     </message>
     <message>
-        <source>One sheet for each marker. A tag&apos;s number is the place of its label in the layout.</source>
+        <source>One sheet for each marker. A tag&apos;s number is the position of its label in the layout.</source>
         <translation>每个标记一张纸。标签码的编号即其标号在布局中的序号。</translation>
     </message>
     <message>
@@ -13037,7 +13037,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>评分(&amp;R)</translation>
     </message>
     <message>
-        <source>What is wrong</source>
+        <source>Problems</source>
         <translation>问题所在</translation>
     </message>
     <message>
@@ -13049,7 +13049,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>取消</translation>
     </message>
     <message>
-        <source>Take gates, path, limits and zones from a task file (JSON)</source>
+        <source>Import gates, path, limits and zones from a task file (JSON)</source>
         <translation>从任务文件 (JSON) 读取计时门、路径、限值和区域</translation>
     </message>
     <message>
@@ -13065,7 +13065,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>加速度限值(&amp;I)</translation>
     </message>
     <message>
-        <source>What no robot in the task can do: a measurement beyond it is a spike</source>
+        <source>No robot in the task can exceed it: a measurement beyond it is a spike</source>
         <translation>该任务中任何机器人都达不到的数值：超过它的测量即为异常点</translation>
     </message>
     <message>
@@ -13081,7 +13081,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>任务没有名称。</translation>
     </message>
     <message>
-        <source>There is a task of that name. Give another name.</source>
+        <source>A task with this name exists. Enter another name.</source>
         <translation>已有同名的任务。请另取名称。</translation>
     </message>
     <message>
@@ -13120,7 +13120,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>删除(&amp;D)</translation>
     </message>
     <message>
-        <source>&amp;Measure them again</source>
+        <source>Reanalyse &amp;them</source>
         <translation>重新测量(&amp;M)</translation>
     </message>
     <message>
@@ -13132,7 +13132,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>依赖该任务的内容</translation>
     </message>
     <message>
-        <source>What was done</source>
+        <source>Latest change</source>
         <translation>已完成的操作</translation>
     </message>
     <message>
@@ -13152,7 +13152,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>使用情况</translation>
     </message>
     <message>
-        <source>An archived task is not offered any more; its trials, results and scores stay as they are</source>
+        <source>Archived tasks no longer appear in lists; their trials, results and scores stay as they are</source>
         <translation>归档的任务不再供选择；其试验、结果和得分保持不变</translation>
     </message>
     <message numerus="yes">
@@ -13180,11 +13180,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>%1，已归档</translation>
     </message>
     <message>
-        <source>No task yet. New makes one from a template: its gates, path and scoring say what is to be driven, and how well it was.</source>
+        <source>No task yet. New creates one from a template. Its gates, path and scoring define the course and rate the runs.</source>
         <translation>尚无任务。“新建”按模板生成任务：其计时门、路径和评分规定要跑什么，以及跑得如何。</translation>
     </message>
     <message numerus="yes">
-        <source>The course as it was before it was changed: %n result(s) measured by it keep it.</source>
+        <source>Earlier version of the course: %n result(s) still use it.</source>
         <translation>
             <numerusform>更改之前的赛道：按它测量的 %n 个结果仍保留它。</numerusform>
         </translation>
@@ -13200,13 +13200,13 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>没有试验属于此任务。</translation>
     </message>
     <message numerus="yes">
-        <source>%n of them measured by another course: times at gates and distances from the path are of that one, and there is no score until they are measured again.</source>
+        <source>%n of them were measured with another course: their gate times and distances from the path belong to that one, and they have no score until you reanalyse them.</source>
         <translation>
             <numerusform>其中 %n 次是按另一赛道测量的：通过计时门的时间和到路径的距离都是按那条赛道得出的，重新测量之前没有得分。</numerusform>
         </translation>
     </message>
     <message numerus="yes">
-        <source>It is scored by %n figure(s).</source>
+        <source>It is scored by %n metric(s).</source>
         <translation>
             <numerusform>按 %n 个指标评分。</numerusform>
         </translation>
@@ -13216,19 +13216,19 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>不评分。</translation>
     </message>
     <message>
-        <source>Out of the &amp;archive</source>
+        <source>Restore from &amp;archive</source>
         <translation>取消归档(&amp;A)</translation>
     </message>
     <message>
-        <source>Trials have this task, or were measured by it: it stays, so that their figures say what they were measured by</source>
+        <source>Trials have this task or were measured with it: it stays to document their metrics</source>
         <translation>有试验属于此任务，或按它测量：因此予以保留，以便说明其指标是按什么测量的</translation>
     </message>
     <message>
-        <source>Deletes the task (Del); Ctrl+Z takes it back</source>
+        <source>Deletes the task (Del); Ctrl+Z undoes this</source>
         <translation>删除任务 (Del)；可用 Ctrl+Z 撤回</translation>
     </message>
     <message numerus="yes">
-        <source>%n result(s) measured by this course stay true: a course that is changed is kept for them as an earlier version. The trials go over to the new one; their times and scores follow once they are measured again.</source>
+        <source>%n result(s) measured with this course stay valid: if you change the course, they keep the earlier version. Reanalyse the trials to update their times and scores.</source>
         <translation>
             <numerusform>按此赛道测量的 %n 个结果仍然有效：赛道更改后，原赛道作为以前的版本为它们保留。试验改用新赛道；其时间和得分在重新测量后更新。</numerusform>
         </translation>
@@ -13377,7 +13377,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>宽度(&amp;W)</translation>
     </message>
     <message>
-        <source>The way it is driven: 0° along X, 90° along Y</source>
+        <source>Driving direction: 0° along X, 90° along Y</source>
         <translation>行驶方向：0° 沿 X，90° 沿 Y</translation>
     </message>
     <message>
@@ -13428,7 +13428,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>尚无相机</translation>
     </message>
     <message>
-        <source>A testbed is a floor with markers and the cameras that watch it. Begin with the lens of the first camera, or with the places of the markers.</source>
+        <source>A testbed is a floor with markers and the cameras that watch it. Start with the lens calibration of the first camera, or with the marker positions.</source>
         <translation>试验场由带有标记的地面和观察它的相机组成。请从第一台相机的镜头或标记的位置开始。</translation>
     </message>
     <message>
@@ -13436,7 +13436,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>任务(&amp;K)…</translation>
     </message>
     <message>
-        <source>What is driven on this floor: gates, paths, limits, scoring</source>
+        <source>Courses on this floor: gates, paths, limits, scoring</source>
         <translation>在此地面上行驶的内容：计时门、路径、限值、评分</translation>
     </message>
     <message>
@@ -13444,7 +13444,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>相机</translation>
     </message>
     <message>
-        <source>What is known of the camera</source>
+        <source>Details of the camera</source>
         <translation>相机的已知信息</translation>
     </message>
     <message>
@@ -13456,12 +13456,12 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>标记布局</translation>
     </message>
     <message>
-        <source>Picture</source>
-        <translation>画面</translation>
-    </message>
-    <message>
         <source>Camera %1</source>
         <translation>相机 %1</translation>
+    </message>
+    <message>
+        <source>Image</source>
+        <translation>画面</translation>
     </message>
 </context>
 <context>
@@ -13475,7 +13475,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>标定…</translation>
     </message>
     <message>
-        <source>Measure a camera&apos;s lens from pictures of a board</source>
+        <source>Calibrate a camera with images of a board</source>
         <translation>由标定板的图片测量相机镜头</translation>
     </message>
     <message>
@@ -13487,43 +13487,43 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>配准…</translation>
     </message>
     <message>
-        <source>Find where a camera stands from the floor markers</source>
+        <source>Determine a camera&apos;s position from the floor markers</source>
         <translation>由地面标记得出相机的位置</translation>
     </message>
     <message>
-        <source>Register t&amp;hrough another camera…</source>
+        <source>Register via anot&amp;her camera…</source>
         <translation>通过另一相机配准(&amp;H)…</translation>
     </message>
     <message>
-        <source>Through another…</source>
+        <source>Via another…</source>
         <translation>通过另一相机…</translation>
     </message>
     <message>
-        <source>Find where a camera stands that sees no markers, from points of the floor that another camera sees as well</source>
+        <source>Determine the position of a camera that sees no markers, from floor points that another camera also sees</source>
         <translation>相机看不到标记时，由另一相机也能看到的地面上的点得出其位置</translation>
     </message>
     <message>
-        <source>Register all cameras to&amp;gether…</source>
+        <source>Re&amp;gister all cameras (joint)…</source>
         <translation>联合配准所有相机(&amp;G)…</translation>
     </message>
     <message>
-        <source>All together…</source>
+        <source>All cameras (joint)…</source>
         <translation>联合配准…</translation>
     </message>
     <message>
-        <source>Fit the cameras of the chosen layout at once, so that they agree, and find markers that were measured wrongly</source>
+        <source>Fit all cameras of the selected layout jointly to make them agree, and find wrongly measured markers</source>
         <translation>将所选布局的各相机一并拟合，使它们一致，并找出量错的标记</translation>
     </message>
     <message>
-        <source>Import &amp;intrinsics…</source>
+        <source>&amp;Import lens calibration…</source>
         <translation>导入内参(&amp;I)…</translation>
     </message>
     <message>
-        <source>Import lens…</source>
+        <source>Import calibration…</source>
         <translation>导入镜头…</translation>
     </message>
     <message>
-        <source>Take a camera&apos;s lens from a ROS or OpenCV YAML file</source>
+        <source>Import a camera&apos;s lens calibration from a ROS or OpenCV YAML file</source>
         <translation>从 ROS 或 OpenCV 的 YAML 文件读取相机镜头</translation>
     </message>
     <message>
@@ -13535,7 +13535,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>新建布局…</translation>
     </message>
     <message>
-        <source>Say where the markers lie, from the start or from the layout that is chosen</source>
+        <source>Enter the marker positions, from scratch or based on the selected layout</source>
         <translation>指定标记的位置，从头开始或基于所选布局</translation>
     </message>
     <message>
@@ -13547,7 +13547,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>导入布局…</translation>
     </message>
     <message>
-        <source>Take the places of the markers from a table</source>
+        <source>Import the marker positions from a table</source>
         <translation>从表格读取标记的位置</translation>
     </message>
     <message>
@@ -13559,7 +13559,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>打印…</translation>
     </message>
     <message>
-        <source>Boards for the lens and markers for the floor, to scale</source>
+        <source>Calibration boards and floor markers, to scale</source>
         <translation>镜头用的标定板和地面用的标记，按实际尺寸</translation>
     </message>
     <message>
@@ -13571,15 +13571,15 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>相机 %1 已配准。%2</translation>
     </message>
     <message>
-        <source>Camera %1 is registered through camera %2. %3</source>
+        <source>Camera %1 is registered via camera %2. %3</source>
         <translation>相机 %1 已通过相机 %2 配准。%3</translation>
     </message>
     <message>
-        <source>The cameras of layout %1 are registered together. %2</source>
+        <source>The cameras of layout %1 are registered jointly. %2</source>
         <translation>布局 %1 的各相机已联合配准。%2</translation>
     </message>
     <message>
-        <source>Intrinsics of a camera</source>
+        <source>Lens calibration of a camera</source>
         <translation>相机内参</translation>
     </message>
     <message>
@@ -13587,7 +13587,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>标定 (*.yaml *.yml);;所有文件 (*)</translation>
     </message>
     <message>
-        <source>Import intrinsics</source>
+        <source>Import lens calibration</source>
         <translation>导入内参</translation>
     </message>
     <message>
@@ -13595,11 +13595,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>相机：</translation>
     </message>
     <message>
-        <source>The lens of camera %1 was taken from %2.</source>
+        <source>Lens calibration of camera %1 imported from %2.</source>
         <translation>相机 %1 的镜头取自 %2。</translation>
     </message>
     <message>
-        <source>Places of the markers (label,x_mm,y_mm)</source>
+        <source>Positions of the markers (label,x_mm,y_mm)</source>
         <translation>标记的位置 (label,x_mm,y_mm)</translation>
     </message>
     <message>
@@ -13614,15 +13614,15 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>odo::ThroughSourcePage</name>
     <message>
-        <source>Picture or video of the camera to register</source>
+        <source>Image or video of the camera to register</source>
         <translation>待配准相机的图片或视频</translation>
     </message>
     <message>
-        <source>Picture or video of the registered camera</source>
+        <source>Image or video of the registered camera</source>
         <translation>已配准相机的图片或视频</translation>
     </message>
     <message>
-        <source>A camera cannot be registered through itself: choose two different ones.</source>
+        <source>A camera cannot be registered via itself: choose two different ones.</source>
         <translation>相机不能通过自身配准：请选择两台不同的相机。</translation>
     </message>
     <message>
@@ -13634,7 +13634,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>已配准相机</translation>
     </message>
     <message>
-        <source>A camera that sees no markers can be registered by points of the floor that a registered camera sees as well: corners of tiles, ends of tape, screws. Four are enough, six or more spread over the common part are better. Neither camera may be moved afterwards.</source>
+        <source>Register a camera that sees no markers by floor points that a registered camera also sees: corners of tiles, ends of tape, screws. Four are enough; six or more, spread over the common area, are better. Do not move either camera afterwards.</source>
         <translation>看不到标记的相机，可以用已配准相机也能看到的地面上的点来配准：地砖的角、胶带的端头、螺钉。四个就够，六个或更多且分散在公共部分更好。此后两台相机都不得移动。</translation>
     </message>
     <message>
@@ -13642,22 +13642,22 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>待配准相机(&amp;A)</translation>
     </message>
     <message>
-        <source>&amp;Through camera</source>
+        <source>&amp;Via camera</source>
         <translation>通过相机(&amp;T)</translation>
     </message>
     <message>
-        <source>Its picture</source>
+        <source>Its image</source>
         <translation>其画面</translation>
     </message>
     <message>
-        <source>The registered camera&apos;s picture</source>
+        <source>The registered camera&apos;s image</source>
         <translation>已配准相机的画面</translation>
     </message>
 </context>
 <context>
     <name>odo::ThroughWizard</name>
     <message>
-        <source>Register through another camera</source>
+        <source>Register via another camera</source>
         <translation>通过另一相机配准</translation>
     </message>
     <message>
@@ -13665,15 +13665,15 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>保存(&amp;S)</translation>
     </message>
     <message>
-        <source>Two cameras and their pictures</source>
+        <source>Two cameras and their images</source>
         <translation>两台相机及其画面</translation>
     </message>
     <message>
-        <source>The same points in both pictures</source>
+        <source>The same points in both images</source>
         <translation>两个画面中的相同点</translation>
     </message>
     <message>
-        <source>Getting the pictures…</source>
+        <source>Loading the images…</source>
         <translation>正在获取画面…</translation>
     </message>
 </context>
@@ -13711,7 +13711,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>倒放，再按加快</translation>
     </message>
     <message>
-        <source>&amp;Stop; held, the two beside go by one frame</source>
+        <source>&amp;Stop; while held, the keys beside it step one frame</source>
         <translation>停止；按住时，两侧的键逐帧移动(&amp;S)</translation>
     </message>
     <message>
@@ -13789,7 +13789,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>odo::TrackDialog</name>
     <message>
-        <source>Robots to follow</source>
+        <source>Robots to track</source>
         <translation>要跟踪的机器人</translation>
     </message>
     <message>
@@ -13848,7 +13848,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>打包的项目 (*%1)</translation>
     </message>
     <message>
-        <source>The project is packed into %1. Elsewhere it is unpacked by &quot;Unpack a packed project&quot;.</source>
+        <source>Project packed into %1. To use it on another computer, choose &quot;Unpack a packed project&quot; there.</source>
         <translation>项目已打包为 %1。在别处可用“解包项目”将其解包。</translation>
     </message>
     <message>
@@ -13864,15 +13864,15 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>打包的项目 (*%1);;所有文件 (*)</translation>
     </message>
     <message>
-        <source>Where shall the project be unpacked?</source>
+        <source>Choose a folder for the unpacked project</source>
         <translation>项目解包到哪里？</translation>
     </message>
     <message>
-        <source>In which folder, or below, may the lost videos lie?</source>
+        <source>Choose the folder to search for the lost videos (with subfolders)</source>
         <translation>丢失的视频可能在哪个文件夹或其子文件夹中？</translation>
     </message>
     <message>
-        <source>%1 of %2 lost videos were found, by their content.</source>
+        <source>Found %1 of %2 lost videos by their content.</source>
         <translation>已按内容找到丢失的视频：%1，共 %2。</translation>
     </message>
     <message>
@@ -13894,7 +13894,7 @@ Much more than expected means that something is not as it was told: the views ar
         </translation>
     </message>
     <message>
-        <source>Videos can become trials of their own. Removed files are gone for good.</source>
+        <source>You can add videos as trials. Removed files are gone for good.</source>
         <translation>视频可以成为单独的试验。移除的文件无法恢复。</translation>
     </message>
     <message>
@@ -13918,7 +13918,7 @@ Much more than expected means that something is not as it was told: the views ar
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n other file(s), listed last, stay: missing recordings, projects, and what is neither a video nor a picture.</source>
+        <source>%n other file(s), listed last, stay: missing recordings, projects, and files that are neither videos nor images.</source>
         <translation>
             <numerusform>列在最后的其他 %n 个文件保留不动：丢失的录制、项目，以及既非视频也非图片的文件。</numerusform>
         </translation>
@@ -13986,11 +13986,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>添加机器人(&amp;R)…</translation>
     </message>
     <message>
-        <source>The sample at %1 of %2 is not used. Undo takes it back.</source>
+        <source>The sample at %1 of %2 is not used. Choose Undo to use it.</source>
         <translation>不采用 %2 在 %1 的采样点。可用“撤销”撤回。</translation>
     </message>
     <message>
-        <source>The sample at %1 of %2 is used. Undo takes it back.</source>
+        <source>The sample at %1 of %2 is used. Choose Undo to reverse this.</source>
         <translation>采用 %2 在 %1 的采样点。可用“撤销”撤回。</translation>
     </message>
     <message>
@@ -14002,11 +14002,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>MP4 视频 (*.mp4)</translation>
     </message>
     <message>
-        <source>The video of %1 is there: %2</source>
+        <source>Video of %1 saved as %2</source>
         <translation>%1 的视频已生成：%2</translation>
     </message>
     <message>
-        <source>Robot %1 is known now.</source>
+        <source>Robot %1 added.</source>
         <translation>机器人 %1 已添加。</translation>
     </message>
 </context>
@@ -14210,7 +14210,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>未跟踪</translation>
     </message>
     <message>
-        <source>measure again</source>
+        <source>reanalyse</source>
         <translation>需重新测量</translation>
     </message>
     <message>
@@ -14299,7 +14299,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>已撤销：%1。</translation>
     </message>
     <message>
-        <source>Made again: %1.</source>
+        <source>Redone: %1.</source>
         <translation>已重做：%1。</translation>
     </message>
     <message>
@@ -14322,7 +14322,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>odo::VideoDialog</name>
     <message>
-        <source>As it was driven</source>
+        <source>Real time</source>
         <translation>按实际速度</translation>
     </message>
     <message>
@@ -14346,7 +14346,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>深色</translation>
     </message>
     <message>
-        <source>One video with the pictures of all cameras, the map and the speed, to be shown or sent: whoever gets it needs no Odograph.</source>
+        <source>One video with all camera views, the map and the speed, to show or send. It plays without Odograph.</source>
         <translation>一段视频，包含所有相机的画面、地图和速度，可用于展示或发送：收到者无需 Odograph。</translation>
     </message>
     <message>
@@ -14362,7 +14362,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>主题(&amp;T)</translation>
     </message>
     <message>
-        <source>Choose a place…</source>
+        <source>Choose a file…</source>
         <translation>选择位置…</translation>
     </message>
 </context>
@@ -14396,15 +14396,15 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>由运动或闪光得出</translation>
     </message>
     <message>
-        <source>Begun together</source>
+        <source>Same start time</source>
         <translation>同时开始</translation>
     </message>
     <message>
-        <source>By hand: begun later by</source>
+        <source>By hand: time offset</source>
         <translation>手动：晚开始</translation>
     </message>
     <message>
-        <source>How view %1 gets in step with the first</source>
+        <source>How to synchronise view %1 with the first</source>
         <translation>视角 %1 如何与视角 1 同步</translation>
     </message>
     <message>
@@ -14416,11 +14416,11 @@ Much more than expected means that something is not as it was told: the views ar
         <translation> s</translation>
     </message>
     <message>
-        <source>How much later view %1 began</source>
+        <source>Time offset of view %1</source>
         <translation>视角 %1 晚开始多少</translation>
     </message>
     <message>
-        <source>Below zero: it began earlier than the first view</source>
+        <source>Negative: it started before the first view</source>
         <translation>小于零：比视角 1 早开始</translation>
     </message>
     <message>
@@ -14443,14 +14443,14 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>最近的项目</translation>
     </message>
     <message>
-        <source>not found any more</source>
+        <source>no longer found</source>
         <translation>已找不到</translation>
     </message>
 </context>
 <context>
     <name>odo::Workspace</name>
     <message>
-        <source>%1: %2. Here it can only be looked at; to change it, close it there and open it here again.</source>
+        <source>%1: %2. It is read-only here; to change it, close it there and reopen it here.</source>
         <translation>%1：%2。在此只能查看；如需更改，请先在那边关闭，再在此重新打开。</translation>
     </message>
     <message>
@@ -14501,7 +14501,7 @@ Much more than expected means that something is not as it was told: the views ar
         <translation>添加禁入区域(&amp;K)</translation>
     </message>
     <message>
-        <source>The robot&apos;s centre must stay in a zone, or keep out of it. Each is judged by itself; how often, how long and how far it was broken can be scored. Drag corners and edges on the map.</source>
+        <source>The robot&apos;s reference point must stay in a zone or keep out of it. Each zone counts separately; you can score how often, how long and how far a robot broke it. Drag corners and edges on the map.</source>
         <translation>机器人中心必须留在区域内，或不得进入区域。各区域单独判定；越界的次数、时间和距离都可计分。可在地图上拖动角和边。</translation>
     </message>
     <message>
@@ -17358,7 +17358,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>ui.backup_is_sound</name>
     <message>
-        <source>its backup of %1 is sound; what was done since is not in it</source>
+        <source>its backup of %1 is intact; it does not contain later changes</source>
         <translation>其 %1 的备份完好；此后所做的不在其中</translation>
     </message>
 </context>
@@ -17400,7 +17400,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>ui.cannot_make_another</name>
     <message>
-        <source>cannot make another project</source>
+        <source>cannot create another project</source>
         <translation>无法新建另一个项目</translation>
     </message>
 </context>
@@ -17449,7 +17449,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>ui.charuco_numbered_in_two_ways</name>
     <message>
-        <source>a ChArUco board of %1 rows of squares is numbered in two ways by different programs</source>
+        <source>programs number a ChArUco board with %1 rows of squares in two different ways</source>
         <translation>有 %1 行方格的 ChArUco 板，不同程序有两种编号方式</translation>
     </message>
 </context>
@@ -17498,7 +17498,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>ui.completing_recording</name>
     <message>
-        <source>Completing a recording that was cut off</source>
+        <source>Completing an interrupted recording</source>
         <translation>正在补全被中断的录像</translation>
     </message>
 </context>
@@ -17589,21 +17589,21 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>ui.give_board_size</name>
     <message>
-        <source>give a size as 9x6</source>
+        <source>give a size such as 9x6</source>
         <translation>请给出如 9x6 的尺寸</translation>
     </message>
 </context>
 <context>
     <name>ui.give_marker_size</name>
     <message>
-        <source>give its size, as 150mm</source>
+        <source>give its size, such as 150mm</source>
         <translation>请给出其尺寸，如 150mm</translation>
     </message>
 </context>
 <context>
     <name>ui.give_square_side</name>
     <message>
-        <source>give the side of a square, as 25mm</source>
+        <source>give the side of a square, such as 25mm</source>
         <translation>请给出方格的边长，如 25mm</translation>
     </message>
 </context>
@@ -17624,7 +17624,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>ui.is_printer_ready</name>
     <message>
-        <source>look whether the printer is ready</source>
+        <source>check that the printer is ready</source>
         <translation>请查看打印机是否就绪</translation>
     </message>
 </context>
@@ -17638,7 +17638,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>ui.lens_of_other_size</name>
     <message>
-        <source>it is %1×%2, but the lens was measured at %3×%4</source>
+        <source>its size is %1×%2, but the lens was calibrated at %3×%4</source>
         <translation>其尺寸为 %1×%2，但镜头是在 %3×%4 下测量的</translation>
     </message>
 </context>
@@ -17666,21 +17666,21 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>ui.looking_for_lost</name>
     <message>
-        <source>Looking for lost videos</source>
+        <source>Searching for lost videos</source>
         <translation>正在查找丢失的视频</translation>
     </message>
 </context>
 <context>
     <name>ui.looking_for_strays</name>
     <message>
-        <source>Looking for stray files</source>
+        <source>Searching for stray files</source>
         <translation>正在查找无归属的文件</translation>
     </message>
 </context>
 <context>
     <name>ui.make_marker_smaller</name>
     <message>
-        <source>make it %1 at most, or take a larger paper</source>
+        <source>make it at most %1, or use larger paper</source>
         <translation>请使其不超过 %1，或使用更大的纸</translation>
     </message>
 </context>
@@ -17694,42 +17694,42 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>ui.make_squares_smaller</name>
     <message>
-        <source>make the squares %1 at most, or take a larger paper</source>
+        <source>make the squares at most %1, or use larger paper</source>
         <translation>请使方格不超过 %1，或使用更大的纸</translation>
     </message>
 </context>
 <context>
     <name>ui.making_demo</name>
     <message>
-        <source>Making the demo lesson</source>
+        <source>Creating the demo lesson</source>
         <translation>正在生成演示课</translation>
     </message>
 </context>
 <context>
     <name>ui.making_hashes</name>
     <message>
-        <source>Making the hashes of new recordings</source>
+        <source>Computing the hashes of new recordings</source>
         <translation>正在计算新录像的哈希值</translation>
     </message>
 </context>
 <context>
     <name>ui.making_report</name>
     <message>
-        <source>Making the report</source>
+        <source>Creating the report</source>
         <translation>正在生成报告</translation>
     </message>
 </context>
 <context>
     <name>ui.making_video</name>
     <message>
-        <source>Making the video of %1</source>
+        <source>Creating the video of %1</source>
         <translation>正在生成 %1 的视频</translation>
     </message>
 </context>
 <context>
     <name>ui.making_videos</name>
     <message>
-        <source>Making the video of %1 (%2 of %3)</source>
+        <source>Creating the video of %1 (%2 of %3)</source>
         <translation>正在生成 %1 的视频（第 %2 个，共 %3 个）</translation>
     </message>
 </context>
@@ -17743,21 +17743,21 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>ui.measuring_again</name>
     <message>
-        <source>Measuring %1 again</source>
+        <source>Reanalysing %1</source>
         <translation>正在重新测量 %1</translation>
     </message>
 </context>
 <context>
     <name>ui.measuring_trials_again</name>
     <message>
-        <source>Measuring %1 again (%2 of %3)</source>
+        <source>Reanalysing %1 (%2 of %3)</source>
         <translation>正在重新测量 %1（第 %2 个，共 %3 个）</translation>
     </message>
 </context>
 <context>
     <name>ui.mend_and_choose_again</name>
     <message>
-        <source>mend what stands there, and choose these trials again</source>
+        <source>correct the listed errors, then select these trials again</source>
         <translation>请先解决上述问题，再重新选择这些试验</translation>
     </message>
 </context>
@@ -17771,7 +17771,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>ui.name_one_marker</name>
     <message>
-        <source>name at least one, as O</source>
+        <source>name at least one, for example O</source>
         <translation>请至少指定一个，如 O</translation>
     </message>
 </context>
@@ -17792,7 +17792,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>ui.no_marker_to_print</name>
     <message>
-        <source>there is no marker to print</source>
+        <source>no marker to print</source>
         <translation>没有可打印的标记</translation>
     </message>
 </context>
@@ -17827,7 +17827,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>ui.no_trial_yet</name>
     <message>
-        <source>there is no trial yet</source>
+        <source>the project has no trial yet</source>
         <translation>尚无试验</translation>
     </message>
 </context>
@@ -17841,35 +17841,35 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>ui.nothing_changed_here</name>
     <message>
-        <source>nothing was changed here</source>
+        <source>no change was made here</source>
         <translation>此处未作任何更改</translation>
     </message>
 </context>
 <context>
     <name>ui.only_be_read</name>
     <message>
-        <source>this project can only be read</source>
+        <source>this project is read-only</source>
         <translation>此项目只能读取</translation>
     </message>
 </context>
 <context>
     <name>ui.only_one_camera</name>
     <message>
-        <source>there is only one camera</source>
+        <source>the project has only one camera</source>
         <translation>只有一台相机</translation>
     </message>
 </context>
 <context>
     <name>ui.only_so_many_charuco_markers</name>
     <message>
-        <source>there are only 250 markers for a ChArUco board</source>
+        <source>only 250 markers exist for a ChArUco board</source>
         <translation>ChArUco 板只有 250 个标记可用</translation>
     </message>
 </context>
 <context>
     <name>ui.only_so_many_tags</name>
     <message>
-        <source>there are only %1 tags</source>
+        <source>only %1 tags exist</source>
         <translation>标签码只有 %1 个</translation>
     </message>
 </context>
@@ -17883,7 +17883,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>ui.open_project_first</name>
     <message>
-        <source>open or make a project first</source>
+        <source>open or create a project first</source>
         <translation>请先打开或新建项目</translation>
     </message>
 </context>
@@ -17918,7 +17918,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>ui.picture</name>
     <message>
-        <source>the picture</source>
+        <source>the image</source>
         <translation>图片</translation>
     </message>
 </context>
@@ -17988,7 +17988,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>ui.registration_through_another</name>
     <message>
-        <source>registration through another camera</source>
+        <source>registration via another camera</source>
         <translation>通过另一相机的配准</translation>
     </message>
 </context>
@@ -18051,7 +18051,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>ui.save_copy</name>
     <message>
-        <source>save a copy and work on that</source>
+        <source>save a copy and work on the copy</source>
         <translation>请保存副本，在副本上继续</translation>
     </message>
 </context>
@@ -18086,21 +18086,21 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>ui.take_at_that_resolution</name>
     <message>
-        <source>take it at that resolution, or measure the lens again</source>
+        <source>use that resolution, or calibrate the lens again</source>
         <translation>请以该分辨率拍摄，或重新测量镜头</translation>
     </message>
 </context>
 <context>
     <name>ui.take_even_rows</name>
     <message>
-        <source>take an even number of rows of inner corners, as 9x6</source>
+        <source>use an even number of rows of inner corners, such as 9x6</source>
         <translation>请使用偶数行内角点，如 9x6</translation>
     </message>
 </context>
 <context>
     <name>ui.take_fewer_squares</name>
     <message>
-        <source>take fewer squares</source>
+        <source>use fewer squares</source>
         <translation>请减少方格数</translation>
     </message>
 </context>
@@ -18114,7 +18114,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>ui.taking_over_setup</name>
     <message>
-        <source>Taking over the set-up</source>
+        <source>Copying the set-up</source>
         <translation>正在沿用设置</translation>
     </message>
 </context>
@@ -18163,7 +18163,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>ui.trials_measured_again</name>
     <message>
-        <source>Trials measured again: %1 of %2</source>
+        <source>Trials reanalysed: %1 of %2</source>
         <translation>已重新测量试验：%1，共 %2</translation>
     </message>
 </context>
@@ -18177,7 +18177,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>ui.unarchive_task</name>
     <message>
-        <source>take task %1 out of the archive</source>
+        <source>restore task %1 from the archive</source>
         <translation>取消归档任务 %1</translation>
     </message>
 </context>
@@ -18212,7 +18212,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>ui.undo_in_menu</name>
     <message>
-        <source>what was changed before is taken back in the window&apos;s menu Edit</source>
+        <source>use the window&apos;s Edit menu to undo earlier changes</source>
         <translation>之前的更改请在窗口的“编辑”菜单中撤销</translation>
     </message>
 </context>
@@ -18254,7 +18254,7 @@ Much more than expected means that something is not as it was told: the views ar
 <context>
     <name>ui.videos_made</name>
     <message>
-        <source>Videos made: %1 of %2</source>
+        <source>Videos created: %1 of %2</source>
         <translation>已生成视频：%1，共 %2</translation>
     </message>
 </context>

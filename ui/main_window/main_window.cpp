@@ -189,8 +189,8 @@ void MainWindow::rescueProject()
         return;
     const QString name = projectName();
     if (isWorking()) {
-        m_messages->showDone(tr("“%1” was deleted, renamed or replaced by another program. What is in it is "
-                                "rescued as soon as the running work has ended.")
+        m_messages->showDone(tr("Another program deleted, renamed or replaced “%1”. Odograph will rescue its "
+                                "contents when the running job has ended.")
                                  .arg(name));
         return;
     }
@@ -200,15 +200,14 @@ void MainWindow::rescueProject()
         if (const auto opened = m_workspace->open(*moved); !opened)
             tellFailure(opened.error());
         else
-            m_messages->showWarning(
-                tr("“%1” was renamed with its videos by another program. It is open as “%2” now.")
-                    .arg(name, projectName()));
+            m_messages->showWarning(tr("Another program renamed “%1” and its videos. It is now open as “%2”.")
+                                        .arg(name, projectName()));
         return;
     }
     const auto rescued = m_workspace->rescue();
     if (rescued)
-        m_messages->showWarning(tr("“%1” was deleted, renamed or replaced by another program. What was in it "
-                                   "is rescued in “%2”, which is open now.")
+        m_messages->showWarning(tr("Another program deleted, renamed or replaced “%1”. Odograph rescued its "
+                                   "contents in “%2” and opened that project.")
                                     .arg(name, QString::fromStdString(rescued->filename().string())));
     else
         tellFailure(rescued.error());
@@ -222,8 +221,8 @@ void MainWindow::reopenProject()
         return;
     const QString name = projectName();
     if (isWorking()) {
-        m_messages->showDone(tr("Another program wrote over “%1”. What it holds now is opened as soon as the "
-                                "running work has ended.")
+        m_messages->showDone(tr("Another program overwrote “%1”. Odograph will open the new contents when "
+                                "the running job has ended.")
                                  .arg(name));
         return;
     }
@@ -233,8 +232,8 @@ void MainWindow::reopenProject()
         tellFailure(opened.error());
         return;
     }
-    m_messages->showWarning(tr("Another program wrote over “%1” while it was open: what it held before is "
-                               "gone. What it holds now is shown.")
+    m_messages->showWarning(tr("Another program overwrote “%1” while it was open. Its earlier contents are "
+                               "gone; the window shows the new ones.")
                                 .arg(name));
 }
 
@@ -369,7 +368,7 @@ void MainWindow::remakePages()
         return;
     if (m_pages->record().isRecording()) {
         m_messages->showDone(
-            tr("The pages follow when the project is opened again, for a recording goes on."));
+            tr("A recording is running. The change takes effect when you reopen the project."));
         return;
     }
     const Mode mode = m_pages->mode();

@@ -24,11 +24,10 @@ CrashNotice::CrashNotice(const std::filesystem::path &report,
     : QDialog(parent)
 {
     setWindowTitle(tr("Odograph ended unexpectedly"));
-    auto *words = new QLabel(
-        project ? tr("The last time, Odograph ended by a fault of its own. What was saved is safe. A "
-                     "recording that was cut off "
-                     "is kept up to its last second as soon as its project is opened again.")
-                : tr("The last time, Odograph ended by a fault of its own. What was saved is safe."));
+    auto *words =
+        new QLabel(project ? tr("Odograph crashed the last time. Saved data is safe. If a recording was cut "
+                                "off, open its project to recover it up to the last second.")
+                           : tr("Odograph crashed the last time. Saved data is safe."));
     words->setTextFormat(Qt::PlainText);
     words->setWordWrap(true);
     const auto pathLabel = [](const std::filesystem::path &path, const char *name) {

@@ -92,10 +92,8 @@ Result<Workspace::Ready> Workspace::makeReady(const std::filesystem::path &file,
         if (lock)
             ready.lock = std::move(*lock);
         else if (lock.error().code == ErrorCode::AlreadyExists)
-            ready.words =
-                tr("%1: %2. Here it can only be looked at; to change it, close it there and open it here "
-                   "again.")
-                    .arg(shownWords(lock.error().what), shownWords(lock.error().why));
+            ready.words = tr("%1: %2. It is read-only here; to change it, close it there and reopen it here.")
+                              .arg(shownWords(lock.error().what), shownWords(lock.error().why));
     }
     const auto access = [&ready] {
         return ready.lock || ready.isOpenHere ? Project::Access::ReadWrite : Project::Access::ReadOnly;
@@ -142,8 +140,8 @@ Result<void> Workspace::show(Ready ready)
 void Workspace::recoverTrials()
 {
     const auto job = std::make_shared<RecoverJob>();
-    const Result<void> started = start(
-        job, ODO_TEXT("ui.completing_recording", "Completing a recording that was cut off"), [this, job] {
+    const Result<void> started =
+        start(job, ODO_TEXT("ui.completing_recording", "Completing an interrupted recording"), [this, job] {
             QStringList words;
             for (const Message &sentence : job->told())
                 words << shownWords(sentence);
@@ -163,7 +161,7 @@ void Workspace::makeHashes()
         return;
     if (const Result<void> started =
             start(std::make_shared<HashJob>(),
-                  ODO_TEXT("ui.making_hashes", "Making the hashes of new recordings"), nullptr);
+                  ODO_TEXT("ui.making_hashes", "Computing the hashes of new recordings"), nullptr);
         !started)
         Q_EMIT jobFailed(started.error());
 }
@@ -171,7 +169,7 @@ void Workspace::makeHashes()
 Result<void> Workspace::create(const std::filesystem::path &file, const QString &title)
 {
     if (isBusy())
-        return busy(ODO_TEXT("ui.cannot_make_another", "cannot make another project"));
+        return busy(ODO_TEXT("ui.cannot_make_another", "cannot create another project"));
     std::unique_ptr<Project> project = ODO_TRY(Project::create(file, title.toStdString()));
     auto lock = ODO_TRY(WindowLock::take(file));
     adopt(std::move(project), std::move(lock));
@@ -247,7 +245,7 @@ Result<void> Workspace::start(std::shared_ptr<Job> job, const Message &words, Do
 {
     if (!m_project)
         return fail(ErrorCode::InvalidInput, words, noProjectIsOpen(),
-                    ODO_TEXT("ui.open_project_first", "open or make a project first"));
+                    ODO_TEXT("ui.open_project_first", "open or create a project first"));
     if (isBusy())
         return busy(words);
     m_done = std::move(done);
@@ -324,7 +322,7 @@ Error Workspace::offeringABackup(Error error, const std::filesystem::path &file,
     made.damaged = file;
     const QDateTime written = QFileInfo(QString::fromStdString(backup->string())).lastModified();
     error.advice =
-        ODO_TEXT("ui.backup_is_sound", "its backup of %1 is sound; what was done since is not in it")(
+        ODO_TEXT("ui.backup_is_sound", "its backup of %1 is intact; it does not contain later changes")(
             QLocale().toString(written, QLocale::ShortFormat).toStdString());
     return error;
 }

@@ -99,7 +99,7 @@ QVariant CameraListModel::heading(int column, int role) const
     case NameColumn:
         return tr("Camera");
     case CalibrationColumn:
-        return tr("Lens");
+        return tr("Calibration");
     case RegistrationColumn:
         return tr("Floor");
     case VerdictColumn:

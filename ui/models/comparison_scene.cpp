@@ -114,15 +114,14 @@ QString significanceText(const Difference &difference)
     const QLocale locale;
     if (!(difference.sigma > 0))
         return difference.value == 0
-                   ? ComparisonExplanationWords::tr("There is no difference.")
-                   : ComparisonExplanationWords::tr("Both are exact, so that any difference is one.");
+                   ? ComparisonExplanationWords::tr("No difference.")
+                   : ComparisonExplanationWords::tr("Both values are exact: any difference is real.");
     const QString ratio = locale.toString(std::abs(difference.value) / difference.sigma, 'f', 1);
     return difference.isSignificant()
-               ? ComparisonExplanationWords::tr("It is %1 σ, more than 1.96: were there no difference, "
-                                                "chance would give as much in less than 5 of 100 cases.")
+               ? ComparisonExplanationWords::tr("%1 σ, above 1.96: without a real difference, chance would "
+                                                "give this much in fewer than 5 of 100 cases.")
                      .arg(ratio)
-               : ComparisonExplanationWords::tr("It is %1 σ, not more than 1.96: within the error, so that "
-                                                "no difference can be claimed.")
+               : ComparisonExplanationWords::tr("%1 σ, not above 1.96: the difference is not significant.")
                      .arg(ratio);
 }
 
@@ -139,7 +138,7 @@ QStringList comparisonInputs(const ComparisonScene &scene, std::size_t run)
     QStringList lines;
     lines << (comparison.isTasksPath
                   ? ComparisonExplanationWords::tr("along the task's reference path")
-                  : ComparisonExplanationWords::tr("along the way of %1").arg(nameOf(scene, 0)));
+                  : ComparisonExplanationWords::tr("along the path of %1").arg(nameOf(scene, 0)));
     switch (comparison.alignedBy) {
     case AlignBy::StartGate:
         lines << ComparisonExplanationWords::tr("time 0: each passes the start gate");
@@ -148,19 +147,18 @@ QStringList comparisonInputs(const ComparisonScene &scene, std::size_t run)
         lines << ComparisonExplanationWords::tr("time 0: each begins to move");
         break;
     case AlignBy::Distance:
-        lines << ComparisonExplanationWords::tr("time 0: each first comes to the same place of the way");
+        lines << ComparisonExplanationWords::tr("time 0: each first reaches the same point of the path");
         break;
     case AlignBy::ByHand:
-        lines << ComparisonExplanationWords::tr("time 0: told by hand, to a frame");
+        lines << ComparisonExplanationWords::tr("time 0: set by hand, to one frame");
         break;
     }
     lines << (comparison.shareCalibration
                   ? ComparisonExplanationWords::tr(
-                        "both by the same registrations and for the same solid: what the calibration adds is "
-                        "common, and only its difference counts")
-                  : ComparisonExplanationWords::tr(
-                        "not by the same registrations, or not for the same solid: what the calibration adds "
-                        "counts for both in full"));
+                        "both with the same registrations and robot shape: the calibration uncertainty is "
+                        "common, so only its difference counts")
+                  : ComparisonExplanationWords::tr("different registrations or robot shapes: the calibration "
+                                                   "uncertainty counts in full for both"));
     for (const std::size_t each : {std::size_t(0), run})
         lines << analysisInputs(*scene.scenes[each], scene.robots[each]);
     lines.removeDuplicates();
@@ -181,7 +179,7 @@ Explanation explainDifference(const ComparisonScene &scene, std::size_t run, con
                      : ComparisonExplanationWords::tr("none");
     };
     Explanation told;
-    told.what = ComparisonExplanationWords::tr("%1: %2 less %3")
+    told.what = ComparisonExplanationWords::tr("%1: %2 minus %3")
                     .arg(metricName(metric.name), nameOf(scene, run), nameOf(scene, 0));
     told.inputs << ComparisonExplanationWords::tr("%1: %2").arg(nameOf(scene, 0),
                                                                 figure(metric.a, metric.sigmaA));
@@ -190,19 +188,18 @@ Explanation explainDifference(const ComparisonScene &scene, std::size_t run, con
     const Explanation each =
         explainMetric(Metric{metric.name, metric.unit, 0, metric.sigmaA ? metric.sigmaA : metric.sigmaB}, {});
     if (!metric.difference) {
-        told.value = ComparisonExplanationWords::tr("only one of the two has it");
+        told.value = ComparisonExplanationWords::tr("only one of the two runs has it");
         told.formula = each.formula;
     } else {
         told.value = figure(metric.difference->value, metric.difference->sigma);
-        told.formula = ComparisonExplanationWords::tr("the figure of %1 less that of %2")
+        told.formula = ComparisonExplanationWords::tr("the value of %1 minus that of %2")
                            .arg(nameOf(scene, run), nameOf(scene, 0)) +
                        u'\n' + significanceText(*metric.difference);
         if (!each.formula.isEmpty())
             told.formula += u'\n' + ComparisonExplanationWords::tr("Each: %1").arg(each.formula);
-        told.uncertainty =
-            ComparisonExplanationWords::tr("√(σ₁² + σ₂²), both as independent; where the runs share their "
-                                           "calibration, its error of scale leaves "
-                                           "only its part of the difference");
+        told.uncertainty = ComparisonExplanationWords::tr(
+            "√(σ₁² + σ₂²), treated as independent; where the runs share their calibration, its scale "
+            "uncertainty counts only for the difference");
         told.source = sourceText();
     }
     told.inputs += comparisonInputs(scene, run);
@@ -212,10 +209,10 @@ Explanation explainDifference(const ComparisonScene &scene, std::size_t run, con
 Explanation explainSector(const ComparisonScene &scene, std::size_t run, const SectorTimes &sector)
 {
     const auto time = [](const std::optional<Difference> &of) {
-        return of ? timeWithUnit(*of) : ComparisonExplanationWords::tr("not seen at an end");
+        return of ? timeWithUnit(*of) : ComparisonExplanationWords::tr("not visible at one end");
     };
     Explanation told;
-    told.what = ComparisonExplanationWords::tr("Sector %1 to %2: %3 less %4")
+    told.what = ComparisonExplanationWords::tr("Sector %1 to %2: %3 minus %4")
                     .arg(sector.from.empty() ? ComparisonExplanationWords::tr("begin")
                                              : QString::fromStdString(sector.from),
                          sector.to.empty() ? ComparisonExplanationWords::tr("end")
@@ -223,17 +220,16 @@ Explanation explainSector(const ComparisonScene &scene, std::size_t run, const S
                          nameOf(scene, run), nameOf(scene, 0));
     const auto &difference = sector.differences.at(run);
     told.value = time(difference);
-    told.formula =
-        ComparisonExplanationWords::tr("The time from the first arrival at the one gate to the first arrival "
-                                       "at the next, of each run, by its place along "
-                                       "the common path; waiting counts.");
+    told.formula = ComparisonExplanationWords::tr(
+        "For each run, the time from its first arrival at one gate to its first arrival at the next, by its "
+        "position along the common path; waiting counts.");
     if (difference)
         told.formula += u'\n' + significanceText(*difference);
     told.uncertainty =
-        ComparisonExplanationWords::tr("of each arrival: σ of the place along the path over the speed; "
-                                       "displacements at two gates count as independent");
+        ComparisonExplanationWords::tr("of each arrival: σ of the position along the path divided by the "
+                                       "speed; displacements at two gates count as independent");
     told.source = sourceText();
-    told.inputs << ComparisonExplanationWords::tr("from %1 to %2 of the way")
+    told.inputs << ComparisonExplanationWords::tr("from %1 to %2 along the path")
                        .arg(distanceText(sector.fromM - scene.compared.comparison.originM),
                             distanceText(sector.toM - scene.compared.comparison.originM));
     told.inputs << ComparisonExplanationWords::tr("%1: %2").arg(nameOf(scene, 0), time(sector.times.at(0)));
@@ -250,14 +246,13 @@ Explanation explainTimeDifference(const ComparisonScene &scene, std::size_t run,
     told.what = ComparisonExplanationWords::tr("Δt of %1 against %2 at %3")
                     .arg(nameOf(scene, run), nameOf(scene, 0), distanceText(distanceM));
     told.value = timeWithUnit(difference);
-    told.formula =
-        ComparisonExplanationWords::tr("The time of the first arrival at this place of the common path, each "
-                                       "from its own time 0: that of %1 less that of %2. "
-                                       "Above 0 it is later.")
-            .arg(nameOf(scene, run), nameOf(scene, 0)) +
-        u'\n' + significanceText(difference);
+    told.formula = ComparisonExplanationWords::tr(
+                       "The time of the first arrival at this point of the common path, each from its own "
+                       "time 0: that of %1 minus that of %2. Positive means later.")
+                       .arg(nameOf(scene, run), nameOf(scene, 0)) +
+                   u'\n' + significanceText(difference);
     told.uncertainty = ComparisonExplanationWords::tr(
-        "of both arrivals: σ of the place along the path over the speed, and of both times 0");
+        "of both arrivals: σ of the position along the path divided by the speed, and of both times 0");
     told.source = sourceText();
     told.inputs = comparisonInputs(scene, run);
     return told;
@@ -271,10 +266,10 @@ Explanation explainSpeedOnWay(const ComparisonScene &scene, std::size_t run, dou
         ComparisonExplanationWords::tr("Speed of %1 at %2").arg(nameOf(scene, run), distanceText(distanceM));
     told.value = value;
     told.formula =
-        ComparisonExplanationWords::tr("|v| of the smoothed curve where the run first comes to this place of "
-                                       "the common path, between frames interpolated");
+        ComparisonExplanationWords::tr("|v| of the smoothed curve where the run first reaches this point of "
+                                       "the common path, interpolated between frames");
     told.uncertainty = ComparisonExplanationWords::tr(
-        "σ of the smoothed velocity there, with the calibration's error of scale");
+        "σ of the smoothed velocity there, including the calibration's scale uncertainty");
     told.inputs = comparisonInputs(scene, run);
     return told;
 }
@@ -380,14 +375,11 @@ QVariant DifferenceModel::cell(int index, int column, int role) const
                          row.difference;
     case Qt::ToolTipRole:
         if (!row.isCompared)
-            return tr("Only one of the two has it");
-        return row.isSignificant
-                   ? tr("%1: beyond the error (95 %)").arg(row.name)
-                   : tr("%1: within the error (95 %), no difference can be claimed").arg(row.name);
+            return tr("Only one of the two runs has it");
+        return row.isSignificant ? tr("%1: significant (95 %)").arg(row.name)
+                                 : tr("%1: not significant (95 %)").arg(row.name);
     case Qt::AccessibleDescriptionRole:
-        return !row.isCompared     ? QString()
-               : row.isSignificant ? tr("beyond the error")
-                                   : tr("within the error");
+        return !row.isCompared ? QString() : row.isSignificant ? tr("significant") : tr("not significant");
     case Qt::TextAlignmentRole:
         return aligned(column == NameColumn ? Qt::AlignLeft : Qt::AlignRight);
     case SignificantRole:

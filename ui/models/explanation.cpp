@@ -28,8 +28,8 @@ QString millisecondText(double seconds)
 
 QString begunText(double offsetS)
 {
-    return offsetS < 0 ? AnalysisWords::tr("begun %1 earlier").arg(millisecondText(-offsetS))
-                       : AnalysisWords::tr("begun %1 later").arg(millisecondText(offsetS));
+    return offsetS < 0 ? AnalysisWords::tr("started %1 earlier").arg(millisecondText(-offsetS))
+                       : AnalysisWords::tr("started %1 later").arg(millisecondText(offsetS));
 }
 
 } // namespace
@@ -53,20 +53,20 @@ QString stepText(const RecordingRecord &view)
 {
     const QString sigma = millisecondText(view.startOffsetSigmaS), begun = begunText(view.startOffsetS);
     if (view.syncMethod == "told")
-        return AnalysisWords::tr("%1, as told by hand").arg(begun);
+        return AnalysisWords::tr("%1, set by hand").arg(begun);
     QString text;
     if (view.syncMethod == "auto")
-        text = AnalysisWords::tr("in step to %1, found from the motion; %2").arg(sigma, begun);
+        text = AnalysisWords::tr("synchronised to %1 by the motion; %2").arg(sigma, begun);
     else if (view.syncMethod == "flash")
-        text = AnalysisWords::tr("in step to %1, found from a flash of light; %2").arg(sigma, begun);
+        text = AnalysisWords::tr("synchronised to %1 by a flash of light; %2").arg(sigma, begun);
     else if (view.syncMethod == "clock")
-        text = AnalysisWords::tr("in step to %1, by the cameras' time stamps; %2").arg(sigma, begun);
+        text = AnalysisWords::tr("synchronised to %1 by the cameras' time stamps; %2").arg(sigma, begun);
     else
-        return AnalysisWords::tr("taken as begun together");
+        return AnalysisWords::tr("assumed to start at the same time");
     if (view.clockRate != 0)
         text += view.clockRate > 0
-                    ? AnalysisWords::tr(", its clock %1 ppm fast").arg(std::lround(view.clockRate * 1e6))
-                    : AnalysisWords::tr(", its clock %1 ppm slow").arg(std::lround(-view.clockRate * 1e6));
+                    ? AnalysisWords::tr(", clock %1 ppm fast").arg(std::lround(view.clockRate * 1e6))
+                    : AnalysisWords::tr(", clock %1 ppm slow").arg(std::lround(-view.clockRate * 1e6));
     return text;
 }
 
@@ -93,7 +93,7 @@ struct MetricWords
 };
 
 const char *const ofTheCurve = QT_TRANSLATE_NOOP(
-    "Explanation", "that of the smoothed curve there, and the calibration's error of scale");
+    "Explanation", "that of the smoothed curve there, and the calibration's scale uncertainty");
 
 constexpr const char *none = "";
 
@@ -106,22 +106,23 @@ const std::array<MetricWords, 28> &metricWords()
              "Explanation",
              "From the onset of motion to the last stop. Moving means faster than 20 mm/s and than three σ "
              "of the speed, for at least three frames; the moment between two frames is interpolated."),
-         QT_TRANSLATE_NOOP("Explanation", "of both moments: σ of the speed over its steepness there"), none},
+         QT_TRANSLATE_NOOP("Explanation", "of both moments: σ of the speed divided by its slope there"),
+         none},
         {"path_length",
          QT_TRANSLATE_NOOP("Explanation", "∫|v|dt while it moves, by the trapezoidal rule over the smoothed "
                                           "speed. A gap that is not bridged counts as straight."),
-         QT_TRANSLATE_NOOP("Explanation", "of the ends' positions, of errors across the path where it turns, "
-                                          "and the calibration's error of scale"),
+         QT_TRANSLATE_NOOP("Explanation", "of the end positions, of lateral errors where the path turns, and "
+                                          "the calibration's scale uncertainty"),
          none},
         {"mean_speed", QT_TRANSLATE_NOOP("Explanation", "path length / time"),
-         QT_TRANSLATE_NOOP("Explanation", "of both, taken as independent"), none},
+         QT_TRANSLATE_NOOP("Explanation", "of both, treated as independent"), none},
         {"max_speed",
-         QT_TRANSLATE_NOOP("Explanation", "The speed |v| of the smoothed curve where |v| − 2σ is largest, so "
-                                          "that a badly known point does not win by its error."),
+         QT_TRANSLATE_NOOP("Explanation", "The speed |v| of the smoothed curve where |v| − 2σ is largest. A "
+                                          "point does not win only because its uncertainty is large."),
          ofTheCurve, none},
         {"rms_speed", QT_TRANSLATE_NOOP("Explanation", "√(mean of |v|²) while it moves"),
          QT_TRANSLATE_NOOP("Explanation",
-                           "the bound for errors that all go together, and the calibration's error of scale"),
+                           "the bound for fully correlated errors, and the calibration's scale uncertainty"),
          none},
         {"max_accel",
          QT_TRANSLATE_NOOP("Explanation",
@@ -129,16 +130,17 @@ const std::array<MetricWords, 28> &metricWords()
          ofTheCurve, none},
         {"rms_accel", QT_TRANSLATE_NOOP("Explanation", "√(mean of |a|²) while it moves"),
          QT_TRANSLATE_NOOP("Explanation",
-                           "the bound for errors that all go together, and the calibration's error of scale"),
+                           "the bound for fully correlated errors, and the calibration's scale uncertainty"),
          none},
         {"straightness",
          QT_TRANSLATE_NOOP("Explanation",
-                           "distance from the first to the last place of the motion / path length"),
-         QT_TRANSLATE_NOOP("Explanation", "of the ends' positions"), none},
+                           "distance from the first to the last position of the motion / path length"),
+         QT_TRANSLATE_NOOP("Explanation", "of the end positions"), none},
         {"moving_time",
          QT_TRANSLATE_NOOP("Explanation",
                            "The time in which it moves: faster than 20 mm/s and than three σ of the speed."),
-         QT_TRANSLATE_NOOP("Explanation", "of each start and stop: σ of the speed over its steepness"), none},
+         QT_TRANSLATE_NOOP("Explanation", "of each start and stop: σ of the speed divided by its slope"),
+         none},
         {"stops",
          QT_TRANSLATE_NOOP("Explanation",
                            "The pauses between the onset of motion and the last stop, counted."),
@@ -147,49 +149,49 @@ const std::array<MetricWords, 28> &metricWords()
          QT_TRANSLATE_NOOP("Explanation", "of each start and stop"), none},
         {"median_speed",
          QT_TRANSLATE_NOOP("Explanation", "The speed that half of the time in motion stays below."),
-         QT_TRANSLATE_NOOP("Explanation", "of the stretches within 1.5 σ of it, each by its mean"), none},
+         QT_TRANSLATE_NOOP("Explanation", "of the intervals within 1.5 σ of it, each by its mean"), none},
         {"p95_speed",
          QT_TRANSLATE_NOOP("Explanation", "The speed that 95 % of the time in motion stays below."),
-         QT_TRANSLATE_NOOP("Explanation", "of the stretches within 1.5 σ of it, each by its mean"), none},
+         QT_TRANSLATE_NOOP("Explanation", "of the intervals within 1.5 σ of it, each by its mean"), none},
         {"p95_accel",
          QT_TRANSLATE_NOOP("Explanation", "The acceleration that 95 % of the time in motion stays below."),
-         QT_TRANSLATE_NOOP("Explanation", "of the stretches within 1.5 σ of it, each by its mean"), none},
+         QT_TRANSLATE_NOOP("Explanation", "of the intervals within 1.5 σ of it, each by its mean"), none},
         {"max_turn_rate",
-         QT_TRANSLATE_NOOP(
-             "Explanation",
-             "(vx·ay − vy·ax)/|v|² of the smoothed curve, either way, where it less 2σ is largest."),
+         QT_TRANSLATE_NOOP("Explanation", "(vx·ay − vy·ax)/|v|² of the smoothed curve, to the left or right, "
+                                          "where its amount minus 2σ is largest."),
          QT_TRANSLATE_NOOP("Explanation", "σ² = σa²/|v|² + |a|²σv²/|v|⁴, first order"), none},
         {"circle_radius",
+         QT_TRANSLATE_NOOP("Explanation", "The least-squares circle through the positions of the motion."),
          QT_TRANSLATE_NOOP("Explanation",
-                           "The circle with the least squared distances from the places of the motion."),
-         QT_TRANSLATE_NOOP("Explanation", "of the distances' scatter, neighbours counted as fewer by 1 + "
-                                          "2Σρ, and the calibration's error of scale"),
+                           "of the scatter of the distances, with their number divided by 1 + 2Σρ for "
+                           "correlated neighbours, and the calibration's scale uncertainty"),
          "Kåsa 1976; Gauss–Newton"},
         {"gate_time",
          QT_TRANSLATE_NOOP(
              "Explanation",
              "From passing the start gate to passing the finish, each interpolated between frames."),
          QT_TRANSLATE_NOOP("Explanation",
-                           "of both passages: σ of the position across the gate over the speed"),
+                           "of both passages: σ of the position across the gate divided by the speed"),
          none},
         {"laps",
          QT_TRANSLATE_NOOP("Explanation", "Complete laps or runs, counted by the passages of the gates."),
          none, none},
         {"best_lap", QT_TRANSLATE_NOOP("Explanation", "The shortest lap."),
          QT_TRANSLATE_NOOP("Explanation",
-                           "of its two passages; the calibration's error of a gate passed twice cancels"),
+                           "of its two passages; the calibration uncertainty of a gate passed twice cancels"),
          none},
         {"mean_lap", QT_TRANSLATE_NOOP("Explanation", "The mean of the laps' times."),
          QT_TRANSLATE_NOOP("Explanation", "of the first and the last passage, over the number of laps"),
          none},
         {"cross_track_mean",
-         QT_TRANSLATE_NOOP("Explanation", "The mean distance from the reference path, over the way."),
-         QT_TRANSLATE_NOOP("Explanation",
-                           "of the position across the path, and of its noise, which has no sign there"),
+         QT_TRANSLATE_NOOP("Explanation", "The distance from the reference path, averaged along the path."),
+         QT_TRANSLATE_NOOP("Explanation", "of the position across the path, and of its noise: the distance "
+                                          "has no sign, so noise does not cancel"),
          none},
         {"cross_track_rms",
-         QT_TRANSLATE_NOOP("Explanation",
-                           "√(mean of the squared distance from the reference path), over the way"),
+         QT_TRANSLATE_NOOP(
+             "Explanation",
+             "√(mean of the squared distance from the reference path), averaged along the path"),
          QT_TRANSLATE_NOOP("Explanation", "of the position across the path"), none},
         {"cross_track_max", QT_TRANSLATE_NOOP("Explanation", "The largest distance from the reference path."),
          QT_TRANSLATE_NOOP("Explanation", "of the position across the path, there"), none},
@@ -198,25 +200,25 @@ const std::array<MetricWords, 28> &metricWords()
                            "The mean of the distance from the reference path, to the left positive."),
          QT_TRANSLATE_NOOP("Explanation", "of the position across the path, mostly the calibration's"), none},
         {"path_completed",
-         QT_TRANSLATE_NOOP("Explanation", "The share of the reference path that was followed."), none, none},
+         QT_TRANSLATE_NOOP("Explanation", "The share of the reference path that the robot followed."), none,
+         none},
         {"zone_breaches",
-         QT_TRANSLATE_NOOP("Explanation", "How often the robot's centre left a zone to stay in, or came into "
-                                          "one to keep out of. It counts where it is "
-                                          "beyond the edge by more than three σ of the track's own noise."),
+         QT_TRANSLATE_NOOP(
+             "Explanation",
+             "How often the robot's reference point left a zone to stay in or entered a zone to keep out of. "
+             "It counts if the point is beyond the edge by more than three σ of the track's noise."),
          none, none},
         {"zone_time",
-         QT_TRANSLATE_NOOP(
-             "Explanation",
-             "The time in which the robot's centre was beyond the edge of a zone, interpolated between "
-             "frames; in two zones at once it counts twice."),
-         QT_TRANSLATE_NOOP(
-             "Explanation",
-             "of each moment at an edge: σ of the position across it over the speed; and what the time "
-             "differs by when the calibration puts the track nearer or further"),
+         QT_TRANSLATE_NOOP("Explanation",
+                           "The time for which the robot's reference point was beyond the edge of a zone, "
+                           "interpolated between frames; in two zones at once it counts twice."),
+         QT_TRANSLATE_NOOP("Explanation",
+                           "of each crossing of an edge: σ of the position across it divided by the speed; "
+                           "and the change of the time when the calibration uncertainty shifts the track"),
          none},
         {"zone_depth",
          QT_TRANSLATE_NOOP("Explanation",
-                           "How far the robot's centre was beyond the edge of a zone at most."),
+                           "The largest distance of the robot's reference point beyond the edge of a zone."),
          QT_TRANSLATE_NOOP("Explanation", "of the position across the edge, there"), none},
     }};
     return words;
@@ -268,23 +270,23 @@ struct CurveWords
 /// The formulas are those of core/analysis/quantity_curve.h.
 CurveWords curveWords(Quantity quantity)
 {
-    const QString ofVelocity =
-        ExplanationWords::tr("σ of the smoothed velocity there, with the calibration's error of scale");
+    const QString ofVelocity = ExplanationWords::tr(
+        "σ of the smoothed velocity there, including the calibration's scale uncertainty");
     switch (quantity) {
     case Quantity::Speed:
         return {ExplanationWords::tr("Speed"),
                 ExplanationWords::tr("|v| = √(vx² + vy²) of the smoothed curve at this frame"), ofVelocity};
     case Quantity::Acceleration:
         return {ExplanationWords::tr("Acceleration"),
-                ExplanationWords::tr("a·v/|v| of the smoothed curve at this frame: along the path, so that "
-                                     "braking is negative; |a| while it stands"),
+                ExplanationWords::tr("a·v/|v| of the smoothed curve at this frame: along the path, negative "
+                                     "when braking; |a| while the robot stands still"),
                 ExplanationWords::tr(
-                    "σ of the smoothed acceleration there, with the calibration's error of scale")};
+                    "σ of the smoothed acceleration there, including the calibration's scale uncertainty")};
     case Quantity::Heading:
         return {ExplanationWords::tr("Heading"),
                 ExplanationWords::tr("atan2(vy, vx) of the smoothed curve at this frame, anticlockwise from "
-                                     "X, without steps of a whole turn"),
-                ExplanationWords::tr("σ of the velocity across the motion over the speed")};
+                                     "X, without jumps of a whole turn"),
+                ExplanationWords::tr("σ of the velocity across the motion divided by the speed")};
     case Quantity::TurnRate:
         return {ExplanationWords::tr("Turn rate"),
                 ExplanationWords::tr("(vx·ay − vy·ax)/|v|² of the smoothed curve at this frame"),
@@ -296,7 +298,7 @@ CurveWords curveWords(Quantity quantity)
     return {quantity == Quantity::PositionX ? ExplanationWords::tr("Position X")
                                             : ExplanationWords::tr("Position Y"),
             ExplanationWords::tr("the smoothed curve at this frame"),
-            ExplanationWords::tr("σ of the smoothed position, with the calibration's part")};
+            ExplanationWords::tr("σ of the smoothed position, including the calibration's part")};
 }
 
 /// What was measured at a sample, and whether it counted.
@@ -305,7 +307,7 @@ QStringList sampleLines(const TrialScene &scene, std::size_t robot, std::size_t 
     const Sample &sample = scene.robots.at(robot).analysis->profile.samples[index];
     QStringList lines;
     if (!sample.position) {
-        lines << ExplanationWords::tr("at this frame no view found the robot: the curve goes across");
+        lines << ExplanationWords::tr("no view found the robot in this frame: the curve bridges the gap");
         return lines;
     }
     lines << ExplanationWords::tr("measured there: %1, %2 ±%3")
@@ -318,7 +320,7 @@ QStringList sampleLines(const TrialScene &scene, std::size_t robot, std::size_t 
     if (!views.isEmpty())
         lines << ExplanationWords::tr("by %1").arg(views.join(QStringLiteral(", ")));
     if (isRejected(sample.flags))
-        lines << ExplanationWords::tr("it is flagged and not used: the curve comes from its neighbours");
+        lines << ExplanationWords::tr("it is flagged and not used: the curve follows its neighbours");
     return lines;
 }
 
@@ -331,26 +333,26 @@ QStringList flagMeanings(SampleFlags flags)
         QString words;
     };
     const std::array<Meaning, 9> meanings{{
-        {SampleFlag::Jump,
-         ExplanationWords::tr("Jump: the place is beyond what the motion before and after allows for "
-                              "(χ² of two degrees of freedom, 99.9 %).")},
+        {SampleFlag::Jump, ExplanationWords::tr("Jump: the position does not fit the motion before and after "
+                                                "(χ² with two degrees of freedom, 99.9 %).")},
         {SampleFlag::SpeedLimit,
          ExplanationWords::tr(
-             "Limit: to get there it had to be faster than the limit of the task or of the analysis.")},
+             "Limit: to get there, the robot had to exceed the speed limit of the task or of the analysis.")},
         {SampleFlag::AccelerationLimit,
-         ExplanationWords::tr("Limit: to get there it had to accelerate harder than the "
-                              "limit of the task or of the analysis.")},
+         ExplanationWords::tr("Limit: to get there, the robot had to exceed the acceleration limit of the "
+                              "task or of the analysis.")},
         {SampleFlag::ViewsDisagree,
-         ExplanationWords::tr("Views disagree: their places differ by more than their errors "
+         ExplanationWords::tr("Views disagree: their floor positions differ by more than their uncertainty "
                               "and their usual disagreement explain (χ², 99.9 %).")},
         {SampleFlag::LowScore, ExplanationWords::tr("Low score: the tracker was not sure of what it saw.")},
         {SampleFlag::Lost, ExplanationWords::tr("Lost: no view found the robot.")},
         {SampleFlag::DuplicateFrame,
          ExplanationWords::tr(
-             "Repeated picture: the camera gave the same picture twice, so its time is not known.")},
+             "Repeated frame: the camera delivered the same frame twice, so its time is unknown.")},
         {SampleFlag::Interpolated,
-         ExplanationWords::tr("Bridged: the curve goes across without a measurement.")},
-        {SampleFlag::ByHand, ExplanationWords::tr("By hand: a person judged it, over the analysis.")},
+         ExplanationWords::tr("Bridged: the curve crosses a gap without measurements.")},
+        {SampleFlag::ByHand,
+         ExplanationWords::tr("By hand: a manual override replaces the result of the analysis.")},
     }};
     QStringList words;
     for (const Meaning &meaning : meanings)
@@ -409,7 +411,7 @@ QStringList zoneBreachLines(const TrialScene &scene, std::size_t robot)
         return lines;
     for (const ZoneBreach &breach :
          findZoneBreaches(scene.task->zones, analysis->profile.samples, analysis->profile.points))
-        lines << ExplanationWords::tr("%1: from %2 to %3, %4 beyond the edge at most")
+        lines << ExplanationWords::tr("%1: from %2 to %3, at most %4 beyond the edge")
                      .arg(QString::fromStdString(breach.zone), secondsText(breach.from),
                           secondsText(breach.to), lengthText(breach.depthM));
     return lines;
@@ -467,15 +469,14 @@ Explanation explainSpike(const TrialScene &scene, std::size_t robot, const Spike
                             analysisInputs(scene, robot),
                             {}};
     explanation.formula += u'\n';
-    explanation.formula +=
-        isRejected(spike.flags)
-            ? ExplanationWords::tr("The sample is kept, but not used for the curve.")
-            : ExplanationWords::tr("The sample is used for the curve nevertheless: what is wrong "
-                                   "with it was left out, or a person restored it.");
+    explanation.formula += isRejected(spike.flags)
+                               ? ExplanationWords::tr("The sample is kept, but not used for the curve.")
+                               : ExplanationWords::tr("The curve uses the sample nevertheless: its faulty "
+                                                      "part was left out, or a manual override restored it.");
     const auto index = static_cast<std::size_t>(spike.sampleIndex);
     const Profile &profile = scene.robots.at(robot).analysis->profile;
     if (index < profile.samples.size() && profile.samples[index].viewDisagreementM)
-        explanation.inputs.prepend(ExplanationWords::tr("the views are %1 apart there")
+        explanation.inputs.prepend(ExplanationWords::tr("the views' floor positions differ by %1 there")
                                        .arg(lengthText(*profile.samples[index].viewDisagreementM)));
     return explanation;
 }

@@ -21,7 +21,7 @@ QString kindWord(ChangeEntry::Kind kind)
     case ChangeEntry::Kind::Undone:
         return ChangeModel::tr("undone");
     case ChangeEntry::Kind::Redone:
-        return ChangeModel::tr("made again");
+        return ChangeModel::tr("redone");
     }
     return {};
 }
@@ -90,9 +90,9 @@ std::size_t countOf(const Project &project)
 
 tl::unexpected<Error> nothing(Message what)
 {
-    return fail(
-        ErrorCode::NotFound, std::move(what), ODO_TEXT("ui.nothing_changed_here", "nothing was changed here"),
-        ODO_TEXT("ui.undo_in_menu", "what was changed before is taken back in the window's menu Edit"));
+    return fail(ErrorCode::NotFound, std::move(what),
+                ODO_TEXT("ui.nothing_changed_here", "no change was made here"),
+                ODO_TEXT("ui.undo_in_menu", "use the window's Edit menu to undo earlier changes"));
 }
 
 } // namespace
@@ -105,7 +105,7 @@ Result<QString> OwnChanges::make(const Message &words, const std::function<Resul
         return QString(); // nothing is another now
     ++m_made;
     m_takenBack = 0;
-    return OwnChangesWords::tr("Done: %1. Ctrl+Z takes it back.").arg(shownWords(words));
+    return OwnChangesWords::tr("Done: %1. Press Ctrl+Z to undo it.").arg(shownWords(words));
 }
 
 Result<QString> OwnChanges::undo()
@@ -125,7 +125,7 @@ Result<QString> OwnChanges::redo()
     const auto words = ODO_TRY(m_project.redo());
     ++m_made;
     --m_takenBack;
-    return OwnChangesWords::tr("Made again: %1.").arg(shownWords(words));
+    return OwnChangesWords::tr("Redone: %1.").arg(shownWords(words));
 }
 
 } // namespace odo

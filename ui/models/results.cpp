@@ -133,12 +133,10 @@ Explanation explainScore(const Score &score, const QStringList &inputs)
     Explanation told;
     told.what = metricName("score");
     told.value = scoreText(score);
-    told.formula =
-        ScoreTextWords::tr("the sum of the points of each line; a line gives points × (figure − none at) / "
-                           "(all at − none at), from 0 to all");
-    told.uncertainty =
-        ScoreTextWords::tr("of each line half of what its points differ by when its figure is one σ "
-                           "more or less; root of the sum of the squares");
+    told.formula = ScoreTextWords::tr("the sum of the points of each line; a line gives points × (metric − "
+                                      "none at) / (all at − none at), from 0 to all");
+    told.uncertainty = ScoreTextWords::tr("for each line, half the difference in points between its metric "
+                                          "plus and minus one σ; root of the sum of the squares");
     told.inputs = scoreLines(score) + inputs;
     return told;
 }
@@ -200,7 +198,7 @@ QString progressText(const TeamStanding &team, const Standings &standings)
     if (!standings.isRanked())
         return StandingsModel::tr("choose a task");
     if (!team.progress.change)
-        return StandingsModel::tr("three trials at different times tell");
+        return StandingsModel::tr("needs three trials at different times");
     const Figure change = *team.progress.change;
     const QString by = figure(team, change.value, change.sigma);
     if (!team.progress.isBeyondSpread)
@@ -267,8 +265,8 @@ QVariant StandingsModel::heading(int column, int role) const
     const bool tip = role == Qt::ToolTipRole;
     switch (column) {
     case RankColumn:
-        return tip ? tr("One more than the teams that are better beyond doubt: their medians differ by more "
-                        "than 1.96 σ. Runs of different tasks are not ranked")
+        return tip ? tr("One more than the number of significantly better teams (medians differ by more than "
+                        "1.96 σ). Runs of different tasks are not ranked")
                    : tr("Rank");
     case TeamColumn:
         return tr("Team");
@@ -284,8 +282,8 @@ QVariant StandingsModel::heading(int column, int role) const
         return tip ? tr("Repeatability: standard deviation of one trial about the line of progress")
                    : tr("Spread");
     case ProgressColumn:
-        return tip ? tr("Change through the term by a straight line; beyond the spread by Student's test, 95 "
-                        "%")
+        return tip ? tr("Change over the term by a straight-line fit; Student's t-test (95 %) decides if it "
+                        "exceeds the spread")
                    : tr("Progress");
     default:
         return {};

@@ -101,11 +101,11 @@ QString disagreementWords(const ViewDisagreement &disagreement)
         return SceneDisagreementWords::tr("Only one view at a time: nothing to compare");
     const QString measured = SceneDisagreementWords::tr("RMS %1, median %2")
                                  .arg(lengthText(disagreement.rmsM), lengthText(disagreement.medianM));
-    const QString expected =
-        SceneDisagreementWords::tr("expected by the errors: %1").arg(lengthText(disagreement.expectedRmsM));
+    const QString expected = SceneDisagreementWords::tr("expected from the uncertainty: %1")
+                                 .arg(lengthText(disagreement.expectedRmsM));
     return measured + u'\n' +
            (disagreement.ratio() > surprising
-                ? SceneDisagreementWords::tr("%1 – more than they explain").arg(expected)
+                ? SceneDisagreementWords::tr("%1 – more than it explains").arg(expected)
                 : expected);
 }
 
@@ -118,22 +118,17 @@ Explanation explainDisagreement(const TrialScene &scene, std::size_t robot,
                             {},
                             analysisInputs(scene, robot),
                             {}};
-    explanation.formula =
-        SceneDisagreementWords::tr("Each view alone puts the robot at a place on the floor. Shown is how "
-                                   "far these places are apart in each "
-                                   "frame in which two views or more saw it (of more than two, the largest "
-                                   "distance); RMS is √(mean of the "
-                                   "squares). Samples that are not used are left out.\n"
-                                   "Expected is √(tr A + tr B + (v·σs)²) from the covariances A and B of "
-                                   "two views (pixels and calibration), "
-                                   "the speed v and the views' step σs.\n"
-                                   "Much more than expected means that something is not as it was told: the "
-                                   "views are not in step (then it grows "
-                                   "with the speed), a camera has moved or is badly registered (then it "
-                                   "depends on the place), or the robot's "
-                                   "height is wrong (then it points to and from the cameras).");
+    explanation.formula = SceneDisagreementWords::tr(
+        "Each view alone gives a floor position of the robot. The chart shows the distance between these "
+        "positions in each frame with two views or more (of more than two, the largest distance); RMS is "
+        "√(mean of the squares). Unused samples are left out.\nExpected is √(tr A + tr B + (v·σs)²) from the "
+        "covariances A and B of two views (pixels and calibration), the speed v and the synchronisation "
+        "uncertainty σs of the views.\nMuch more than expected means that a setting is wrong: the views are "
+        "not synchronised (the distance grows with the speed), a camera has moved or is badly registered (it "
+        "depends on the position), or the robot's height is wrong (it points to and from the cameras).");
     explanation.inputs.prepend(
-        SceneDisagreementWords::tr("%1 frames seen by two views or more; largest %2; views in step to %3 ms")
+        SceneDisagreementWords::tr(
+            "%1 frames with two views or more; largest %2; views synchronised to %3 ms")
             .arg(disagreement.places.size())
             .arg(lengthText(disagreement.largestM), QLocale().toString(1e3 * stepSigmaS(scene), 'f', 1)));
     return explanation;
@@ -208,7 +203,7 @@ QString SpikeModel::summary() const
     if (restored > 0)
         text += QStringLiteral(" · ") + tr("%1 restored").arg(restored);
     if (doubtful > 0)
-        text += QStringLiteral(" · ") + tr("%1 doubtful").arg(doubtful);
+        text += QStringLiteral(" · ") + tr("%1 ambiguous").arg(doubtful);
     if (hidden > 0)
         text += QStringLiteral(" · ") + tr("%1 hidden").arg(hidden);
     return text;

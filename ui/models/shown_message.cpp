@@ -100,7 +100,7 @@ QString errorLine(const Error &error)
 
 Message pictureSubject()
 {
-    return ODO_TEXT("ui.picture", "the picture");
+    return ODO_TEXT("ui.picture", "the image");
 }
 
 Message anotherJobRuns()

@@ -115,7 +115,8 @@ void Timeline::makeActions()
          [this, second] { skip(second); }},
         {Command::ShuttleBack, "shuttleBack", tr("Play backwards, again: faster"), Qt::Key_J,
          [this] { stepOrShuttle(-1); }},
-        {Command::ShuttleStop, "shuttleStop", tr("&Stop; held, the two beside go by one frame"), Qt::Key_K,
+        {Command::ShuttleStop, "shuttleStop", tr("&Stop; while held, the keys beside it step one frame"),
+         Qt::Key_K,
          [this] {
              pause();
              setRate(1);

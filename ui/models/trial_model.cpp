@@ -303,7 +303,7 @@ QString TrialModel::display(const TrialRow &row, int column) const
     case TopSpeedColumn:
         return row.topSpeed ? metricFigure(*row.topSpeed).text() : tr("not tracked");
     case ScoreColumn:
-        return row.score ? scoreText(*row.score) : row.isScored ? tr("measure again") : QString();
+        return row.score ? scoreText(*row.score) : row.isScored ? tr("reanalyse") : QString();
     case TagsColumn:
         return joined(row.trial.tags);
     default:

@@ -52,10 +52,9 @@ TestbedPage::TestbedPage(Project &project, QWidget *parent)
       m_layoutList(new QListWidget), m_view(new CameraView(*m_timeline)), m_facts(new FactList),
       m_sketch(new FloorSketch), m_sketchCard(new Card(tr("From above"))),
       m_showAccuracy(new QCheckBox(tr("expected &accuracy"))), m_accuracy(new AccuracyMaker(this)),
-      m_empty(
-          new EmptyState(QStringLiteral("testbed"), tr("No cameras yet"),
-                         tr("A testbed is a floor with markers and the cameras that watch it. Begin with the "
-                            "lens of the first camera, or with the places of the markers."))),
+      m_empty(new EmptyState(QStringLiteral("testbed"), tr("No cameras yet"),
+                             tr("A testbed is a floor with markers and the cameras that watch it. Start with "
+                                "the lens calibration of the first camera, or with the marker positions."))),
       m_stack(new QStackedWidget(this))
 {
     setObjectName(QStringLiteral("page"));
@@ -68,7 +67,7 @@ TestbedPage::TestbedPage(Project &project, QWidget *parent)
     m_sketchCard->setContent(m_sketch);
     m_sketchCard->addToHeader(m_showAccuracy);
     auto *tasks = new QPushButton(tr("Tas&ks…"));
-    tasks->setToolTip(tr("What is driven on this floor: gates, paths, limits, scoring"));
+    tasks->setToolTip(tr("Courses on this floor: gates, paths, limits, scoring"));
     m_sketchCard->addToHeader(tasks);
     connect(tasks, &QPushButton::clicked, this, &TestbedPage::tasksRequested);
     m_showAccuracy->setChecked(true);
@@ -138,7 +137,7 @@ QWidget *TestbedPage::makeCameraCard()
     connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
             &TestbedPage::showCamera);
 
-    auto *scroll = scrolled(m_facts, tr("What is known of the camera"));
+    auto *scroll = scrolled(m_facts, tr("Details of the camera"));
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_factCard = new Card(tr("Camera"));
     m_factCard->setContent(scroll);
@@ -148,13 +147,13 @@ QWidget *TestbedPage::makeCameraCard()
     contentLayout->setContentsMargins(0, 0, 0, 0);
     contentLayout->setSpacing(0);
     contentLayout->addWidget(m_table);
-    // Few beside one another: the column must leave room to the picture.
+    // At most three side by side: a wider column would shrink the image.
     const QList<QAction *> rows[] = {
         {m_tools->action(TestbedTools::Calibrate), m_tools->action(TestbedTools::Register),
-         m_tools->action(TestbedTools::ImportLens)},
+         m_checks->action(CheckTools::Moved)},
         {m_tools->action(TestbedTools::RegisterThrough), m_tools->action(TestbedTools::RegisterJointly),
          m_checks->action(CheckTools::Revisions)},
-        {m_checks->action(CheckTools::Moved), m_checks->action(CheckTools::Length),
+        {m_tools->action(TestbedTools::ImportLens), m_checks->action(CheckTools::Length),
          m_checks->action(CheckTools::Accuracy)}};
     for (const QList<QAction *> &row : rows)
         contentLayout->addLayout(buttonRow(row));
@@ -254,7 +253,7 @@ void TestbedPage::showCamera()
     const QModelIndex current = m_table->currentIndex();
     if (!current.isValid()) {
         m_view->setScene(nullptr, 0);
-        m_view->setTitle(tr("Picture"));
+        m_view->setTitle(tr("Image"));
         m_facts->setFacts({});
         return;
     }

@@ -111,7 +111,7 @@ private Q_SLOTS:
             const QModelIndex difference = figures->model()->index(row, DifferenceModel::DifferenceColumn);
             QVERIFY(!difference.data(DifferenceModel::SignificantRole).toBool());
             QCOMPARE(difference.data(Qt::AccessibleDescriptionRole).toString(),
-                     QStringLiteral("within the error"));
+                     QStringLiteral("not significant"));
         }
         const ChartContentPtr differences = comparedContent(*scene, Compared::TimeDifference);
         QCOMPARE(differences->curves.size(), std::size_t(3)); // faint, sure, and where neither is ahead
@@ -310,8 +310,8 @@ private Q_SLOTS:
             return explanation();
         };
         const QString figure = explained("Figures of both runs", 0);
-        QVERIFY2(figure.contains(QStringLiteral("Trial 2 less Trial 1")) &&
-                     figure.contains(QStringLiteral("not more than 1.96")) &&
+        QVERIFY2(figure.contains(QStringLiteral("Trial 2 minus Trial 1")) &&
+                     figure.contains(QStringLiteral("not above 1.96")) &&
                      figure.contains(QStringLiteral("√(σ₁² + σ₂²)")) &&
                      figure.contains(QStringLiteral("time 0: ")),
                  qPrintable(figure));
@@ -337,11 +337,11 @@ private Q_SLOTS:
         // What only one of them has, and what is exact, is told without a claim.
         const auto &scene = *shown.page->scene();
         QCOMPARE(explainDifference(scene, 1, {"circle_radius", "m", 0.5, {}, 0.01, {}, {}}).value,
-                 QStringLiteral("only one of the two has it"));
+                 QStringLiteral("only one of the two runs has it"));
         QVERIFY(explainDifference(scene, 1, {"laps", "1", 2, 3, {}, {}, Difference{1, 0}})
-                    .formula.contains(QStringLiteral("Both are exact")));
+                    .formula.contains(QStringLiteral("Both values are exact")));
         QVERIFY(explainDifference(scene, 1, {"duration", "s", 2, 3, 0.1, 0.1, Difference{1, 0.14}})
-                    .formula.contains(QStringLiteral("less than 5 of 100")));
+                    .formula.contains(QStringLiteral("fewer than 5 of 100")));
     }
 
     void remembersAndResetsItsDocks()
@@ -414,13 +414,11 @@ private Q_SLOTS:
         QCOMPARE(text(0, DifferenceModel::DifferenceColumn), QStringLiteral("+0.25 ±0.03"));
         QVERIFY(model.index(0, 3).data(DifferenceModel::SignificantRole).toBool());
         QVERIFY(!model.index(1, 3).data(DifferenceModel::SignificantRole).toBool());
-        QVERIFY(model.index(1, 3)
-                    .data(Qt::ToolTipRole)
-                    .toString()
-                    .contains(QLatin1String("no difference can be claimed")));
+        QVERIFY(
+            model.index(1, 3).data(Qt::ToolTipRole).toString().contains(QLatin1String("not significant")));
         QCOMPARE(text(2, DifferenceModel::SecondColumn), QStringLiteral("–"));
         QCOMPARE(model.index(2, 3).data(Qt::ToolTipRole).toString(),
-                 QStringLiteral("Only one of the two has it"));
+                 QStringLiteral("Only one of the two runs has it"));
         QCOMPARE(model.headerData(DifferenceModel::SecondColumn, Qt::Horizontal).toString(),
                  QStringLiteral("Two"));
         model.setSectors(

@@ -216,10 +216,10 @@ void TestClassesDialog::onlyWhatWasDoneHereIsTakenBack()
     QVERIFY(own.make(foreignWords("nothing"), rename("9B"))->isEmpty()); // it has that name
     QCOMPARE(own.undo().error().code, ErrorCode::NotFound);
     QCOMPARE(*own.make(foreignWords("rename"), rename("9X")),
-             QStringLiteral("Done: rename. Ctrl+Z takes it back."));
+             QStringLiteral("Done: rename. Press Ctrl+Z to undo it."));
     QCOMPARE(*own.undo(), QStringLiteral("Undone: rename."));
     QCOMPARE(m_project->classes().all()->front().name, std::string("9B"));
-    QCOMPARE(*own.redo(), QStringLiteral("Made again: rename."));
+    QCOMPARE(*own.redo(), QStringLiteral("Redone: rename."));
     QCOMPARE(own.redo().error().code, ErrorCode::NotFound);
     QVERIFY(own.undo() && !own.undo());
     QVERIFY(m_project->trials().find("Trial 1")->starred);

@@ -94,14 +94,14 @@ void TestImportTrialDialog::addThirdView() const
 
 void TestImportTrialDialog::asksOneStepForEachFurtherView()
 {
-    auto *how = field<QComboBox>("How view 2 gets in step with the first");
-    auto *later = field<QDoubleSpinBox>("How much later view 2 began");
+    auto *how = field<QComboBox>("How to synchronise view 2 with the first");
+    auto *later = field<QDoubleSpinBox>("Time offset of view 2");
     QVERIFY(how && later && !later->isEnabled());
-    QVERIFY(!field<QComboBox>("How view 1 gets in step with the first"));
-    QVERIFY(!field<QComboBox>("How view 3 gets in step with the first"));
+    QVERIFY(!field<QComboBox>("How to synchronise view 1 with the first"));
+    QVERIFY(!field<QComboBox>("How to synchronise view 3 with the first"));
     addThirdView();
-    auto *howThird = field<QComboBox>("How view 3 gets in step with the first");
-    auto *laterThird = field<QDoubleSpinBox>("How much later view 3 began");
+    auto *howThird = field<QComboBox>("How to synchronise view 3 with the first");
+    auto *laterThird = field<QDoubleSpinBox>("Time offset of view 3");
     QVERIFY(howThird && laterThird);
 
     const ImportSettings automatic = m_dialog->settings();
@@ -140,8 +140,8 @@ void TestImportTrialDialog::aCameraShowsHowWellItIsRegistered()
 void TestImportTrialDialog::aViewWithoutAVideoNeedsNoStep()
 {
     addThirdView();
-    field<QComboBox>("How view 2 gets in step with the first")->setCurrentIndex(1);
-    field<QComboBox>("How view 3 gets in step with the first")->setCurrentIndex(2);
+    field<QComboBox>("How to synchronise view 2 with the first")->setCurrentIndex(1);
+    field<QComboBox>("How to synchronise view 3 with the first")->setCurrentIndex(2);
     const auto files = m_dialog->findChildren<PathField *>();
     files.at(1)->setPath({});
     const ImportSettings gap = m_dialog->settings();
@@ -160,7 +160,7 @@ void TestImportTrialDialog::aViewWithoutAVideoNeedsNoStep()
 void TestImportTrialDialog::isReachedByTheTabKey()
 {
     addThirdView();
-    field<QComboBox>("How view 2 gets in step with the first")->setCurrentIndex(2);
+    field<QComboBox>("How to synchronise view 2 with the first")->setCurrentIndex(2);
     m_dialog->show();
     QVERIFY(QTest::qWaitForWindowActive(m_dialog.get()));
     QStringList reached;
@@ -183,12 +183,12 @@ void TestImportTrialDialog::isReachedByTheTabKey()
                              s("Video of view 3"),
                              s("Browse: Video of view 3"),
                              s("Add &view"),
-                             s("How view 2 gets in step with the first"),
-                             s("How much later view 2 began"),
-                             s("How view 3 gets in step with the first")};
+                             s("How to synchronise view 2 with the first"),
+                             s("Time offset of view 2"),
+                             s("How to synchronise view 3 with the first")};
     QCOMPARE(reached.mid(0, 13), wanted);
     // By keyboard alone.
-    auto *third = field<QComboBox>("How view 3 gets in step with the first");
+    auto *third = field<QComboBox>("How to synchronise view 3 with the first");
     third->setFocus();
     QTest::keyClick(third, Qt::Key_Down);
     QTest::keyClick(third, Qt::Key_Down);
@@ -209,8 +209,8 @@ void TestImportTrialDialog::paintsThePicture()
     QFETCH(bool, dark);
     m_dialog->setPalette(dark ? darkPalette() : lightPalette());
     addThirdView();
-    field<QComboBox>("How view 3 gets in step with the first")->setCurrentIndex(2);
-    field<QDoubleSpinBox>("How much later view 3 began")->setValue(0.4137);
+    field<QComboBox>("How to synchronise view 3 with the first")->setCurrentIndex(2);
+    field<QDoubleSpinBox>("Time offset of view 3")->setValue(0.4137);
     m_dialog->adjustSize();
     const QPixmap picture = m_dialog->grab();
     // Nothing is cut off.

@@ -85,7 +85,7 @@ private Q_SLOTS:
         PickColourDialog dialog({m_video});
         showWithPicture(dialog);
         QVERIFY(!okOf(dialog)->isEnabled() && !dialog.colour());
-        QVERIFY(wordsOf(dialog).contains(QStringLiteral("Draw a box closely round the robot")));
+        QVERIFY(wordsOf(dialog).contains(QStringLiteral("Draw a tight box round the robot")));
         draw(dialog, m_robotPx, 45);
         QTRY_VERIFY_WITH_TIMEOUT(okOf(dialog)->isEnabled(), 20000);
         QVERIFY(dialog.colour() && dialog.colour()->red > 170 && dialog.colour()->green < 60 &&

@@ -86,8 +86,8 @@ private Q_SLOTS:
         QTRY_COMPARE_WITH_TIMEOUT(project().file(), rescued, 3000);
         const QString words = m_window->findChild<MessageBar *>()->text();
         QCOMPARE(words,
-                 QStringLiteral("“example.odo” was deleted, renamed or replaced by another program. What was "
-                                "in it is rescued in “example (rescued).odo”, which is open now."));
+                 QStringLiteral("Another program deleted, renamed or replaced “example.odo”. Odograph "
+                                "rescued its contents in “example (rescued).odo” and opened that project."));
         QVERIFY(!m_window->workspace().isReadOnly());
         QVERIFY(project().teams().find("Kestrel"));
         QVERIFY(project().teams().add({0, "Merlin", "9B"}));
@@ -109,8 +109,8 @@ private Q_SLOTS:
         fs::rename(m_project, folder() / "new.odo");
         QTRY_COMPARE_WITH_TIMEOUT(project().file(), fs::canonical(folder()) / "new.odo", 3000);
         QCOMPARE(m_window->findChild<MessageBar *>()->text(),
-                 QStringLiteral("“example.odo” was renamed with its videos by another program. It is open as "
-                                "“new.odo” now."));
+                 QStringLiteral(
+                     "Another program renamed “example.odo” and its videos. It is now open as “new.odo”."));
         QVERIFY(project().teams().find("Kestrel"));
         QVERIFY(project().teams().add({0, "Merlin", "9B"}));
         QVERIFY(!fs::exists(folder() / "example (rescued).odo"));
@@ -141,8 +141,8 @@ private Q_SLOTS:
         }
         QTRY_COMPARE_WITH_TIMEOUT(project().title().value(), std::string("another"), 3000);
         QCOMPARE(messages->text(),
-                 QStringLiteral("Another program wrote over “example.odo” while it was open: what it held "
-                                "before is gone. What it holds now is shown."));
+                 QStringLiteral("Another program overwrote “example.odo” while it was open. Its earlier "
+                                "contents are gone; the window shows the new ones."));
         QVERIFY(!m_window->workspace().isReadOnly());
         QVERIFY(!project().teams().find("Kestrel"));
         QVERIFY(project().teams().add({0, "Merlin", "9B"}));

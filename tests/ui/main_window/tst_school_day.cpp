@@ -205,7 +205,7 @@ void TestSchoolDay::theProjectGoesHome()
 {
     const auto trials = project().trials().all()->size();
     command("pack", {chooseFile(path(QStringLiteral("lesson")))});
-    QVERIFY2(message().startsWith(QStringLiteral("The project is packed into ")), qPrintable(message()));
+    QVERIFY2(message().startsWith(QStringLiteral("Project packed into ")), qPrintable(message()));
     command("unpack",
             {chooseFile(path(QStringLiteral("lesson.zip"))), chooseFile(path(QStringLiteral("home")))});
     QVERIFY(QString::fromStdString(project().file().string()).startsWith(path(QStringLiteral("home"))));

@@ -38,9 +38,8 @@ private Q_SLOTS:
         QVERIFY(second.workspace().isReadOnly());
         QVERIFY2(message(second).startsWith(
                      QLatin1String("project 'example.odo': it is open in another window (")) &&
-                     message(second).endsWith(
-                         QLatin1String("Here it can only be looked at; to change it, close it there "
-                                       "and open it here again.")),
+                     message(second).endsWith(QLatin1String(
+                         "It is read-only here; to change it, close it there and reopen it here.")),
                  qPrintable(message(second)));
         QVERIFY(second.showTrial("Trial 2"));
 

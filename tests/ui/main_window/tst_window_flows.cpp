@@ -264,11 +264,11 @@ void TestWindowFlows::importsIntrinsics()
     const QString file = path(QStringLiteral("c.yaml"));
     QVERIFY(exportIntrinsics(project(), "C", file.toStdString()));
     const QStringList before = content();
-    run("Import intrinsics…",
+    run("Import lens calibration…",
         {chooseFile(path(QStringLiteral("broken.yaml"))), enterText(QStringLiteral("D"))});
     QVERIFY2(message().contains(QLatin1String("broken.yaml")), qPrintable(message()));
     QCOMPARE(content(), before);
-    run("Import intrinsics…", {chooseFile(file), enterText(QStringLiteral("D"))});
+    run("Import lens calibration…", {chooseFile(file), enterText(QStringLiteral("D"))});
     const auto camera = project().cameras().find("D");
     QVERIFY2(camera, qPrintable(message()));
     QVERIFY(project().cameras().currentIntrinsics(camera->id)->has_value());
@@ -281,7 +281,7 @@ Answer TestWindowFlows::importAnswer(const QString &trial, const QString &first,
         auto &import = dynamic_cast<ImportTrialDialog &>(dialog);
         import.findChildren<QLineEdit *>().at(0)->setText(trial);
         for (auto *box : import.findChildren<QComboBox *>())
-            if (const int index = box->findText(QStringLiteral("By hand: begun later by")); index >= 0)
+            if (const int index = box->findText(QStringLiteral("By hand: time offset")); index >= 0)
                 box->setCurrentIndex(sync);
         setFile(dialog, 0, path(first));
         setFile(dialog, 1, path(second));

@@ -63,15 +63,16 @@ private Q_SLOTS:
                 explainCurve(*m_scene, 0, quantity, profile.samples[100].time, QStringLiteral("1 m/s"));
             QVERIFY(!told.formula.isEmpty() && !told.uncertainty.isEmpty());
             QCOMPARE(told.value, QStringLiteral("1 m/s"));
-            QVERIFY2(told.inputs.first().startsWith(QStringLiteral("measured there: ")) ||
-                         told.inputs.first().startsWith(QStringLiteral("at this frame no view")),
-                     qPrintable(told.text()));
+            QVERIFY2(
+                told.inputs.first().startsWith(QStringLiteral("measured there: ")) ||
+                    told.inputs.first().startsWith(QStringLiteral("no view found the robot in this frame")),
+                qPrintable(told.text()));
         }
         auto scene = std::make_shared<TrialScene>(*m_scene);
         scene->robots[0].analysis->profile.samples[100].position.reset();
         QVERIFY(explainCurve(*scene, 0, Quantity::Speed, profile.samples[100].time, {})
                     .inputs.first()
-                    .startsWith(QStringLiteral("at this frame no view found the robot")));
+                    .startsWith(QStringLiteral("no view found the robot in this frame")));
         // Before the first sample nothing was measured.
         QVERIFY(explainCurve(*m_scene, 0, Quantity::Speed, profile.samples.front().time - Nanoseconds(1), {})
                     .inputs.first()
@@ -101,7 +102,7 @@ private Q_SLOTS:
             const Explanation explanation = explainSpike(*m_scene, 0, spike);
             QVERIFY(explanation.formula.contains(isRejected(spike.flags)
                                                      ? QStringLiteral("not used for the curve")
-                                                     : QStringLiteral("used for the curve nevertheless")));
+                                                     : QStringLiteral("uses the sample nevertheless")));
             QCOMPARE(explanation.value, QString::fromStdString(spike.reason.english()));
         }
     }
@@ -119,7 +120,7 @@ private Q_SLOTS:
         QVERIFY(disagreementWords({{}, 0.003, 0.002, 0.01, 0.001})
                     .contains(QStringLiteral("nothing to compare")));
         const ViewDisagreement large{{Disagreement()}, 0.003, 0.002, 0.01, 0.001};
-        QVERIFY(disagreementWords(large).contains(QStringLiteral("more than they explain")));
+        QVERIFY(disagreementWords(large).contains(QStringLiteral("more than it explains")));
     }
 };
 

@@ -339,7 +339,7 @@ private Q_SLOTS:
         QCOMPARE(best.data().toString(), QStringLiteral("25 of 30"));
         QVERIFY(best.data(Qt::ToolTipRole).toString().contains(QLatin1String("Start to finish")));
         model.sort(TrialModel::NameColumn, Qt::AscendingOrder);
-        QCOMPARE(model.index(2, TrialModel::ScoreColumn).data().toString(), QStringLiteral("measure again"));
+        QCOMPARE(model.index(2, TrialModel::ScoreColumn).data().toString(), QStringLiteral("reanalyse"));
         QVERIFY(model.index(3, TrialModel::ScoreColumn).data().toString().isEmpty());
         QCOMPARE(model.headerData(TrialModel::StarColumn, Qt::Horizontal, Qt::AccessibleTextRole).toString(),
                  QStringLiteral("Star"));

@@ -28,21 +28,20 @@ private Q_SLOTS:
         QTest::addColumn<QString>("fact");
         QTest::addColumn<bool>("doubted");
         QTest::newRow("motion") << "auto" << 0.0 << "in step to 0.4 ms"
-                                << "B: in step to 0.4 ms, found from the motion; begun 12.5 ms earlier"
+                                << "B: synchronised to 0.4 ms by the motion; started 12.5 ms earlier"
                                 << false;
         QTest::newRow("motion, another rate")
             << "auto" << 80e-6 << "in step to 0.4 ms"
-            << "B: in step to 0.4 ms, found from the motion; begun 12.5 ms earlier, its clock 80 ppm fast"
-            << false;
+            << "B: synchronised to 0.4 ms by the motion; started 12.5 ms earlier, clock 80 ppm fast" << false;
         QTest::newRow("flash") << "flash" << 0.0 << "in step to 0.4 ms"
-                               << "B: in step to 0.4 ms, found from a flash of light; begun 12.5 ms earlier"
+                               << "B: synchronised to 0.4 ms by a flash of light; started 12.5 ms earlier"
                                << false;
         QTest::newRow("by hand") << "told" << 0.0 << "offset by hand"
-                                 << "B: begun 12.5 ms earlier, as told by hand" << false;
+                                 << "B: started 12.5 ms earlier, set by hand" << false;
         QTest::newRow("none") << "none" << 0.0 << "not synchronised"
-                              << "B: taken as begun together" << true;
+                              << "B: assumed to start at the same time" << true;
         QTest::newRow("a word of a later program") << "wire" << 0.0 << "not synchronised"
-                                                   << "B: taken as begun together" << true;
+                                                   << "B: assumed to start at the same time" << true;
     }
     void eachWayHasItsWords()
     {

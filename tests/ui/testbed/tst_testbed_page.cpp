@@ -96,9 +96,9 @@ void TestTestbedPage::warnsAndShowsWhatHasMoved()
     const auto rows = loadCameraRows(*project);
     QVERIFY(!rows->at(1).warnings.empty());
     const QList<Fact> facts = cameraFacts(rows->at(1));
-    QCOMPARE(facts[0].name, QStringLiteral("Attention")); // what is wrong comes first
+    QCOMPARE(facts[0].name, QStringLiteral("Warning")); // what is wrong comes first
     QCOMPARE(facts[0].value, QStringLiteral("B has moved 6 px = 14 mm."));
-    QCOMPARE(facts[1].name, QStringLiteral("Attention"));
+    QCOMPARE(facts[1].name, QStringLiteral("Warning"));
     QVERIFY2(facts[1].value.contains(QLatin1String("days old")), qPrintable(facts[1].value));
 }
 

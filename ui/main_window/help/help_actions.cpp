@@ -290,45 +290,41 @@ std::vector<LessonStep> firstLesson(const ProjectPages &pages)
 {
     return {
         {FirstLessonWords::tr("Play a run"),
-         FirstLessonWords::tr("Two cameras watched a robot drive. Press Space: both videos, the map and the "
-                              "curves play in step. "
-                              "Space again stops."),
+         FirstLessonWords::tr("Two cameras filmed a robot. Press Space: both videos, the map and the curves "
+                              "play together. Press Space again to stop."),
          [&pages] { return timeMoved(pages, true); }},
-        {FirstLessonWords::tr("Read a figure"),
+        {FirstLessonWords::tr("Read a result"),
          FirstLessonWords::tr(
-             "Click into the speed curve. The bubble tells the speed at that moment and its ±: how "
-             "far off it may be. The band around the curve is where the truth lies in 95 of 100 cases."),
+             "Click the speed curve. The bubble shows the speed at that moment and its uncertainty (±). The "
+             "band around the curve contains the true speed in 95 of 100 cases."),
          [&pages] { return timeMoved(pages, false); }},
-        {FirstLessonWords::tr("Look at what was flagged"),
-         FirstLessonWords::tr("Go through the trials with Ctrl+Page Up and Ctrl+Page Down to one whose list "
-                              "of spikes, at the right, "
-                              "is not empty. A spike is a moment at which what was measured cannot be true; "
-                              "the list says why."),
+        {FirstLessonWords::tr("Check the flagged samples"),
+         FirstLessonWords::tr(
+             "Press Ctrl+Page Up or Ctrl+Page Down until the list of spikes on the right is not empty. A "
+             "spike is a measurement that cannot be true; the list gives the reason."),
          [&pages] { return [&pages] { return hasSpikes(pages); }; }},
-        {FirstLessonWords::tr("Overrule it"),
-         FirstLessonWords::tr("Click a spike in the list and look at the videos: was the robot really there? "
-                              "Press U to use the sample "
-                              "all the same. Nothing that was measured is ever lost."),
+        {FirstLessonWords::tr("Override it"),
+         FirstLessonWords::tr(
+             "Click a spike in the list and watch the videos: was the robot really there? Press U to use the "
+             "sample nevertheless. Odograph never deletes a measurement."),
          [&pages] { return [&pages, before = judged(pages)] { return judged(pages) > before; }; }},
-        {FirstLessonWords::tr("Take it back"),
-         FirstLessonWords::tr("Press Ctrl+Z. Whatever you change is saved at once, and can be taken back."),
+        {FirstLessonWords::tr("Undo it"),
+         FirstLessonWords::tr("Press Ctrl+Z. Odograph saves every change at once, and you can undo it."),
          [&pages] {
              return [&pages, before = judged(pages)] { return judged(pages) < before || before == 0; };
          }},
         {FirstLessonWords::tr("Compare two runs"),
-         FirstLessonWords::tr("Press Ctrl+4. Choose two runs at the right: where was one faster, and is that "
-                              "more than the error? "
-                              "What is grey is not."),
+         FirstLessonWords::tr("Press Ctrl+4. Choose two runs on the right: where was one faster? Grey "
+                              "differences are not significant."),
          [&pages] { return inMode(pages, ProjectPages::Mode::Compare); }},
         {FirstLessonWords::tr("Find it again"),
-         FirstLessonWords::tr("Press Ctrl+5. History holds the whole year: type a team's name to search, "
-                              "open a run with Enter, and see "
-                              "under Teams who made progress."),
+         FirstLessonWords::tr("Press Ctrl+5. History lists the whole year: type a team's name to search, "
+                              "press Enter to open a run, and see under Teams who made progress."),
          [&pages] { return inMode(pages, ProjectPages::Mode::History); }},
-        {FirstLessonWords::tr("That was it"),
-         FirstLessonWords::tr("With your own robots: make a project (Ctrl+N), set up the floor in Testbed "
-                              "(Ctrl+1), then record (Ctrl+2) "
-                              "or bring in videos (Ctrl+I). F1 explains each page."),
+        {FirstLessonWords::tr("That's it"),
+         FirstLessonWords::tr(
+             "For your own robots: create a project (Ctrl+N), set up the floor in Testbed (Ctrl+1), then "
+             "record (Ctrl+2) or import videos (Ctrl+I). F1 explains each page."),
          {}},
     };
 }

@@ -48,11 +48,11 @@ public:
 
 ChangesDialog::ChangesDialog(std::vector<ChangeEntry> changes, QWidget *parent) : QDialog(parent)
 {
-    setWindowTitle(tr("Changes of the project"));
+    setWindowTitle(tr("Project changes"));
     auto *intro = new QLabel(
-        changes.empty() ? tr("Nothing has been changed yet.")
-                        : tr("What was changed, in this window and by the command line, the newest first. "
-                             "Recordings, imports and tracking are told too; they cannot be undone."));
+        changes.empty() ? tr("No changes yet.")
+                        : tr("All changes made in this window and on the command line, newest first. The "
+                             "list includes recordings, imports and tracking, but you cannot undo them."));
     intro->setWordWrap(true);
     auto *model = new ChangeModel(std::move(changes), this);
     auto *search = new QLineEdit;
@@ -134,7 +134,7 @@ void ClassActions::showRobots()
 HistoryActions::HistoryActions(Workspace &workspace, QWidget &window)
     : QObject(&window), m_workspace(workspace), m_window(window), m_batch(new TrialBatch(workspace, this)),
       m_roster(new QAction(themeIcon(QStringLiteral("import")), tr("Import &roster…"), this)),
-      m_changes(new QAction(tr("&Changes of the project…"), this))
+      m_changes(new QAction(tr("Show project &changes…"), this))
 {
     nameCommands({{m_roster, "importRoster"}, {m_changes, "changes"}});
     connect(m_roster, &QAction::triggered, this, &HistoryActions::askRoster);
@@ -163,13 +163,13 @@ void HistoryActions::updateActions()
 void HistoryActions::askRoster()
 {
     const QString file = QFileDialog::getOpenFileName(
-        &m_window, tr("Import a roster: a table with the columns class and team, perhaps pseudonym"),
+        &m_window, tr("Import a roster: a table with the columns class, team and optionally pseudonym"),
         QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation), tr("CSV tables (*.csv)"));
     if (file.isEmpty())
         return;
     const Result<RosterOutcome> outcome = importRoster(*m_workspace.project(), pathOf(file));
     if (outcome)
-        Q_EMIT changed(tr("The roster is imported. Teams that are new: %1, changed: %2, as before: %3.")
+        Q_EMIT changed(tr("Roster imported. New teams: %1, changed: %2, unchanged: %3.")
                            .arg(outcome->added)
                            .arg(outcome->changed)
                            .arg(outcome->unchanged));
@@ -214,27 +214,27 @@ void HistoryActions::exportVideos(const QStringList &trials)
         &m_window, title, QStandardPaths::writableLocation(QStandardPaths::MoviesLocation));
     if (folder.isEmpty())
         return;
-    m_doneWords = &ODO_TEXT("ui.videos_made", "Videos made: %1 of %2");
+    m_doneWords = &ODO_TEXT("ui.videos_made", "Videos created: %1 of %2");
     const auto make = [path = pathOf(folder), settings = dialog.settings()](const std::string &trial) {
         AnnotatedVideoSettings own = settings;
         own.target = {path / (fileNameOf(trial) + ".mp4"), Existing::Refuse};
         return std::make_shared<AnnotatedVideoJob>(trial, own);
     };
     if (const Result<void> started = m_batch->start(
-            trials, {&ODO_TEXT("ui.making_videos", "Making the video of %1 (%2 of %3)"), make, {}});
+            trials, {&ODO_TEXT("ui.making_videos", "Creating the video of %1 (%2 of %3)"), make, {}});
         !started)
         Q_EMIT failed(started.error());
 }
 
 void HistoryActions::reprocessTrials(const QStringList &trials)
 {
-    m_doneWords = &ODO_TEXT("ui.trials_measured_again", "Trials measured again: %1 of %2");
+    m_doneWords = &ODO_TEXT("ui.trials_measured_again", "Trials reanalysed: %1 of %2");
     const auto make = [](const std::string &trial) { return std::make_shared<ReprocessJob>(trial); };
     const auto keep = [](Project &project, Job &job) {
         return static_cast<ReprocessJob &>(job).keep(project);
     };
     if (const Result<void> started = m_batch->start(
-            trials, {&ODO_TEXT("ui.measuring_trials_again", "Measuring %1 again (%2 of %3)"), make, keep});
+            trials, {&ODO_TEXT("ui.measuring_trials_again", "Reanalysing %1 (%2 of %3)"), make, keep});
         !started)
         Q_EMIT failed(started.error());
 }
@@ -246,7 +246,7 @@ void HistoryActions::emptyBin(const BinContent &content)
         m_workspace.start(job, ODO_TEXT("ui.emptying_bin", "Emptying the bin"), [this, job] {
             QString words = job->removedCount() == job->wantedCount()
                                 ? tr("%n trial(s) removed for good.", "", job->removedCount())
-                                : tr("%1 of %n trial(s) removed for good; the rest is still there.", "",
+                                : tr("Removed %1 of %n trial(s) for good; the rest is still in the bin.", "",
                                      job->wantedCount())
                                       .arg(job->removedCount());
             for (const std::string &file : job->left())
@@ -276,7 +276,7 @@ void HistoryActions::tellEnd(int done, int all, const std::vector<Error> &failur
     Q_EMIT changed({});
     Q_EMIT failed(
         {ErrorCode::InvalidInput, words, joined(std::move(told), Join::Semicolon),
-         ODO_TEXT("ui.mend_and_choose_again", "mend what stands there, and choose these trials again")});
+         ODO_TEXT("ui.mend_and_choose_again", "correct the listed errors, then select these trials again")});
 }
 
 TrialBatch::TrialBatch(Workspace &workspace, QObject *parent) : QObject(parent), m_workspace(workspace)

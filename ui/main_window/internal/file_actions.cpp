@@ -185,7 +185,7 @@ void FileActions::askLike()
                        title = titleFromName(pathOf(file))](const JobControl &control) {
         return makeProjectLike(original, file, title, control);
     };
-    tellFailure(m_workspace.makeAndOpen(make, ODO_TEXT("ui.taking_over_setup", "Taking over the set-up"),
+    tellFailure(m_workspace.makeAndOpen(make, ODO_TEXT("ui.taking_over_setup", "Copying the set-up"),
                                         [this, file] { m_recent.add(pathOf(file)); }));
 }
 
@@ -212,14 +212,14 @@ void FileActions::askOpen()
 void FileActions::askDemo()
 {
     const QString parent = QFileDialog::getExistingDirectory(
-        &m_window, tr("Where shall the demo lesson be made?"), documentsFolder());
+        &m_window, tr("Choose a folder for the demo lesson"), documentsFolder());
     if (parent.isEmpty())
         return;
     const QString folder = freeFolder(QDir(parent).filePath(tr("Odograph demo")));
     const auto make = [folder = pathOf(folder)](const JobControl &control) {
         return makeDemo(folder, control);
     };
-    tellFailure(m_workspace.makeAndOpen(make, ODO_TEXT("ui.making_demo", "Making the demo lesson"),
+    tellFailure(m_workspace.makeAndOpen(make, ODO_TEXT("ui.making_demo", "Creating the demo lesson"),
                                         [this] { Q_EMIT demoOpened(); }));
 }
 
@@ -232,8 +232,8 @@ void FileActions::askCopy()
         return;
     tellFailure(m_workspace.start(
         std::make_shared<CopyJob>(pathOf(file)), ODO_TEXT("ui.saving_copy", "Saving a copy"), [this, file] {
-            Q_EMIT done(tr("A copy was saved as %1. Its videos stay where they are.")
-                            .arg(QDir::toNativeSeparators(file)));
+            Q_EMIT done(
+                tr("Copy saved as %1. Its videos stay where they are.").arg(QDir::toNativeSeparators(file)));
         }));
 }
 
@@ -320,9 +320,8 @@ void WelcomePage::fillRecent()
         const QFileInfo info(file);
         const bool exists = RecentProjects::exists(file);
         auto *item = new QListWidgetItem(m_list);
-        item->setText(QStringLiteral("%1\n%2").arg(info.completeBaseName(),
-                                                   exists ? QDir::toNativeSeparators(info.path())
-                                                          : tr("not found any more")));
+        item->setText(QStringLiteral("%1\n%2").arg(
+            info.completeBaseName(), exists ? QDir::toNativeSeparators(info.path()) : tr("no longer found")));
         item->setData(Qt::UserRole, file);
         item->setToolTip(file.toHtmlEscaped());
         item->setSizeHint({0, rowHeight});

@@ -48,7 +48,7 @@ ImportTrialDialog::ImportTrialDialog(const Offer &offer, QWidget *parent)
     form->addRow(tr("Tas&k"), m_task);
     form->addRow(tr("R&obots"), m_robots);
     form->addRow(tr("Videos"), makeVideos());
-    auto *step = new QLabel(tr("In &step"));
+    auto *step = new QLabel(tr("&Synchronise"));
     step->setBuddy(m_steps->fields().constFirst());
     form->addRow(step, m_steps);
     form->addRow(m_rateTold, makeRate());
@@ -105,7 +105,7 @@ QWidget *ImportTrialDialog::makeRate()
     m_rate->setSuffix(tr(" frames/s"));
     m_rate->setAccessibleName(tr("Camera's real rate"));
     m_rate->setEnabled(false);
-    m_rateTold->setToolTip(tr("For slow motion: the file plays slower than the camera took it"));
+    m_rateTold->setToolTip(tr("For slow motion: the file plays slower than the camera recorded it"));
     connect(m_rateTold, &QCheckBox::toggled, m_rate, &QWidget::setEnabled);
     return m_rate;
 }
@@ -218,16 +218,16 @@ void ViewSteps::addView()
     const int number = static_cast<int>(m_views);
     Row row{new ElidedLabel, new QComboBox, new NumberBox};
     row.how->addItem(tr("From the motion or a flash"), static_cast<int>(Sync::Automatic));
-    row.how->addItem(tr("Begun together"), static_cast<int>(Sync::None));
-    row.how->addItem(tr("By hand: begun later by"), static_cast<int>(Sync::Told));
-    row.how->setAccessibleName(tr("How view %1 gets in step with the first").arg(number));
+    row.how->addItem(tr("Same start time"), static_cast<int>(Sync::None));
+    row.how->addItem(tr("By hand: time offset"), static_cast<int>(Sync::Told));
+    row.how->setAccessibleName(tr("How to synchronise view %1 with the first").arg(number));
     row.how->setToolTip(tr("A flash: switch the room lights on and off once while all cameras record"));
     row.later->setRange(-highestOffsetS, highestOffsetS);
     row.later->setDecimals(4);
     row.later->setSingleStep(0.01);
     row.later->setSuffix(tr(" s"));
-    row.later->setAccessibleName(tr("How much later view %1 began").arg(number));
-    row.later->setToolTip(tr("Below zero: it began earlier than the first view"));
+    row.later->setAccessibleName(tr("Time offset of view %1").arg(number));
+    row.later->setToolTip(tr("Negative: it started before the first view"));
     row.later->setEnabled(false);
     connect(row.how, &QComboBox::currentIndexChanged, row.later,
             [row] { row.later->setEnabled(row.how->currentData().toInt() == static_cast<int>(Sync::Told)); });
@@ -277,9 +277,8 @@ ImportTracksDialog::ImportTracksDialog(const Offer &offer, QWidget *parent)
     for (const QString &task : offer.tasks)
         m_task->addItem(task, task);
     m_task->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon); // a name may be long
-    auto *words = new QLabel(tr("Positions that another program has measured, or Odograph has exported: TUM, "
-                                "CSV or Tracker's text. They are "
-                                "measured as a run without video."));
+    auto *words = new QLabel(tr("Positions measured by another program or exported by Odograph: TUM, CSV or "
+                                "Tracker text. Odograph analyses them as a run without video."));
     words->setWordWrap(true);
     auto *form = new QFormLayout;
     form->addRow(tr("&Name"), m_name);
@@ -337,7 +336,7 @@ void ImportTracksDialog::addRow()
     robot->setCurrentText(
         m_knownRobots.value(number - 1, m_knownRobots.isEmpty() && number == 1 ? tr("Robot") : QString()));
     robot->setAccessibleName(tr("Robot of track %1").arg(number));
-    robot->setToolTip(tr("A name that is new makes a new robot"));
+    robot->setToolTip(tr("A new name creates a new robot"));
     robot->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     robot->setMinimumContentsLength(14);
     auto *file = new PathField(tr("File of track %1").arg(number),

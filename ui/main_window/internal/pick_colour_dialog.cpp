@@ -36,7 +36,7 @@ PickColourDialog::PickColourDialog(QList<PickableVideo> videos, QWidget *parent)
       m_frame(new QSlider(Qt::Horizontal)), m_frameText(new QLabel), m_swatch(new QLabel),
       m_words(new QLabel), m_buttons(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel))
 {
-    setWindowTitle(tr("Robot's colour from a picture"));
+    setWindowTitle(tr("Pick the robot's colour"));
     auto *file = new QPushButton(tr("Another &video…"));
     auto *label = new QLabel(tr("&Recording"));
     label->setBuddy(m_choice);
@@ -55,7 +55,7 @@ PickColourDialog::PickColourDialog(QList<PickableVideo> videos, QWidget *parent)
     m_words->setWordWrap(true);
     m_words->setTextFormat(Qt::PlainText);
     m_words->setMinimumHeight(2 * fontMetrics().lineSpacing());
-    m_canvas->setEmptyText(tr("Choose a video in which the robot is seen."));
+    m_canvas->setEmptyText(tr("Choose a video that shows the robot."));
     auto *found = new QHBoxLayout;
     found->addWidget(m_swatch);
     found->addWidget(m_words, 1);
@@ -65,7 +65,7 @@ PickColourDialog::PickColourDialog(QList<PickableVideo> videos, QWidget *parent)
     layout->addLayout(frames);
     layout->addLayout(found);
     layout->addWidget(m_buttons);
-    m_buttons->button(QDialogButtonBox::Ok)->setText(tr("Take this colour"));
+    m_buttons->button(QDialogButtonBox::Ok)->setText(tr("Use this colour"));
 
     for (const PickableVideo &video : std::as_const(m_videos))
         m_choice->addItem(video.name);
@@ -91,7 +91,7 @@ PickColourDialog::PickColourDialog(QList<PickableVideo> videos, QWidget *parent)
 void PickColourDialog::chooseFile()
 {
     const QString chosen =
-        QFileDialog::getOpenFileName(this, tr("Video in which the robot is seen"), {},
+        QFileDialog::getOpenFileName(this, tr("Video that shows the robot"), {},
                                      tr("Videos (*.mp4 *.mov *.mkv *.avi *.m4v);;All files (*)"));
     if (!chosen.isEmpty())
         addFile(pathOf(chosen));
@@ -204,9 +204,8 @@ void PickColourDialog::sayNothingYet()
     m_colour.reset();
     m_buttons->button(QDialogButtonBox::Ok)->setEnabled(false);
     m_swatch->hide();
-    m_words->setText(tr("Draw a box closely round the robot with the mouse; or with the arrow keys, which "
-                        "move the box, and with Shift "
-                        "make it larger or smaller."));
+    m_words->setText(tr("Draw a tight box round the robot with the mouse, or use the keyboard: arrow keys "
+                        "move the box, Shift + arrow keys resize it."));
 }
 
 QList<PickableVideo> newestRecordings(Project &project)
@@ -242,7 +241,7 @@ BoxCanvas::BoxCanvas(QWidget *parent) : QWidget(parent)
     setFocusPolicy(Qt::StrongFocus);
     setCursor(Qt::CrossCursor);
     setAccessibleName(
-        tr("Picture; arrow keys move the box round the robot, with Shift they change its size"));
+        tr("Video frame; arrow keys move the box round the robot, Shift + arrow keys resize it"));
 }
 
 void BoxCanvas::setSourceSize(QSize size)

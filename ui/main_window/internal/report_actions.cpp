@@ -114,7 +114,7 @@ void ReportActions::ask(QList<ReportSubject> subjects)
 {
     if (subjects.isEmpty()) {
         Q_EMIT failed(fail(ErrorCode::NotFound, reportSubject(),
-                           ODO_TEXT("ui.no_trial_yet", "there is no trial yet"),
+                           ODO_TEXT("ui.no_trial_yet", "the project has no trial yet"),
                            ODO_TEXT("ui.import_or_record_first", "import or record one first"))
                           .value());
         return;
@@ -145,7 +145,7 @@ void ReportActions::save()
 void ReportActions::write(const ChosenOutput &output)
 {
     start(std::make_unique<PdfFile>(output.target, m_dialog->proposedName()),
-          tr("The report is in %1.").arg(QDir::toNativeSeparators(output.file)));
+          tr("Report saved as %1.").arg(QDir::toNativeSeparators(output.file)));
 }
 
 void ReportActions::print()
@@ -158,7 +158,7 @@ void ReportActions::print()
     // not by Qt, which would write over anything; it has asked
     if (const QString file = printer->outputFileName(); !file.isEmpty())
         return write({{pathOf(file), Existing::ReplaceAny}, file});
-    const QString words = tr("The report is with the printer %1.").arg(printer->printerName());
+    const QString words = tr("Report sent to printer %1.").arg(printer->printerName());
     start(std::make_unique<PrintedPages>(std::move(printer)), words);
 }
 
@@ -166,7 +166,7 @@ void ReportActions::print()
 void ReportActions::start(std::unique_ptr<PageOutput> output, const QString &doneWords)
 {
     const auto started = m_workspace.start(std::make_shared<ReportJob>(m_dialog->maker(), std::move(output)),
-                                           ODO_TEXT("ui.making_report", "Making the report"),
+                                           ODO_TEXT("ui.making_report", "Creating the report"),
                                            [this, doneWords] { Q_EMIT done(doneWords); });
     m_dialog->accept();
     if (!started)

@@ -40,7 +40,7 @@ QString heightText(const RobotRecord &robot)
     case RobotRecord::Height::Told:
         return lengthText(robot.heightM.value_or(0));
     case RobotRecord::Height::Automatic:
-        return RobotsDialog::tr("found from the views");
+        return RobotsDialog::tr("estimated from the views");
     case RobotRecord::Height::Free:
         break;
     }
@@ -78,18 +78,18 @@ RobotsDialog::RobotsDialog(Project &project, bool readOnly, QWidget *parent)
 {
     setWindowTitle(tr("Robots"));
     m_table->setHorizontalHeaderLabels(
-        {tr("Robot"), tr("Found by"), tr("Drawn in"), tr("Height of its top"), tr("Length × width")});
+        {tr("Robot"), tr("Detected by"), tr("Drawn in"), tr("Height of its top"), tr("Length × width")});
     m_table->setAccessibleName(tr("Robots"));
     showAsList(*m_table);
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setSectionResizeMode(NameColumn, QHeaderView::Stretch);
-    auto *words = new QLabel(tr("Another colour or height counts from the next tracking on; what was "
-                                "measured before stays as it is."));
+    auto *words = new QLabel(
+        tr("A new colour or height applies from the next tracking on; earlier results stay as they are."));
     words->setWordWrap(true);
     m_message->setTextFormat(Qt::PlainText);
     m_message->setWordWrap(true);
-    m_message->setAccessibleName(tr("What was done"));
+    m_message->setAccessibleName(tr("Latest change"));
     auto *close = plainButton(tr("Close"));
     auto *bottom = new QHBoxLayout;
     for (QPushButton *button : {m_add, m_edit, m_remove})
@@ -201,13 +201,13 @@ constexpr double farthestReferenceMm = 2000;
 
 RobotDialog::RobotDialog(QList<PickableVideo> videos, QWidget *parent)
     : QDialog(parent), m_videos(std::move(videos)), m_name(new QLineEdit), m_look(new QComboBox),
-      m_colourButton(new QPushButton), m_pickButton(new QPushButton(tr("From a &picture…"))),
+      m_colourButton(new QPushButton), m_pickButton(new QPushButton(tr("&Pick from a video…"))),
       m_drawing(new QComboBox), m_heightMode(new QComboBox), m_height(new NumberBox),
       m_forward(new NumberBox), m_left(new NumberBox), m_footprint(new RobotFootprint),
       m_buttons(new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel))
 {
     setWindowTitle(tr("Add robot"));
-    m_heightMode->addItem(tr("Found from the views"), static_cast<int>(RobotRecord::Height::Automatic));
+    m_heightMode->addItem(tr("Estimated from the views"), static_cast<int>(RobotRecord::Height::Automatic));
     m_heightMode->addItem(tr("Measured"), static_cast<int>(RobotRecord::Height::Told));
     m_heightMode->addItem(tr("Changes while it runs (ramp)"), static_cast<int>(RobotRecord::Height::Free));
     m_height->setRange(0, 2000);
@@ -216,11 +216,11 @@ RobotDialog::RobotDialog(QList<PickableVideo> videos, QWidget *parent)
     m_height->setAccessibleName(tr("Height of the robot's top"));
     auto *form = new QFormLayout;
     form->addRow(tr("&Name"), m_name);
-    m_look->addItem(tr("How it differs from the floor"), false);
+    m_look->addItem(tr("Its silhouette"), false);
     m_look->addItem(tr("A colour of its own"), true);
-    m_look->setToolTip(tr("A robot of any look is found by how it differs from the floor. A colour of its "
-                          "own helps where several things move."));
-    form->addRow(tr("&Found by"), m_look);
+    m_look->setToolTip(
+        tr("The silhouette works for any robot. A colour of its own helps if several things move."));
+    form->addRow(tr("D&etected by"), m_look);
     auto *colour = new QHBoxLayout;
     colour->addWidget(m_colourButton);
     colour->addWidget(m_pickButton);
@@ -234,7 +234,7 @@ RobotDialog::RobotDialog(QList<PickableVideo> videos, QWidget *parent)
         m_drawing->addItem(swatch, drawingColourName(drawingColours[place]),
                            static_cast<int>(drawingColours[place]));
     }
-    m_drawing->setToolTip(tr("In charts and maps, whatever the robot looks like"));
+    m_drawing->setToolTip(tr("Colour in charts and maps; the robot itself may have another"));
     form->addRow(tr("&Drawn in"), m_drawing);
     form->addRow(tr("&Height of its top"), m_heightMode);
     form->addRow(QString(), m_height);
@@ -242,15 +242,14 @@ RobotDialog::RobotDialog(QList<PickableVideo> videos, QWidget *parent)
     for (QDoubleSpinBox *box : {m_forward, m_left}) {
         box->setRange(-farthestReferenceMm, farthestReferenceMm);
         box->setDecimals(0);
-        box->setToolTip(
-            tr("From the middle of what the robot covers of the floor; 0 and 0 is the middle itself."));
+        box->setToolTip(tr("Offset from the middle of the robot's footprint; 0 and 0 is the middle itself."));
         reference->addWidget(box);
     }
     m_forward->setSuffix(tr(" mm forward"));
-    m_forward->setAccessibleName(tr("Measured point, forward of the robot's middle"));
+    m_forward->setAccessibleName(tr("Reference point, forward of the robot's middle"));
     m_left->setSuffix(tr(" mm left"));
-    m_left->setAccessibleName(tr("Measured point, left of the robot's middle"));
-    form->addRow(tr("&Measured point"), reference);
+    m_left->setAccessibleName(tr("Reference point, left of the robot's middle"));
+    form->addRow(tr("&Reference point"), reference);
     qobject_cast<QLabel *>(form->labelForField(reference))->setBuddy(m_forward);
     form->addRow(QString(), m_footprint);
     auto *layout = new QVBoxLayout(this);

@@ -71,9 +71,9 @@ void TransferActions::pack(const ChosenOutput &archive)
     const auto job = std::make_shared<PackJob>(archive.target);
     tellFailure(m_workspace.start(
         job, ODO_TEXT("ui.packing", "Packing the project"), [this, job, archive = archive.file] {
-            QStringList sentences{
-                tr("The project is packed into %1. Elsewhere it is unpacked by \"Unpack a packed project\".")
-                    .arg(QDir::toNativeSeparators(archive))};
+            QStringList sentences{tr("Project packed into %1. To use it on another computer, choose \"Unpack "
+                                     "a packed project\" there.")
+                                      .arg(QDir::toNativeSeparators(archive))};
             for (const Message &warning : job->warnings())
                 sentences << tr("Note: %1.").arg(shownWords(warning));
             Q_EMIT done(sentences.join(u' '));
@@ -92,7 +92,7 @@ void TransferActions::askArchive()
 void TransferActions::askUnpack(const std::filesystem::path &archive)
 {
     const QString parent = QFileDialog::getExistingDirectory(
-        &m_window, tr("Where shall the project be unpacked?"), QDir::homePath());
+        &m_window, tr("Choose a folder for the unpacked project"), QDir::homePath());
     if (parent.isEmpty())
         return;
     const std::filesystem::path folder =
@@ -107,13 +107,13 @@ void TransferActions::askUnpack(const std::filesystem::path &archive)
 void TransferActions::askLostVideos()
 {
     const QString folder = QFileDialog::getExistingDirectory(
-        &m_window, tr("In which folder, or below, may the lost videos lie?"), QDir::homePath());
+        &m_window, tr("Choose the folder to search for the lost videos (with subfolders)"), QDir::homePath());
     if (folder.isEmpty())
         return;
     const auto job = std::make_shared<RelinkJob>(pathOf(folder));
     tellFailure(
-        m_workspace.start(job, ODO_TEXT("ui.looking_for_lost", "Looking for lost videos"), [this, job] {
-            Q_EMIT done(tr("%1 of %2 lost videos were found, by their content.")
+        m_workspace.start(job, ODO_TEXT("ui.looking_for_lost", "Searching for lost videos"), [this, job] {
+            Q_EMIT done(tr("Found %1 of %2 lost videos by their content.")
                             .arg(job->foundCount())
                             .arg(job->lostCount()));
         }));
@@ -123,7 +123,7 @@ void TransferActions::findStrays()
 {
     const auto job = std::make_shared<FindStraysJob>();
     tellFailure(
-        m_workspace.start(job, ODO_TEXT("ui.looking_for_strays", "Looking for stray files"), [this, job] {
+        m_workspace.start(job, ODO_TEXT("ui.looking_for_strays", "Searching for stray files"), [this, job] {
             if (job->strays().empty() && job->others().empty())
                 Q_EMIT done(
                     tr("Every file in the media folder belongs to a trial, a lens calibration or a floor "
@@ -143,10 +143,10 @@ void TransferActions::askStrays(const FindStraysJob &found)
     box->setText(
         tr("%n file(s) in the media folder belong to no trial, lens calibration or floor registration.",
            nullptr, static_cast<int>(found.strays().size())));
-    QString words = tr("Videos can become trials of their own. Removed files are gone for good.");
+    QString words = tr("You can add videos as trials. Removed files are gone for good.");
     if (!found.others().empty())
-        words += u' ' + tr("%n other file(s), listed last, stay: missing recordings, projects, and what is "
-                           "neither a video nor a picture.",
+        words += u' ' + tr("%n other file(s), listed last, stay: missing recordings, projects, and files "
+                           "that are neither videos nor images.",
                            nullptr, static_cast<int>(found.others().size()));
     box->setInformativeText(words);
     QStringList names;

@@ -61,7 +61,7 @@ private:
 
 TrackDialog::TrackDialog(const QString &trial, const QStringList &robots, const QStringList &expected,
                          const QStringList &doubts, QWidget *parent)
-    : QDialog(parent), m_robots(new CheckList(tr("Robots to follow"))), m_smoother(new QComboBox),
+    : QDialog(parent), m_robots(new CheckList(tr("Robots to track"))), m_smoother(new QComboBox),
       m_buttons(new QDialogButtonBox(QDialogButtonBox::Cancel))
 {
     setWindowTitle(tr("Track %1").arg(trial));
@@ -334,8 +334,8 @@ bool TrialActions::mayChange(const Message &what)
 {
     if (m_workspace.isReadOnly())
         Q_EMIT failed(fail(ErrorCode::InvalidInput, what,
-                           ODO_TEXT("ui.only_be_read", "this project can only be read"),
-                           ODO_TEXT("ui.save_copy", "save a copy and work on that"))
+                           ODO_TEXT("ui.only_be_read", "this project is read-only"),
+                           ODO_TEXT("ui.save_copy", "save a copy and work on the copy"))
                           .value());
     return !m_workspace.isReadOnly();
 }
@@ -347,12 +347,12 @@ void TrialActions::overrule(const OverruleRequest &word)
     const auto job = std::make_shared<OverruleJob>(word);
     const QString trial = QString::fromStdString(word.trial);
     tellFailure(m_workspace.start(
-        job, ODO_TEXT("ui.measuring_again", "Measuring %1 again")(Named::trial(word.trial)),
-        [this, job, trial] {
+        job, ODO_TEXT("ui.measuring_again", "Reanalysing %1")(Named::trial(word.trial)), [this, job, trial] {
             const QString time = secondsText(job->outcome().time);
-            Q_EMIT done(isRejected(job->outcome().flags)
-                            ? tr("The sample at %1 of %2 is not used. Undo takes it back.").arg(time, trial)
-                            : tr("The sample at %1 of %2 is used. Undo takes it back.").arg(time, trial));
+            Q_EMIT done(
+                isRejected(job->outcome().flags)
+                    ? tr("The sample at %1 of %2 is not used. Choose Undo to use it.").arg(time, trial)
+                    : tr("The sample at %1 of %2 is used. Choose Undo to reverse this.").arg(time, trial));
         }));
 }
 
@@ -380,9 +380,9 @@ void TrialActions::askVideo()
     settings.target = chosen->target;
     const auto job = std::make_shared<AnnotatedVideoJob>(m_trial.toStdString(), settings);
     tellFailure(m_workspace.start(
-        job, ODO_TEXT("ui.making_video", "Making the video of %1")(Named::trial(m_trial.toStdString())),
+        job, ODO_TEXT("ui.making_video", "Creating the video of %1")(Named::trial(m_trial.toStdString())),
         [this, file = chosen->file, trial = m_trial] {
-            Q_EMIT done(tr("The video of %1 is there: %2").arg(trial, QDir::toNativeSeparators(file)));
+            Q_EMIT done(tr("Video of %1 saved as %2").arg(trial, QDir::toNativeSeparators(file)));
         }));
 }
 
@@ -399,7 +399,7 @@ bool TrialActions::askRobot()
         Q_EMIT failed(added.error());
         return false;
     }
-    Q_EMIT done(tr("Robot %1 is known now.").arg(name));
+    Q_EMIT done(tr("Robot %1 added.").arg(name));
     return true;
 }
 

@@ -102,7 +102,7 @@ VideoDialog::VideoDialog(const QString &title, bool isDark, QWidget *parent)
     : QDialog(parent), m_speed(new QComboBox), m_size(new QComboBox), m_theme(new QComboBox)
 {
     setWindowTitle(title);
-    m_speed->addItem(tr("As it was driven"), 1.0);
+    m_speed->addItem(tr("Real time"), 1.0);
     m_speed->addItem(tr("Slow motion, 1/2"), 0.5);
     m_speed->addItem(tr("Slow motion, 1/4"), 0.25);
     m_speed->addItem(tr("Slow motion, 1/10"), 0.1);
@@ -111,16 +111,15 @@ VideoDialog::VideoDialog(const QString &title, bool isDark, QWidget *parent)
     m_theme->addItem(tr("Light"), false);
     m_theme->addItem(tr("Dark"), true);
     m_theme->setCurrentIndex(isDark ? 1 : 0);
-    auto *words = new QLabel(
-        tr("One video with the pictures of all cameras, the map and the speed, to be shown or sent: whoever "
-           "gets it needs no Odograph."));
+    auto *words = new QLabel(tr("One video with all camera views, the map and the speed, to show or send. It "
+                                "plays without Odograph."));
     words->setWordWrap(true);
     auto *form = new QFormLayout;
     form->addRow(tr("&Speed"), m_speed);
     form->addRow(tr("Si&ze"), m_size);
     form->addRow(tr("&Theme"), m_theme);
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
-    QPushButton *accept = buttons->addButton(tr("Choose a place…"), QDialogButtonBox::AcceptRole);
+    QPushButton *accept = buttons->addButton(tr("Choose a file…"), QDialogButtonBox::AcceptRole);
     auto *layout = new QVBoxLayout(this);
     layout->addWidget(words);
     layout->addLayout(form);

@@ -196,7 +196,7 @@ StatusLine::StatusLine(QWidget *parent)
     : QStatusBar(parent), m_saved(new QLabel), m_analysis(new QLabel), m_units(new QLabel),
       m_job(new JobIndicator)
 {
-    m_units->setToolTip(tr("Units of lengths, speeds and times; to be chosen in the preferences"));
+    m_units->setToolTip(tr("Units of lengths, speeds and times; change them in the preferences"));
     for (QLabel *label : {m_saved, m_analysis, m_units}) {
         label->setTextFormat(Qt::PlainText);
         label->setContentsMargins(8, 2, 8, 2);

@@ -174,7 +174,7 @@ UndoActions::UndoActions(Workspace &workspace, QObject *parent)
     m_redo->setShortcuts(
         {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
     connect(m_undo, &QAction::triggered, this, [this] { apply(&Project::undo, tr("Undone: %1.")); });
-    connect(m_redo, &QAction::triggered, this, [this] { apply(&Project::redo, tr("Made again: %1.")); });
+    connect(m_redo, &QAction::triggered, this, [this] { apply(&Project::redo, tr("Redone: %1.")); });
     m_undo->setText(tr("&Undo"));
     m_redo->setText(tr("&Redo"));
 }

@@ -132,7 +132,7 @@ constexpr int nameRole = Qt::UserRole;
 KeysPage::KeysPage(CommandKeys &keys, QWidget *parent)
     : QWidget(parent), m_keys(keys), m_search(new QLineEdit), m_list(new QTreeWidget),
       m_key(new QKeySequenceEdit), m_assign(new QPushButton(tr("&Use this key"))),
-      m_none(new QPushButton(tr("&No key"))), m_usual(new QPushButton(tr("&All as usual"))),
+      m_none(new QPushButton(tr("&No key"))), m_usual(new QPushButton(tr("Reset &all"))),
       m_warning(new QLabel)
 {
     m_search->setPlaceholderText(tr("Search for a command or a key"));
@@ -144,7 +144,7 @@ KeysPage::KeysPage(CommandKeys &keys, QWidget *parent)
     m_list->header()->setSectionResizeMode(KeyColumn, QHeaderView::ResizeToContents);
     m_list->header()->setStretchLastSection(false);
     m_list->setRootIsDecorated(false);
-    m_key->setAccessibleName(tr("New key of the chosen command"));
+    m_key->setAccessibleName(tr("New key for the selected command"));
     m_warning->setObjectName(QStringLiteral("quiet"));
     m_warning->setWordWrap(true);
     m_warning->setTextFormat(Qt::PlainText);
@@ -233,9 +233,9 @@ void KeysPage::warn()
     m_none->setEnabled(!chosen().isEmpty());
     m_assign->setEnabled(!chosen().isEmpty() && !key.isEmpty());
     if (chosen().isEmpty())
-        m_warning->setText(tr("Choose a command to give it another key."));
+        m_warning->setText(tr("Select a command to change its key."));
     else if (isOther)
-        m_warning->setText(tr("%1 is the key of “%2”, which would have none.")
+        m_warning->setText(tr("%1 is the key of “%2”. That command would lose it.")
                                .arg(key.toString(QKeySequence::NativeText), other->words));
     else
         m_warning->setText(key.isEmpty() ? tr("Press the new key in the field.") : QString());

@@ -33,7 +33,7 @@ PreferencesDialog::PreferencesDialog(CommandKeys &keys, Theme theme, QWidget *pa
 {
     setWindowTitle(tr("Preferences"));
     auto *general = new GeneralPage(theme);
-    m_tabs->setAccessibleName(tr("Kinds of preferences"));
+    m_tabs->setAccessibleName(tr("Categories of preferences"));
     m_tabs->addTab(general, tr("&General"));
     m_tabs->addTab(new ReportsPage, tr("&Reports"));
     m_tabs->addTab(new KeysPage(keys), tr("&Keys"));
@@ -79,19 +79,17 @@ QLabel *quietWords(const QString &words)
 GeneralPage::GeneralPage(Theme theme, QWidget *parent) : QWidget(parent)
 {
     auto *form = new QFormLayout(this);
-    m_languageWords = quietWords(tr("Odograph shows it when it is started again."));
+    m_languageWords = quietWords(tr("Restart Odograph to see the change."));
     m_languageWords->hide();
     form->addRow(tr("&Language"), makeLanguages());
     form->addRow(QString(), m_languageWords);
     form->addRow(tr("&Units of results"), makeUnits());
-    form->addRow(QString(),
-                 quietWords(tr("Floors and targets are set up in millimetres, as they are printed. Exported "
-                               "files have the units that their format asks for.")));
+    form->addRow(QString(), quietWords(tr("Floors and targets always use millimetres, as printed. Exported "
+                                          "files use the units of their format.")));
     form->addRow(tr("&Theme"), makeThemes(theme));
     form->addRow(tr("&Colours of maps"), makeScales());
-    form->addRow(QString(),
-                 quietWords(tr("Both can be told apart by people who do not see red or green, and in a "
-                               "print without colours.")));
+    form->addRow(QString(), quietWords(tr("Both remain readable for people with red-green colour blindness "
+                                          "and in black-and-white prints.")));
 }
 
 void GeneralPage::applySettings()
@@ -121,7 +119,7 @@ QComboBox *GeneralPage::makeLanguages()
 {
     auto *box = new QComboBox;
     box->setAccessibleName(tr("Language"));
-    box->addItem(tr("As the computer has it"), QString());
+    box->addItem(tr("As set on the computer"), QString());
     for (const Language &each : languages())
         box->addItem(each.name, each.code);
     box->setCurrentIndex(std::max(0, box->findData(chosenLanguage())));
@@ -136,7 +134,7 @@ QComboBox *GeneralPage::makeThemes(Theme theme)
 {
     auto *box = new QComboBox;
     box->setAccessibleName(tr("Theme"));
-    for (const QString &words : {tr("As the desktop has it"), tr("Light"), tr("Dark")})
+    for (const QString &words : {tr("As set on the desktop"), tr("Light"), tr("Dark")})
         box->addItem(words);
     box->setCurrentIndex(static_cast<int>(theme));
     connect(box, &QComboBox::activated, this,
@@ -184,19 +182,18 @@ NetworkPage::NetworkPage(QWidget *parent)
     m_port->setGroupSeparatorShown(false);
     for (const QString &name : networkInterfaces())
         m_interface->addItem(name == QString::fromStdString(BroadcastTarget().interface)
-                                 ? tr("%1: this machine only").arg(name)
+                                 ? tr("%1: this computer only").arg(name)
                                  : name,
                              name);
     const QString own = QString::fromStdString(chosen.target.interface);
     if (m_interface->findData(own) < 0)
-        m_interface->addItem(tr("%1: not there now").arg(own), own);
+        m_interface->addItem(tr("%1: not available now").arg(own), own);
     m_interface->setCurrentIndex(m_interface->findData(own));
     m_words->setTextFormat(Qt::PlainText);
     auto *form = new QFormLayout(this);
     form->addRow(m_on);
-    form->addRow(wrapped(tr("The places of the robots that Record follows, as packets of SSL-Vision, for "
-                            "controllers and programs of your own. No name of "
-                            "a team or a robot is in them.")));
+    form->addRow(wrapped(tr("Positions of the robots that Record tracks, as SSL-Vision packets for your own "
+                            "controllers and programs. The packets contain no names of teams or robots.")));
     form->addRow(tr("&Address"), m_address);
     form->addRow(tr("&Port"), m_port);
     form->addRow(tr("&Interface"), m_interface);
@@ -232,11 +229,11 @@ void NetworkPage::tell()
     m_interface->setEnabled(m_on->isChecked() && (isGroup || !isAddress));
     const bool staysHere =
         m_interface->currentData().toString() == QString::fromStdString(BroadcastTarget().interface);
-    m_words->setText(!m_on->isChecked() ? tr("Nothing is sent.")
-                     : !isAddress       ? tr("This is no IPv4 address; write it like 224.5.23.2.")
-                     : !isGroup         ? tr("They go to the one machine that has this address.")
-                     : staysHere        ? tr("They do not leave this machine.")
-                                        : tr("Whoever is on that network can read where the robots are."));
+    m_words->setText(!m_on->isChecked() ? tr("Odograph sends nothing.")
+                     : !isAddress       ? tr("This is not an IPv4 address; enter one such as 224.5.23.2.")
+                     : !isGroup         ? tr("They go only to the computer with this address.")
+                     : staysHere        ? tr("They do not leave this computer.")
+                                        : tr("Anyone on that network can read the robots' positions."));
 }
 
 ReportsPage::ReportsPage(QWidget *parent)
@@ -244,8 +241,8 @@ ReportsPage::ReportsPage(QWidget *parent)
 {
     auto *form = new QFormLayout(this);
     m_school = addLine(*form, tr("&School"), m_settings.school);
-    m_school->setPlaceholderText(tr("stands at the head of each page"));
-    m_logo = new PathField(tr("Logo"), tr("Pictures (*.png *.jpg *.jpeg *.svg)"));
+    m_school->setPlaceholderText(tr("shown at the top of each page"));
+    m_logo = new PathField(tr("Logo"), tr("Images (*.png *.jpg *.jpeg *.svg)"));
     m_logo->setPath(m_settings.logoFile);
     connect(m_logo, &PathField::changed, this, &ReportsPage::store);
     auto *label = new QLabel(tr("&Logo"));
@@ -253,10 +250,10 @@ ReportsPage::ReportsPage(QWidget *parent)
     form->addRow(label, m_logo);
     m_picture->setWordWrap(true);
     m_picture->setTextFormat(Qt::PlainText);
-    m_picture->setAccessibleName(tr("How the logo looks"));
+    m_picture->setAccessibleName(tr("Preview of the logo"));
     form->addRow(QString(), m_picture);
-    m_remark = addLine(*form, tr("&At the foot"), m_settings.remark);
-    m_remark->setPlaceholderText(tr("for example: who answers questions"));
+    m_remark = addLine(*form, tr("&At the bottom"), m_settings.remark);
+    m_remark->setPlaceholderText(tr("for example: whom to ask"));
     connect(&m_reading, &BackgroundTask::finished, this, &ReportsPage::takeLogo);
     showLogo();
 }

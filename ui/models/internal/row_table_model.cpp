@@ -56,7 +56,7 @@ QVariant MetricModel::heading(int column, int role) const
 {
     if (role != Qt::DisplayRole)
         return {};
-    return column == NameColumn ? tr("Figure") : tr("Value");
+    return column == NameColumn ? tr("Metric") : tr("Value");
 }
 
 } // namespace odo

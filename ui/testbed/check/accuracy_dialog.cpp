@@ -67,21 +67,21 @@ QHBoxLayout *beside(QWidget *one, QWidget *other)
 } // namespace
 
 PlannedCameraForm::PlannedCameraForm(QWidget *parent)
-    : QWidget(parent), m_x(makeNumber(tr("Stands at x"), -farMm, farMm, 50, tr(" mm"))),
-      m_y(makeNumber(tr("Stands at y"), -farMm, farMm, 50, tr(" mm"))),
+    : QWidget(parent), m_x(makeNumber(tr("Position x"), -farMm, farMm, 50, tr(" mm"))),
+      m_y(makeNumber(tr("Position y"), -farMm, farMm, 50, tr(" mm"))),
       m_height(makeNumber(tr("Height of the camera"), 50, 20'000, 50, tr(" mm"))),
       m_aimX(makeNumber(tr("Looks at x"), -farMm, farMm, 50, tr(" mm"))),
       m_aimY(makeNumber(tr("Looks at y"), -farMm, farMm, 50, tr(" mm"))),
-      m_direction(makeNumber(tr("Direction in which it looks"), -180, 180, 5, tr("°"))),
+      m_direction(makeNumber(tr("Viewing direction"), -180, 180, 5, tr("°"))),
       m_angle(makeNumber(tr("Field of view"), 10, 150, 1, tr("°"))), m_size(new QComboBox)
 {
     m_direction->setWrapping(true);
     m_direction->setToolTip(
-        tr("0° is along X, 90° along Y; turning it turns the point that it looks at about the camera"));
-    m_angle->setToolTip(tr("Across the picture's width: a webcam has some 60° to 80°, a phone 65°"));
+        tr("0° is along X, 90° along Y; the point that the camera looks at turns with it"));
+    m_angle->setToolTip(tr("Across the image width: a webcam has about 60° to 80°, a phone 65°"));
     for (const QSize &size : sizes)
         m_size->addItem(QStringLiteral("%1×%2").arg(size.width()).arg(size.height()), size);
-    m_size->setAccessibleName(tr("Size of its pictures"));
+    m_size->setAccessibleName(tr("Image size"));
     auto *form = new QFormLayout(this);
     form->setContentsMargins(12, 6, 12, 8);
     const auto row = [form](const QString &text, QWidget *first, auto *field) {
@@ -89,7 +89,7 @@ PlannedCameraForm::PlannedCameraForm(QWidget *parent)
         label->setBuddy(first);
         form->addRow(label, field);
     };
-    row(tr("&Stands at x, y"), m_x, beside(m_x, m_y));
+    row(tr("Po&sition x, y"), m_x, beside(m_x, m_y));
     row(tr("&Height"), m_height, m_height);
     row(tr("&Looks at x, y"), m_aimX, beside(m_aimX, m_aimY));
     row(tr("D&irection"), m_direction, m_direction);
@@ -179,7 +179,7 @@ AccuracyDialog::AccuracyDialog(const MarkerLayout &layout, const std::vector<Che
       m_form(new PlannedCameraForm), m_show(new QComboBox), m_robotHeight(new NumberBox),
       m_reach(new NumberBox), m_above(new QCheckBox(tr("may hang &over the floor"))),
       m_add(plainButton(tr("&Plan a camera"))), m_remove(plainButton(tr("&Remove"))),
-      m_best(plainButton(tr("&Best place"))), m_summary(new QLabel), m_problem(new QLabel)
+      m_best(plainButton(tr("Find &best position"))), m_summary(new QLabel), m_problem(new QLabel)
 {
     setWindowTitle(tr("Expected accuracy"));
     for (const CheckCamera &camera : cameras)
@@ -189,7 +189,7 @@ AccuracyDialog::AccuracyDialog(const MarkerLayout &layout, const std::vector<Che
     m_summary->setStyleSheet(QStringLiteral("font-weight: 600"));
     m_summary->setAccessibleName(tr("Expected accuracy in words"));
     m_problem->setObjectName(QStringLiteral("problem"));
-    m_problem->setAccessibleName(tr("What is wrong"));
+    m_problem->setAccessibleName(tr("Problems"));
     QPushButton *close = plainButton(tr("Close"));
     auto *buttons = new QHBoxLayout;
     buttons->addStretch(1);
@@ -251,8 +251,8 @@ QWidget *AccuracyDialog::makeSide()
 
 QWidget *AccuracyDialog::makeCameraCard()
 {
-    m_list->setAccessibleName(tr("Cameras that count"));
-    m_show->addItems({tr("All ticked cameras together"), tr("The chosen camera alone")});
+    m_list->setAccessibleName(tr("Cameras included"));
+    m_show->addItems({tr("All ticked cameras (joint)"), tr("The chosen camera alone")});
     m_robotHeight->setRange(0, 3000);
     m_robotHeight->setDecimals(0);
     m_robotHeight->setSingleStep(10);
@@ -284,16 +284,16 @@ QWidget *AccuracyDialog::makePlanCard()
     m_reach->setSingleStep(0.5);
     m_reach->setSuffix(tr(" m"));
     m_reach->setValue(1.5);
-    m_above->setToolTip(tr("As under a ceiling; a tripod would stand in the robots' way"));
-    m_best->setToolTip(tr("Puts the camera where, with the others that are ticked, the worst place of the "
-                          "floor is known best"));
+    m_above->setToolTip(tr("On a ceiling, for example; a tripod would be in the robots' way"));
+    m_best->setToolTip(tr("Moves the camera to where it, together with the other ticked cameras, minimises "
+                          "the largest uncertainty on the floor"));
     auto *best = new QHBoxLayout;
     best->addWidget(m_best);
     best->addWidget(m_above);
     best->addStretch(1);
     auto *form = new QFormLayout;
     form->setContentsMargins(12, 0, 12, 10);
-    form->addRow(tr("Room beyond the &markers"), m_reach);
+    form->addRow(tr("Margin beyond the &markers"), m_reach);
     form->addRow(best);
     auto *content = new QWidget;
     auto *layout = new QVBoxLayout(content);
@@ -449,7 +449,7 @@ void AccuracyDialog::findBestPlace()
         *found = std::move(best);
         return {};
     });
-    m_summary->setText(tr("Looking for the best place…"));
+    m_summary->setText(tr("Searching for the best position…"));
     showChosen();
 }
 

@@ -30,7 +30,7 @@ class AccuracyLayerWords
 
 QString keyTitle()
 {
-    return AccuracyLayerWords::tr("expected ±, hatched: not seen");
+    return AccuracyLayerWords::tr("expected ±, hatched: not visible");
 }
 
 struct Range

@@ -179,9 +179,9 @@ void FloorSketch::paintEvent(QPaintEvent *)
     painter.fillRect(rect(), colours.mapGround);
     if (!m_layout && m_cameras.empty()) {
         painter.setPen(colours.muted);
-        painter.drawText(
-            rect().adjusted(16, 16, -16, -16), Qt::AlignCenter | Qt::TextWordWrap,
-            tr("Markers and cameras are drawn here once there is a layout or a registered camera."));
+        painter.drawText(rect().adjusted(16, 16, -16, -16), Qt::AlignCenter | Qt::TextWordWrap,
+                         tr("This sketch shows markers and cameras once the testbed has a layout or a "
+                            "registered camera."));
         return;
     }
     const bool hasGrid = paintGrid(painter);

@@ -36,9 +36,9 @@ LengthWizard::LengthWizard(std::vector<CheckCamera> cameras, const QString &curr
                            QWidget *parent)
     : StepDialog(tr("Check a known length"), tr("&Done"), parent), m_cameras(std::move(cameras)),
       m_camera(new QComboBox), m_badge(new BadgeLabel({})),
-      m_choice(new PictureChoice(live, tr("Picture or video of the length"))), m_page(new LengthPage)
+      m_choice(new PictureChoice(live, tr("Image or video of the length"))), m_page(new LengthPage)
 {
-    addStep(tr("The camera and its picture"), makeSource(current));
+    addStep(tr("The camera and its image"), makeSource(current));
     addStep(tr("Both ends of the length"), m_page);
     resize(1120, 680);
     connect(m_choice, &PictureChoice::changed, this, &LengthWizard::updateButtons);
@@ -61,14 +61,13 @@ QWidget *LengthWizard::makeSource(const QString &current)
         m_camera->addItem(camera.name);
     m_camera->setCurrentIndex(std::max(0, m_camera->findText(current)));
     showCamera();
-    auto *intro = new QLabel(tr("Lay something of known length on the floor, away from the markers, and see "
-                                "whether the camera measures it as "
-                                "well as it promises. Nothing is changed by it."));
+    auto *intro = new QLabel(tr("Put an object of known length on the floor, away from the markers, to check "
+                                "the camera's stated uncertainty. This changes nothing."));
     intro->setWordWrap(true);
     auto *form = new QFormLayout;
     form->addRow(tr("C&amera"), m_camera);
     form->addRow(QString(), m_badge);
-    auto *where = new QLabel(tr("Where the length is seen"));
+    auto *where = new QLabel(tr("Image of the length"));
     where->setStyleSheet(QStringLiteral("font-weight: 600"));
     auto *page = new QWidget;
     page->setFocusProxy(m_camera);
@@ -115,7 +114,7 @@ void LengthWizard::back()
 
 void LengthWizard::takePicture()
 {
-    m_page->wait(tr("Getting the picture…"));
+    m_page->wait(tr("Loading the image…"));
     m_picture = std::make_shared<StillPicture>();
     m_task.start([picture = m_picture, origin = m_choice->origin(),
                   lens = camera().view.camera().intrinsics()](const JobControl &control) -> Result<void> {
@@ -159,10 +158,10 @@ QString tenths(double metres)
 LengthPage::LengthPage(QWidget *parent)
     : QWidget(parent), m_canvas(new MarkerCanvas), m_table(new QTableWidget(2, LengthColumn::Count)),
       m_told(new NumberBox), m_height(new NumberBox), m_unit(new QComboBox),
-      m_snap(new QCheckBox(tr("Take what lies &near a click"))), m_length(new QLabel), m_words(new QLabel),
+      m_snap(new QCheckBox(tr("S&nap to what is near a click"))), m_length(new QLabel), m_words(new QLabel),
       m_badge(new BadgeLabel({}))
 {
-    m_canvas->setAccessibleName(tr("Picture with both ends; arrow keys move the chosen one, Space snaps it"));
+    m_canvas->setAccessibleName(tr("Image with both ends; arrow keys move the selected one, Space snaps it"));
     m_canvas->setJoined(true);
     showAsWords(*m_words);
     m_words->setAccessibleName(tr("Verdict"));
@@ -195,7 +194,7 @@ QWidget *LengthPage::makeQuestions()
     m_height->setRange(0, 5000);
     m_height->setDecimals(0);
     m_height->setSuffix(tr(" mm"));
-    m_height->setSpecialValueText(tr("lies on the floor"));
+    m_height->setSpecialValueText(tr("on the floor"));
     m_snap->setChecked(true);
     auto *told = new QHBoxLayout;
     told->addWidget(m_told, 1);
@@ -304,10 +303,9 @@ void LengthPage::evaluate()
     if (!m_picture)
         return m_words->clear();
     if (!m_ends[0] || !m_ends[1])
-        return m_words->setText(tr("Lay something of known length anywhere on the floor, a metre stick or "
-                                   "two markers of known distance, "
-                                   "and click both its ends. By keys: the arrows move an end (Ctrl: fast, "
-                                   "Shift: a pixel), Space snaps it."));
+        return m_words->setText(tr("Put an object of known length anywhere on the floor, such as a metre "
+                                   "stick or two markers at a known distance, and click both ends. Keys: "
+                                   "arrows move an end (Ctrl: fast, Shift: one pixel), Space snaps it."));
     const std::string name = m_camera->name.toStdString();
     const SeenLength seen{&m_camera->view,   name, m_ends[0]->pixel, m_ends[1]->pixel, m_ends[0]->sigmaPx,
                           m_ends[1]->sigmaPx};
@@ -322,11 +320,10 @@ void LengthPage::evaluate()
                           .arg(locale.toString(toMillimetres(check->lengthM), 'f', 1),
                                locale.toString(toMillimetres(check->sigmaM), 'f', 1)));
     if (check->differenceM)
-        m_badge->setBadge(check->agrees ? Badge{tr("inside the expected error"), BadgeState::Good}
-                                        : Badge{tr("outside the expected error"), BadgeState::Bad});
-    m_words->setText(
-        shownWords(check->words) +
-        (check->differenceM ? QString() : tr(" Give its true length to see whether that is right.")));
+        m_badge->setBadge(check->agrees ? Badge{tr("within uncertainty"), BadgeState::Good}
+                                        : Badge{tr("outside uncertainty"), BadgeState::Bad});
+    m_words->setText(shownWords(check->words) +
+                     (check->differenceM ? QString() : tr(" Enter its true length to check the result.")));
 }
 
 void LengthPage::showEnds()
@@ -343,7 +340,7 @@ void LengthPage::showEnds()
             else
                 place = tr("beyond the horizon");
         }
-        const QString texts[] = {labelOf(end), put ? put->seenAs : tr("not put yet"), place};
+        const QString texts[] = {labelOf(end), put ? put->seenAs : tr("not set yet"), place};
         for (int column = 0; column < LengthColumn::Count; ++column)
             m_table->setItem(end, column, new QTableWidgetItem(texts[column]));
     }

@@ -61,10 +61,10 @@ MovedDialog::MovedDialog(Project &project, std::vector<CheckCamera> cameras, con
       m_words(new QLabel), m_check(plainButton(tr("&Check"))),
       m_register(plainButton(tr("&Register again…"))), m_runner(project)
 {
-    setWindowTitle(tr("Check the cameras"));
+    setWindowTitle(tr("Check camera positions"));
     for (CheckCamera &camera : cameras)
         m_rows.push_back({std::move(camera), {}, {}, {}, false});
-    m_table->setHorizontalHeaderLabels({tr("Camera"), tr("New picture"), tr("Result")});
+    m_table->setHorizontalHeaderLabels({tr("Camera"), tr("New image"), tr("Result")});
     m_table->setAccessibleName(tr("Registered cameras"));
     showAsList(*m_table);
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
@@ -77,9 +77,8 @@ MovedDialog::MovedDialog(Project &project, std::vector<CheckCamera> cameras, con
         addRow(row);
     offerLive(live);
     connect(&live, &LiveCameras::changed, this, [this, &live] { offerLive(live); });
-    auto *intro = new QLabel(tr("A camera that was pushed measures wrongly and nothing shows it. Before the "
-                                "robots run, each camera's markers "
-                                "are looked for again in a new picture."));
+    auto *intro = new QLabel(tr("A camera that someone has pushed measures wrong positions without any sign "
+                                "of it. Before the robots run, check each camera's markers in a new image."));
     intro->setWordWrap(true);
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(16, 12, 16, 12);
@@ -113,7 +112,7 @@ MovedDialog::~MovedDialog() = default;
 QWidget *MovedDialog::makeDetail()
 {
     showAsWords(*m_words);
-    m_words->setAccessibleName(tr("What was found"));
+    m_words->setAccessibleName(tr("Results of the check"));
     m_words->setMinimumHeight(4 * m_words->fontMetrics().lineSpacing()); // so that the table does not jump
     m_words->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     return m_words;
@@ -123,13 +122,13 @@ void MovedDialog::addRow(int row)
 {
     const CheckCamera &camera = m_rows[std::size_t(row)].camera;
     auto *choice = new QComboBox;
-    choice->setAccessibleName(tr("New picture of camera %1").arg(camera.name));
+    choice->setAccessibleName(tr("New image of camera %1").arg(camera.name));
     if (camera.newestRecording) {
         choice->addItem(tr("Its newest recording"));
         choice->setItemData(0, textOf(*camera.newestRecording), fileRole);
     }
     choice->addItem(tr("Not checked"));
-    choice->addItem(tr("A picture or video…"));
+    choice->addItem(tr("An image or video…"));
     m_rows[std::size_t(row)].origin = {choice->currentData(fileRole).toString(),
                                        choice->currentData(uriRole).toString()};
     m_table->setItem(row, MovedColumn::Camera, new QTableWidgetItem(camera.name));
@@ -174,9 +173,9 @@ void MovedDialog::choosePicture(int row, int index)
         return;
     }
     const QString file = QFileDialog::getOpenFileName(
-        this, tr("New picture of camera %1").arg(m_rows[std::size_t(row)].camera.name), {},
-        tr("Pictures and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi "
-           "*.mov *.webm);;All files (*)"));
+        this, tr("New image of camera %1").arg(m_rows[std::size_t(row)].camera.name), {},
+        tr("Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov *.webm);;All "
+           "files (*)"));
     setPicture(row, file.isEmpty() ? PictureOrigin() : PictureOrigin{file, {}});
 }
 
@@ -217,7 +216,7 @@ void MovedDialog::checkNext()
         return;
     }
     Row &row = m_rows[std::size_t(m_waiting.front())];
-    row.badge = {tr("looking…"), BadgeState::Neutral};
+    row.badge = {tr("detecting…"), BadgeState::Neutral};
     showRow(m_waiting.front());
     m_runner.start(std::make_shared<MovedJob>(MovedSettings{
         row.camera.name.toStdString(), pathOf(row.origin.file), row.origin.liveUri.toStdString()}));
@@ -234,7 +233,7 @@ void MovedDialog::finishOne(const std::shared_ptr<Job> &job, const std::optional
         row.words = shownWords(check.words);
         m_hasChecked = true;
     } else {
-        row.badge = {tr("not told"), BadgeState::Warning};
+        row.badge = {tr("undetermined"), BadgeState::Warning};
         row.words = errorLine(*error);
         // where a camera looks quite elsewhere, the list must not go on praising it
         if (error->code == ErrorCode::Undetermined)
@@ -265,9 +264,8 @@ void MovedDialog::showCurrent()
     const int row = m_table->currentRow();
     const bool isThere = row >= 0 && row < int(m_rows.size());
     const QString words = isThere ? m_rows[std::size_t(row)].words : QString();
-    m_words->setText(words.isEmpty()
-                         ? tr("Two markers at least must be seen. Nothing is moved or changed by the check.")
-                         : breakable(words));
+    m_words->setText(words.isEmpty() ? tr("At least two markers must be visible. The check changes nothing.")
+                                     : breakable(words));
     m_register->setEnabled(isThere);
     m_register->setText(
         isThere ? tr("&Register %1 again…").arg(m_rows[std::size_t(row)].camera.name.left(mostLetters))

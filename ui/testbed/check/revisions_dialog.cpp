@@ -61,7 +61,7 @@ RevisionPicture::RevisionPicture(QWidget *parent) : MarkerCanvas(parent)
     setAttribute(Qt::WA_TransparentForMouseEvents); // to look at
     setFocusPolicy(Qt::NoFocus);
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
-    setAccessibleName(tr("Picture that it was made from"));
+    setAccessibleName(tr("Source image"));
     connect(&m_task, &BackgroundTask::finished, this, &RevisionPicture::show);
 }
 
@@ -76,7 +76,7 @@ void RevisionPicture::setRevision(const Revision &revision)
     setVisible(!revision.picture.empty());
     setMarkers({});
     setPicture({}, {});
-    setEmptyText(tr("Reading the picture…"));
+    setEmptyText(tr("Reading the image…"));
     read();
 }
 
@@ -97,7 +97,7 @@ void RevisionPicture::show(const std::optional<Error> &error)
     if (m_read->file != m_revision.picture) // another one was chosen meanwhile
         return read();
     if (error)
-        return setEmptyText(tr("The picture cannot be read."));
+        return setEmptyText(tr("Cannot read the image."));
     setPicture(m_read->image, m_read->image.size());
     setMarkers(m_revision.markers);
 }
@@ -131,14 +131,14 @@ RevisionsDialog::RevisionsDialog(Project &project, const QStringList &cameras, c
     : QDialog(parent), m_project(project), m_camera(new QComboBox),
       m_table(new QTableWidget(0, RevisionColumn::Count)), m_words(new QLabel),
       m_picture(new RevisionPicture), m_choose(plainButton(tr("&Use this one"))),
-      m_register(plainButton(tr("&Register with this lens"))),
-      m_reprocess(plainButton(tr("&Measure trials again…")))
+      m_register(plainButton(tr("&Register with this calibration"))),
+      m_reprocess(plainButton(tr("Reanalyse &trials…")))
 {
     setWindowTitle(tr("Calibrations and registrations"));
     m_camera->addItems(cameras);
     m_camera->setCurrentText(current);
     m_table->setHorizontalHeaderLabels(
-        {tr("What"), tr("Made"), tr("Odograph"), tr("From"), tr("RMS"), tr("Trials"), tr("In force")});
+        {tr("What"), tr("Made"), tr("Odograph"), tr("From"), tr("RMS"), tr("Trials"), tr("Current")});
     m_table->setAccessibleName(tr("Revisions"));
     showAsList(*m_table);
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
@@ -147,9 +147,9 @@ RevisionsDialog::RevisionsDialog(Project &project, const QStringList &cameras, c
     m_table->setItemDelegateForColumn(RevisionColumn::State,
                                       new BadgeDelegate(stateTextRole, stateBadgeRole, this));
     m_choose->setToolTip(
-        tr("Puts the chosen revision in force for what is measured from now on; trials keep theirs"));
+        tr("Makes the selected revision the current one for new measurements; trials keep theirs"));
     m_register->setToolTip(
-        tr("Computes the registration in force anew from the same markers, with the lens in force"));
+        tr("Recomputes the current registration from the same markers, with the current lens calibration"));
     showAsWords(*m_words);
     m_words->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     m_words->setMinimumHeight(4 * m_words->fontMetrics().lineSpacing());
@@ -219,7 +219,7 @@ void RevisionsDialog::showRow(int row)
                              shownWords(revision.origin),
                              rms,
                              namesText(revision.trials),
-                             revision.isCurrent ? tr("in force") : QString()};
+                             revision.isCurrent ? tr("current") : QString()};
     for (int column = 0; column < RevisionColumn::Count; ++column)
         m_table->setItem(row, column, new QTableWidgetItem(texts[column]));
     m_table->item(row, RevisionColumn::Trials)->setToolTip(texts[RevisionColumn::Trials].toHtmlEscaped());
@@ -240,9 +240,8 @@ void RevisionsDialog::showCurrent()
         return tell({});
     const Revision &revision = m_revisions[std::size_t(row)];
     QStringList sentences{shownWords(revision.verdict)};
-    sentences << (revision.trials.empty()
-                      ? tr("No trial was measured with it.")
-                      : tr("Trials measured with it: %1.").arg(namesText(revision.trials)));
+    sentences << (revision.trials.empty() ? tr("No trial uses it.")
+                                          : tr("Trials that use it: %1.").arg(namesText(revision.trials)));
     sentences.removeAll(QString());
     tell(sentences.join(QLatin1Char(' ')));
 }
@@ -261,11 +260,11 @@ void RevisionsDialog::choose()
     if (!chosen)
         tell(errorLine(chosen.error()));
     else if (revision.kind == Revision::Kind::Calibration)
-        tell(tr("%1 is in force. The registrations keep the lens that they were made with: register the "
-                "camera with this one.")
+        tell(tr("%1 is now current. The registrations keep the lens calibration that they were made with: "
+                "register the camera with this one.")
                  .arg(name));
     else
-        tell(tr("%1 is in force. Trials keep theirs until they are measured again.").arg(name));
+        tell(tr("%1 is now current. Trials keep theirs until you reanalyse them.").arg(name));
 }
 
 void RevisionsDialog::registerAnew()
@@ -273,7 +272,7 @@ void RevisionsDialog::registerAnew()
     const auto registered = registerWithLensInForce(m_project, m_camera->currentText().toStdString());
     m_hasChanged = m_hasChanged || registered.has_value();
     refresh();
-    tell(registered ? tr("Registration %1 is in force: the same markers, with this lens. %2")
+    tell(registered ? tr("Registration %1 is now current: the same markers, with this lens calibration. %2")
                           .arg(registered->id)
                           .arg(shownWords(registered->registration.verdict))
                     : errorLine(registered.error()));
@@ -326,19 +325,18 @@ QString difference(const MetricChange &metric)
 ReprocessDialog::ReprocessDialog(Project &project, QWidget *parent)
     : QDialog(parent), m_project(project), m_trial(new QComboBox),
       m_table(new QTableWidget(0, ReprocessColumn::Count)), m_words(new QLabel),
-      m_begin(plainButton(tr("&Measure again"))), m_keep(plainButton(tr("&Keep"))), m_runner(project)
+      m_begin(plainButton(tr("&Reanalyse"))), m_keep(plainButton(tr("&Keep"))), m_runner(project)
 {
-    setWindowTitle(tr("Measure trials again"));
-    m_table->setHorizontalHeaderLabels({tr("Robot"), tr("Figure"), tr("Before"), tr("After"), tr("Change")});
+    setWindowTitle(tr("Reanalyse trials"));
+    m_table->setHorizontalHeaderLabels({tr("Robot"), tr("Metric"), tr("Before"), tr("After"), tr("Change")});
     m_table->setAccessibleName(tr("What changes"));
     showAsList(*m_table);
     m_table->horizontalHeader()->setStretchLastSection(true);
     showAsWords(*m_words);
     m_words->setAccessibleName(tr("What changes, in words"));
-    auto *intro = new QLabel(tr("What was seen in the videos stays as it is; where it lies on the floor is "
-                                "computed with the registrations in "
-                                "force now. Look at what changes, then keep it or not: the older analysis "
-                                "stays in the project too."));
+    auto *intro = new QLabel(tr("What was detected in the videos stays as it is; its floor positions are "
+                                "recomputed with the current registrations. Check what changes, then keep it "
+                                "or not: the older analysis stays in the project too."));
     intro->setWordWrap(true);
     auto *form = new QFormLayout;
     form->addRow(tr("&Trial"), m_trial);

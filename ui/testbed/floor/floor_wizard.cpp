@@ -48,7 +48,7 @@ FloorWizard::FloorWizard(std::vector<FloorCamera> cameras, const QString &curren
       m_markers(new MarkerPage), m_keep(std::move(keep))
 {
     addStep(tr("The camera and its markers"), m_source);
-    addStep(tr("The markers in the picture"), m_markers);
+    addStep(tr("The markers in the image"), m_markers);
     resize(1120, 680);
     connect(m_source, &FloorSourcePage::completeChanged, this, &FloorWizard::updateButtons);
     connect(m_markers, &MarkerPage::completeChanged, this, &FloorWizard::updateButtons);
@@ -92,7 +92,7 @@ void FloorWizard::showNotSaved(const Error &error)
 
 void FloorWizard::beginMarkers()
 {
-    m_markers->wait(tr("Looking for the markers…"));
+    m_markers->wait(tr("Detecting the markers…"));
     m_picture = std::make_shared<StillPicture>();
     m_task.start([picture = m_picture, origin = m_source->origin(),
                   layout = m_layouts.at(std::size_t(m_source->layout())).layout,
@@ -138,7 +138,7 @@ FloorSourcePage::FloorSourcePage(const std::vector<FloorCamera> &cameras, const 
                                  const std::vector<LayoutRecord> &layouts, const LiveCameras &live,
                                  QWidget *parent)
     : QWidget(parent), m_cameras(cameras), m_camera(new QComboBox), m_layout(new QComboBox),
-      m_picture(new PictureChoice(live, tr("Picture or video of the markers"))), m_lens(new QLabel),
+      m_picture(new PictureChoice(live, tr("Image or video of the markers"))), m_lens(new QLabel),
       m_badge(new BadgeLabel({}))
 {
     m_camera->setEditable(true); // one whose lens was never measured may be new here
@@ -149,16 +149,15 @@ FloorSourcePage::FloorSourcePage(const std::vector<FloorCamera> &cameras, const 
         m_layout->addItem(QString::fromStdString(layout.layout.name));
     m_lens->setObjectName(QStringLiteral("quiet"));
     m_lens->setWordWrap(true);
-    auto *intro = new QLabel(tr("Markers whose places on the floor are known tell where the camera stands. "
-                                "Four are enough, a fifth checks "
-                                "them. Afterwards the camera must not be moved."));
+    auto *intro = new QLabel(tr("Markers with known floor positions determine the camera position. Four are "
+                                "enough; a fifth checks them. Do not move the camera afterwards."));
     intro->setWordWrap(true);
     auto *form = new QFormLayout;
     form->addRow(tr("C&amera"), m_camera);
     form->addRow(QString(), m_badge);
     form->addRow(QString(), m_lens);
     form->addRow(tr("Marker &layout"), m_layout);
-    auto *where = new QLabel(tr("Where the markers are seen"));
+    auto *where = new QLabel(tr("Image of the markers"));
     where->setStyleSheet(QStringLiteral("font-weight: 600"));
     auto *layout = new QVBoxLayout(this);
     layout->addWidget(intro);
@@ -185,9 +184,9 @@ void FloorSourcePage::showCamera()
     m_badge->setBadge(camera ? camera->badge : Badge());
     m_picture->setRecording(camera ? camera->newestRecording : std::nullopt);
     m_lens->setText(camera && camera->intrinsics
-                        ? tr("Its lens is measured.")
-                        : tr("Its lens was not measured: it is taken as free of distortion, and its focal "
-                             "length is estimated from the markers where they tell it."));
+                        ? tr("Its lens is calibrated.")
+                        : tr("Its lens is not calibrated. Odograph assumes no distortion and estimates the "
+                             "focal length from the markers if they determine it."));
     Q_EMIT completeChanged();
 }
 
@@ -225,7 +224,7 @@ struct MarkerColumn
 
 MarkerPage::MarkerPage(QWidget *parent)
     : QWidget(parent), m_canvas(new MarkerCanvas), m_table(new QTableWidget(0, MarkerColumn::Count)),
-      m_verdict(new RegistrationVerdict), m_remove(new QAction(tr("&Take out"), this)),
+      m_verdict(new RegistrationVerdict), m_remove(new QAction(tr("&Remove"), this)),
       m_undo(new QAction(tr("&Undo"), this))
 {
     m_remove->setShortcut(QKeySequence::Delete);
@@ -252,7 +251,7 @@ MarkerPage::MarkerPage(QWidget *parent)
 
 QWidget *MarkerPage::makeSide()
 {
-    m_table->setHorizontalHeaderLabels({tr("Marker"), tr("Place, mm"), tr("Seen as"), tr("Error")});
+    m_table->setHorizontalHeaderLabels({tr("Marker"), tr("Position, mm"), tr("Seen as"), tr("Error")});
     m_table->setAccessibleName(tr("Markers"));
     showAsList(*m_table);
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
@@ -380,12 +379,11 @@ void MarkerPage::evaluate()
             view = floorViewOf(*registered, *CameraModel::create(registered->intrinsics), m_pixels);
             m_verdict->tell(*registered);
         } else {
-            m_verdict->tell(
-                shownWords(registered.error().why),
-                m_pixels.size() < 4
-                    ? tr("Choose a marker in the table and click where it is; what lies near the click is "
-                         "taken to the tenth of a pixel.")
-                    : shownWords(registered.error().advice));
+            m_verdict->tell(shownWords(registered.error().why),
+                            m_pixels.size() < 4
+                                ? tr("Select a marker in the table and click its position. The click snaps "
+                                     "to what is near it, to a tenth of a pixel.")
+                                : shownWords(registered.error().advice));
         }
     }
     m_canvas->setMarkers(m_pixels);
@@ -417,7 +415,7 @@ void MarkerPage::showTable()
             QString::fromStdString(marker.label),
             tr("%1, %2").arg(locale.toString(toMillimetres(marker.pointInWorld.x()), 'f', 0),
                              locale.toString(toMillimetres(marker.pointInWorld.y()), 'f', 0)),
-            !seen                   ? tr("not seen")
+            !seen                   ? tr("not visible")
             : kind == m_kinds.end() ? tr("found")
                                     : kind->second,
             error};
@@ -434,7 +432,7 @@ void MarkerPage::showTable()
 }
 
 RegistrationVerdict::RegistrationVerdict(QWidget *parent)
-    : Card(tr("Where the camera stands"), parent), m_verdict(new QLabel), m_advice(new QLabel)
+    : Card(tr("Camera position"), parent), m_verdict(new QLabel), m_advice(new QLabel)
 {
     showAsVerdict(*m_verdict, *m_advice);
     m_verdict->setAccessibleName(tr("Verdict"));
@@ -452,7 +450,7 @@ void RegistrationVerdict::tell(const FloorRegistration &registration)
     const Eigen::Vector3d &at = registration.worldFromCamera.translation;
     const QLocale locale;
     tell(shownWords(registration.verdict),
-         tr("It stands at x %1 m, y %2 m, %3 m above the floor.")
+         tr("Camera position: x %1 m, y %2 m, %3 m above the floor.")
              .arg(locale.toString(at.x(), 'f', 2), locale.toString(at.y(), 'f', 2),
                   locale.toString(at.z(), 'f', 2)));
 }

@@ -71,10 +71,10 @@ LayoutDialog::LayoutDialog(const MarkerLayout &start, const QStringList &taken, 
     m_message->setWordWrap(true);
     m_message->setTextFormat(Qt::PlainText);
     m_message->setObjectName(QStringLiteral("problem"));
-    m_message->setAccessibleName(tr("What is wrong"));
-    auto *intro = new QLabel(tr("Where the markers lie on the floor, measured with a tape: millimetres from "
-                                "the origin. X goes to the right, Y "
-                                "away from you, seen from above."));
+    m_message->setAccessibleName(tr("Problems"));
+    auto *intro =
+        new QLabel(tr("Enter the floor positions of the markers, measured with a tape in millimetres from "
+                      "the origin. Seen from above, X points right and Y away from you."));
     intro->setWordWrap(true);
     auto *form = new QFormLayout;
     form->addRow(tr("&Name"), m_name);
@@ -147,22 +147,22 @@ QWidget *LayoutDialog::makeTools()
     axesMenu->addAction(tr("&Half turn"), this, [this] { changeAxes({.reverseX = true, .reverseY = true}); });
     axesMenu->addSeparator();
     for (const auto &[unit, words] :
-         {std::pair("cm", tr("They were &centimetres")), std::pair("m", tr("They were &metres")),
-          std::pair("inch", tr("They were &inches"))})
+         {std::pair("cm", tr("Convert from &centimetres")), std::pair("m", tr("Convert from &metres")),
+          std::pair("inch", tr("Convert from &inches"))})
         axesMenu->addAction(words, this,
                             [this, unit = unit] { changeAxes({.lengthFactor = *lengthFactorFrom(unit)}); });
     axes->setMenu(axesMenu);
     auto *csvMenu = new QMenu(csv);
     csvMenu->addAction(tr("&Import…"), this, [this] {
-        const QString file = QFileDialog::getOpenFileName(this, tr("Places of the markers (label,x_mm,y_mm)"),
-                                                          {}, csvFilter());
+        const QString file = QFileDialog::getOpenFileName(
+            this, tr("Positions of the markers (label,x_mm,y_mm)"), {}, csvFilter());
         if (!file.isEmpty())
             tell(importCsv(file));
     });
     csvMenu->addAction(tr("&Export…"), this, [this] {
         const QString offered =
             QString::fromStdString(fileNameOf(m_name->text().toStdString())) + QStringLiteral(".csv");
-        if (const auto chosen = askOutput(this, tr("Places of the markers"), offered,
+        if (const auto chosen = askOutput(this, tr("Positions of the markers"), offered,
                                           {{csvFilter(), QStringLiteral("csv"), FileKind::Csv}}))
             tell(exportCsv(chosen->target));
     });
@@ -236,8 +236,7 @@ QString LayoutDialog::problem() const
     if (m_name->text().trimmed().isEmpty())
         return tr("The layout has no name.");
     if (m_taken.contains(m_name->text().trimmed()))
-        return tr("There is a layout of that name: cameras may stand on it, so it is not overwritten. Give "
-                  "another name.");
+        return tr("A layout with this name exists, and cameras may use it. Enter another name.");
     QSet<QString> labels;
     std::vector<Eigen::Vector2d> points;
     for (const Marker &marker : m_layout.markers) {
@@ -248,18 +247,18 @@ QString LayoutDialog::problem() const
             return tr("Two markers are called %1.").arg(label);
         labels << label;
         if (!marker.pointInWorld.allFinite())
-            return tr("The place of %1 is not a number.").arg(label);
+            return tr("The position of %1 is not a number.").arg(label);
         points.push_back(marker.pointInWorld);
     }
     if (points.size() < 4)
-        return tr("Four markers are needed, there are %1.").arg(points.size());
+        return tr("The layout needs four markers; it has %1.").arg(points.size());
     if (const auto twins = coincidentPoints(points))
-        return tr("%1 and %2 lie at one place.")
+        return tr("%1 and %2 have the same position.")
             .arg(QString::fromStdString(m_layout.markers[std::size_t((*twins)[0])].label),
                  QString::fromStdString(m_layout.markers[std::size_t((*twins)[1])].label));
     if (widestQuadrilateral(points).flatness < flatterThan)
-        return tr(
-            "The markers lie nearly on a line: they do not tell where the camera stands. Lay one aside.");
+        return tr("The markers are nearly on a line and cannot determine the camera position. Move one to "
+                  "the side.");
     return {};
 }
 

@@ -30,7 +30,7 @@ MarkerCanvas::MarkerCanvas(QWidget *parent) : QWidget(parent)
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     setFocusPolicy(Qt::StrongFocus);
     setCursor(Qt::CrossCursor);
-    setAccessibleName(tr("Picture with the markers; arrow keys move the chosen one"));
+    setAccessibleName(tr("Image with the markers; arrow keys move the selected one"));
 }
 
 void MarkerCanvas::setPicture(const QImage &image, QSize size)

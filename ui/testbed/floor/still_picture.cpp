@@ -24,9 +24,9 @@ Result<void> lookIn(const Frame &frame, const MarkerLayout &layout, const std::o
     if (lens && (lens->widthPx != frame.format.width || lens->heightPx != frame.format.height))
         return fail(
             ErrorCode::InvalidInput, pictureSubject(),
-            ODO_TEXT("ui.lens_of_other_size", "it is %1×%2, but the lens was measured at %3×%4")(
+            ODO_TEXT("ui.lens_of_other_size", "its size is %1×%2, but the lens was calibrated at %3×%4")(
                 frame.format.width, frame.format.height, lens->widthPx, lens->heightPx),
-            ODO_TEXT("ui.take_at_that_resolution", "take it at that resolution, or measure the lens again"));
+            ODO_TEXT("ui.take_at_that_resolution", "use that resolution, or calibrate the lens again"));
     if (layout.markers.empty()) {
         best.frame = frame;
         return {};
@@ -112,12 +112,11 @@ QHBoxLayout *indented(QWidget *widget, bool stretched)
 } // namespace
 
 PictureChoice::PictureChoice(const LiveCameras &live, const QString &fileName, QWidget *parent)
-    : QWidget(parent), m_fromRecording(new QRadioButton(tr("In the camera's &newest recording"))),
-      m_fromLive(new QRadioButton(tr("In what a &connected camera sees now"))),
-      m_fromFile(new QRadioButton(tr("In a &picture or video"))), m_live(new LiveCameraBox(live)),
-      m_file(new PathField(
-          fileName, tr("Pictures and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 *.mkv *.avi *.mov "
-                       "*.webm);;All files (*)")))
+    : QWidget(parent), m_fromRecording(new QRadioButton(tr("The camera's &newest recording"))),
+      m_fromLive(new QRadioButton(tr("The current image of a &connected camera"))),
+      m_fromFile(new QRadioButton(tr("An image or a &video"))), m_live(new LiveCameraBox(live)),
+      m_file(new PathField(fileName, tr("Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 "
+                                        "*.mkv *.avi *.mov *.webm);;All files (*)")))
 {
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);

@@ -82,10 +82,11 @@ void addIntrinsics(QList<Fact> &facts, const IntrinsicsRecord &record)
 {
     const QLocale locale;
     const Intrinsics &lens = record.calibration.intrinsics;
+    facts.append({TestbedStateWords::tr("Image size"),
+                  QStringLiteral("%1×%2").arg(lens.widthPx).arg(lens.heightPx),
+                  {}});
     facts.append(
-        {TestbedStateWords::tr("Picture"), QStringLiteral("%1×%2").arg(lens.widthPx).arg(lens.heightPx), {}});
-    facts.append(
-        {TestbedStateWords::tr("Lens"),
+        {TestbedStateWords::tr("Calibration"),
          TestbedStateWords::tr("%1, f = %2 px").arg(lensName(lens.model), locale.toString(lens.fxPx, 'f', 1)),
          {}});
     facts.append({TestbedStateWords::tr("Origin"),
@@ -93,7 +94,7 @@ void addIntrinsics(QList<Fact> &facts, const IntrinsicsRecord &record)
                   {}});
     if (record.calibration.rmsPx > 0)
         facts.append({TestbedStateWords::tr("Board error"),
-                      TestbedStateWords::tr("%1 px in %2 pictures")
+                      TestbedStateWords::tr("%1 px in %2 images")
                           .arg(locale.toString(record.calibration.rmsPx, 'f', 2))
                           .arg(record.calibration.picturesUsed()),
                       {}});
@@ -118,7 +119,7 @@ void addRegistration(QList<Fact> &facts, const RegistrationRecord &record)
                                                    shownWords(record.lastCheck->words)),
                       {}});
     const Eigen::Vector3d place = registration.worldFromCamera.translation;
-    facts.append({TestbedStateWords::tr("Place"),
+    facts.append({TestbedStateWords::tr("Position"),
                   TestbedStateWords::tr("x %1 m, y %2 m, %3 m high")
                       .arg(locale.toString(place.x(), 'f', 2), locale.toString(place.y(), 'f', 2),
                            locale.toString(place.z(), 'f', 2)),
@@ -162,20 +163,20 @@ QList<Fact> cameraFacts(const CameraRow &camera)
     // What is wrong comes first, so that nobody has to scroll for it.
     const auto check = camera.registration ? camera.registration->lastCheck : std::nullopt;
     if (check && check->outcome != RegistrationCheck::Outcome::Still)
-        facts.append({TestbedStateWords::tr("Attention"), shownWords(check->words), {}});
+        facts.append({TestbedStateWords::tr("Warning"), shownWords(check->words), {}});
     for (const Message &warning : camera.warnings)
-        facts.append({TestbedStateWords::tr("Attention"), shownWords(warning), {}});
+        facts.append({TestbedStateWords::tr("Warning"), shownWords(warning), {}});
     if (camera.intrinsics)
         addIntrinsics(facts, *camera.intrinsics);
     else
-        facts.append({TestbedStateWords::tr("Lens"),
-                      TestbedStateWords::tr("not calibrated: taken as free of distortion"),
+        facts.append({TestbedStateWords::tr("Calibration"),
+                      TestbedStateWords::tr("not calibrated: no distortion assumed"),
                       {}});
     if (camera.registration)
         addRegistration(facts, *camera.registration);
     else
         facts.append({TestbedStateWords::tr("On the floor"),
-                      TestbedStateWords::tr("not registered: positions cannot be measured yet"),
+                      TestbedStateWords::tr("not registered: cannot measure positions yet"),
                       {}});
     return facts;
 }

@@ -83,28 +83,28 @@ TestbedTools::TestbedTools(Project &project, LiveCameras &live, QWidget &window)
     : QObject(&window), m_project(project), m_live(live), m_window(window)
 {
     add(Calibrate, QStringLiteral("calibrate"), tr("&Calibrate camera…"), tr("Calibrate…"),
-        tr("Measure a camera's lens from pictures of a board"), &TestbedTools::calibrate);
+        tr("Calibrate a camera with images of a board"), &TestbedTools::calibrate);
     add(Register, QStringLiteral("register"), tr("&Register camera…"), tr("Register…"),
-        tr("Find where a camera stands from the floor markers"), &TestbedTools::registerCamera);
-    add(RegisterThrough, QStringLiteral("register"), tr("Register t&hrough another camera…"),
-        tr("Through another…"),
-        tr("Find where a camera stands that sees no markers, from points of the floor that another camera "
-           "sees as well"),
+        tr("Determine a camera's position from the floor markers"), &TestbedTools::registerCamera);
+    add(RegisterThrough, QStringLiteral("register"), tr("Register via anot&her camera…"),
+        tr("Via another…"),
+        tr("Determine the position of a camera that sees no markers, from floor points that another camera "
+           "also sees"),
         &TestbedTools::registerThroughCamera);
-    add(RegisterJointly, QStringLiteral("register"), tr("Register all cameras to&gether…"),
-        tr("All together…"),
-        tr("Fit the cameras of the chosen layout at once, so that they agree, and find markers that were "
-           "measured wrongly"),
+    add(RegisterJointly, QStringLiteral("register"), tr("Re&gister all cameras (joint)…"),
+        tr("All cameras (joint)…"),
+        tr("Fit all cameras of the selected layout jointly to make them agree, and find wrongly measured "
+           "markers"),
         &TestbedTools::registerTogether);
-    add(ImportLens, QStringLiteral("import"), tr("Import &intrinsics…"), tr("Import lens…"),
-        tr("Take a camera's lens from a ROS or OpenCV YAML file"), &TestbedTools::importLens);
+    add(ImportLens, QStringLiteral("import"), tr("&Import lens calibration…"), tr("Import calibration…"),
+        tr("Import a camera's lens calibration from a ROS or OpenCV YAML file"), &TestbedTools::importLens);
     add(NewLayout, QStringLiteral("add"), tr("New marker &layout…"), tr("New layout…"),
-        tr("Say where the markers lie, from the start or from the layout that is chosen"),
+        tr("Enter the marker positions, from scratch or based on the selected layout"),
         &TestbedTools::newLayout);
     add(ImportLayout, QStringLiteral("import"), tr("Import &marker layout…"), tr("Import layout…"),
-        tr("Take the places of the markers from a table"), &TestbedTools::importLayout);
+        tr("Import the marker positions from a table"), &TestbedTools::importLayout);
     add(PrintTargets, QStringLiteral("print"), tr("Print &targets…"), tr("Print…"),
-        tr("Boards for the lens and markers for the floor, to scale"), &TestbedTools::printTargets);
+        tr("Calibration boards and floor markers, to scale"), &TestbedTools::printTargets);
     nameCommands({{action(Calibrate), "calibrate"},
                   {action(Register), "register"},
                   {action(RegisterThrough), "registerThrough"},
@@ -219,14 +219,14 @@ void TestbedTools::registerThroughCamera()
         return;
     }
     if (registered->empty() || cameras->size() < 2) {
-        const Message what =
-            ODO_TEXT("ui.registration_through_another", "registration through another camera");
+        const Message what = ODO_TEXT("ui.registration_through_another", "registration via another camera");
         Q_EMIT failed(
             (registered->empty()
                  ? fail(ErrorCode::NotFound, what,
                         ODO_TEXT("ui.no_camera_registered", "no camera is registered yet"),
                         ODO_TEXT("ui.register_one_first", "register one that sees the markers first"))
-                 : fail(ErrorCode::NotFound, what, ODO_TEXT("ui.only_one_camera", "there is only one camera"),
+                 : fail(ErrorCode::NotFound, what,
+                        ODO_TEXT("ui.only_one_camera", "the project has only one camera"),
                         ODO_TEXT("ui.calibrate_other_first",
                                  "calibrate the other one, or import a trial with it, first")))
                 .value());
@@ -243,7 +243,7 @@ void TestbedTools::registerThroughCamera()
         return Q_EMIT failed(done.error());
     picture.commit();
     Q_EMIT changed(
-        tr("Camera %1 is registered through camera %2. %3")
+        tr("Camera %1 is registered via camera %2. %3")
             .arg(wizard.camera(), wizard.through(), shownWords(job.record().registration.verdict)));
 }
 
@@ -263,21 +263,22 @@ void TestbedTools::registerTogether()
     if (const auto stored = dialog.job()->commit(m_project); !stored)
         Q_EMIT failed(stored.error());
     else
-        Q_EMIT changed(tr("The cameras of layout %1 are registered together. %2")
+        Q_EMIT changed(tr("The cameras of layout %1 are registered jointly. %2")
                            .arg(QString::fromStdString(layout), shownWords(dialog.job()->joint().verdict)));
 }
 
 void TestbedTools::importLens()
 {
-    const QString file = QFileDialog::getOpenFileName(&m_window, tr("Intrinsics of a camera"), {},
+    const QString file = QFileDialog::getOpenFileName(&m_window, tr("Lens calibration of a camera"), {},
                                                       tr("Calibrations (*.yaml *.yml);;All files (*)"));
     if (file.isEmpty())
         return;
     const QStringList names = cameraNames();
     bool accepted = false;
-    const QString camera = QInputDialog::getItem(&m_window, tr("Import intrinsics"), tr("Camera:"), names,
-                                                 std::max(0, int(names.indexOf(m_camera))), true, &accepted)
-                               .trimmed();
+    const QString camera =
+        QInputDialog::getItem(&m_window, tr("Import lens calibration"), tr("Camera:"), names,
+                              std::max(0, int(names.indexOf(m_camera))), true, &accepted)
+            .trimmed();
     if (!accepted || camera.isEmpty())
         return;
     const Result<IntrinsicsRecord> imported = importIntrinsics(m_project, camera.toStdString(), pathOf(file));
@@ -285,7 +286,7 @@ void TestbedTools::importLens()
         Q_EMIT failed(imported.error());
     else
         Q_EMIT changed(
-            tr("The lens of camera %1 was taken from %2.").arg(camera, QFileInfo(file).fileName()));
+            tr("Lens calibration of camera %1 imported from %2.").arg(camera, QFileInfo(file).fileName()));
 }
 
 void TestbedTools::newLayout()
@@ -298,7 +299,7 @@ void TestbedTools::newLayout()
 void TestbedTools::importLayout()
 {
     const QString file =
-        QFileDialog::getOpenFileName(&m_window, tr("Places of the markers (label,x_mm,y_mm)"), {},
+        QFileDialog::getOpenFileName(&m_window, tr("Positions of the markers (label,x_mm,y_mm)"), {},
                                      tr("Tables (*.csv *.txt);;All files (*)"));
     if (file.isEmpty())
         return;
@@ -338,19 +339,17 @@ void TestbedTools::printTargets()
 CheckTools::CheckTools(Project &project, LiveCameras &live, QWidget &window)
     : QObject(&window), m_project(project), m_live(live), m_window(window)
 {
-    add(Moved, QStringLiteral("moved"), tr("&Check the cameras…"), tr("Moved?"),
-        tr("Look whether each camera still stands where it was registered, before the robots run"),
+    add(Moved, QStringLiteral("moved"), tr("&Check camera positions…"), tr("Check camera positions…"),
+        tr("Check before the robots run that no camera has moved since its registration"),
         &CheckTools::checkMoved);
-    add(Length, QStringLiteral("length"), tr("Check a known &length…"), tr("Length…"),
-        tr("Measure something of known length in a camera's picture, and see whether the camera is as good "
-           "as it promises"),
+    add(Length, QStringLiteral("length"), tr("Check a known &length…"), tr("Check a known length…"),
+        tr("Measure an object of known length in a camera's image to check the camera's stated uncertainty"),
         &CheckTools::checkLength);
     add(Accuracy, QStringLiteral("accuracy"), tr("&Expected accuracy…"), tr("Accuracy…"),
-        tr("See how well each place of the floor will be known, also with cameras that are only planned"),
+        tr("Show the expected uncertainty everywhere on the floor, also with planned cameras"),
         &CheckTools::showAccuracy);
     add(Revisions, QStringLiteral("revisions"), tr("&Older calibrations…"), tr("Revisions…"),
-        tr("See every calibration and registration of a camera, put an older one in force, measure trials "
-           "again"),
+        tr("Show all calibrations and registrations of a camera, switch to an older one, reanalyse trials"),
         &CheckTools::showRevisions);
     nameCommands({{action(Moved), "checkMoved"},
                   {action(Length), "checkLength"},
@@ -418,7 +417,7 @@ void CheckTools::checkMoved()
     MovedDialog dialog(m_project, std::move(*cameras), m_live, &m_window);
     dialog.exec();
     if (dialog.hasChecked())
-        Q_EMIT changed(tr("The cameras are checked: see their badges."));
+        Q_EMIT changed(tr("Cameras checked: see their badges."));
     if (!dialog.toRegister().isEmpty())
         Q_EMIT registerRequested(dialog.toRegister());
 }
@@ -431,7 +430,7 @@ void CheckTools::showRevisions()
     RevisionsDialog dialog(m_project, names, m_camera, &m_window);
     dialog.exec();
     if (dialog.hasChanged())
-        Q_EMIT changed(tr("Calibrations and trials are as they were chosen."));
+        Q_EMIT changed(tr("The chosen calibrations and analyses are now current."));
 }
 
 } // namespace odo

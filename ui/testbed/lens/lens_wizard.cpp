@@ -35,7 +35,7 @@ LensWizard::LensWizard(const QStringList &cameras, const QString &current, const
       m_result(new LensResultPage)
 {
     addStep(tr("The camera and the board"), m_source);
-    addStep(tr("Pictures of the board"), m_pictures);
+    addStep(tr("Images of the board"), m_pictures);
     addStep(tr("The lens"), m_result);
     resize(1120, 760);
     connect(m_source, &LensSourcePage::completeChanged, this, &LensWizard::updateButtons);
@@ -144,10 +144,9 @@ constexpr int indent = 24;
 LensSourcePage::LensSourcePage(const QStringList &cameras, const QString &current, const LiveCameras &live,
                                QWidget *parent)
     : QWidget(parent), m_camera(new QComboBox), m_live(new LiveCameraBox(live)), m_square(new NumberBox),
-      m_fromLive(
-          new QRadioButton(tr("Be&fore the camera: hold the board, pictures are taken by themselves"))),
-      m_fromFiles(new QRadioButton(tr("From &pictures or a video that you have taken"))),
-      m_files(new QListWidget), m_fileBox(makeFiles())
+      m_fromLive(new QRadioButton(tr("&From the camera: hold up the board, Odograph takes the images"))),
+      m_fromFiles(new QRadioButton(tr("From existing images or a &video"))), m_files(new QListWidget),
+      m_fileBox(makeFiles())
 {
     setAcceptDrops(true);
     m_camera->setEditable(true);
@@ -164,18 +163,17 @@ LensSourcePage::LensSourcePage(const QStringList &cameras, const QString &curren
     square->addWidget(m_square);
     square->addWidget(print);
     square->addStretch(1);
-    auto *intro = new QLabel(
-        tr("A flat board of squares, seen from many sides, tells how the lens draws. Checkerboard or "
-           "ChArUco, of "
-           "any size: which it is, is found out. Measure one square on the paper; it decides every later "
-           "length. The lens must not be refocused or zoomed afterwards."));
+    auto *intro =
+        new QLabel(tr("Show a flat calibration board from many sides to calibrate the lens. Odograph "
+                      "recognises checkerboard and ChArUco boards of any size. Measure one square on the "
+                      "paper: every later length depends on it. Do not refocus or zoom afterwards."));
     intro->setWordWrap(true);
     auto *form = new QFormLayout;
     form->addRow(tr("&Camera"), m_camera);
     auto *squareLabel = new QLabel(tr("Side of a &square, measured"));
     squareLabel->setBuddy(m_square);
     form->addRow(squareLabel, square);
-    auto *where = new QLabel(tr("Where the pictures of the board come from"));
+    auto *where = new QLabel(tr("Source of the board images"));
     where->setStyleSheet(QStringLiteral("font-weight: 600"));
     auto *liveRow = new QHBoxLayout;
     liveRow->setContentsMargins(indent, 0, 0, 0);
@@ -201,21 +199,20 @@ LensSourcePage::LensSourcePage(const QStringList &cameras, const QString &curren
 
 QWidget *LensSourcePage::makeFiles()
 {
-    m_files->setAccessibleName(tr("Pictures and videos of the board"));
+    m_files->setAccessibleName(tr("Images and videos of the board"));
     m_files->setSelectionMode(QAbstractItemView::ExtendedSelection);
     m_files->setTextElideMode(Qt::ElideMiddle);
     auto *add = plainButton(tr("&Add…")), *remove = plainButton(tr("&Remove"));
     connect(add, &QPushButton::clicked, this, [this] {
-        addFiles(QFileDialog::getOpenFileNames(
-            this, tr("Pictures and videos of the board"), {},
-            tr("Pictures and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp *.mp4 "
-               "*.mkv *.avi *.mov *.webm);;All files (*)")));
+        addFiles(QFileDialog::getOpenFileNames(this, tr("Images and videos of the board"), {},
+                                               tr("Images and videos (*.png *.jpg *.jpeg *.tif *.tiff *.bmp "
+                                                  "*.mp4 *.mkv *.avi *.mov *.webm);;All files (*)")));
     });
     connect(remove, &QPushButton::clicked, this, [this] {
         qDeleteAll(m_files->selectedItems());
         Q_EMIT completeChanged();
     });
-    auto *hint = new QLabel(tr("Files can also be dropped here."));
+    auto *hint = new QLabel(tr("You can also drop files here."));
     hint->setObjectName(QStringLiteral("quiet"));
     auto *buttons = new QVBoxLayout;
     buttons->addWidget(add);

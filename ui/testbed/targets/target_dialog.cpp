@@ -245,7 +245,8 @@ void TargetDialog::refresh()
              board
                  ? tr("One sheet. Afterwards measure a square on the paper: printers often shrink by 2 to 4 "
                       "%.")
-                 : tr("One sheet for each marker. A tag's number is the place of its label in the layout."));
+                 : tr("One sheet for each marker. A tag's number is the position of its label in the "
+                      "layout."));
     else
         tell(tl::unexpected(sheets.error()), {});
     m_preview->setSheets(wanted, sheets ? std::move(*sheets) : std::vector<TargetSheet>());

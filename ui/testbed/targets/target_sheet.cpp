@@ -90,26 +90,27 @@ Result<void> checkDrawable(const TargetSpec &spec)
 {
     if (!isBoard(spec.kind)) {
         if (spec.labels.isEmpty())
-            return refuse(ODO_TEXT("ui.no_marker_to_print", "there is no marker to print"),
-                          ODO_TEXT("ui.name_one_marker", "name at least one, as O"));
+            return refuse(ODO_TEXT("ui.no_marker_to_print", "no marker to print"),
+                          ODO_TEXT("ui.name_one_marker", "name at least one, for example O"));
         if (spec.labels.size() > mostTags)
-            return refuse(ODO_TEXT("ui.only_so_many_tags", "there are only %1 tags")(mostTags),
+            return refuse(ODO_TEXT("ui.only_so_many_tags", "only %1 tags exist")(mostTags),
                           ODO_TEXT("ui.print_fewer_markers", "print fewer markers"));
         return {};
     }
     if (std::min(spec.columns, spec.rows) < fewestCorners || std::max(spec.columns, spec.rows) > mostCorners)
         return refuse(ODO_TEXT("ui.board_has_corners", "a board has 3 to 30 inner corners each way"),
-                      ODO_TEXT("ui.give_board_size", "give a size as 9x6"));
+                      ODO_TEXT("ui.give_board_size", "give a size such as 9x6"));
     if (spec.kind == TargetKind::Charuco && (spec.rows + 1) % 2 == 0)
-        return refuse(ODO_TEXT("ui.charuco_numbered_in_two_ways",
-                               "a ChArUco board of %1 rows of squares is numbered in two ways by different "
-                               "programs")(spec.rows + 1),
-                      ODO_TEXT("ui.take_even_rows", "take an even number of rows of inner corners, as 9x6"));
+        return refuse(
+            ODO_TEXT("ui.charuco_numbered_in_two_ways",
+                     "programs number a ChArUco board with %1 rows of squares in two different ways")(
+                spec.rows + 1),
+            ODO_TEXT("ui.take_even_rows", "use an even number of rows of inner corners, such as 9x6"));
     if (spec.kind == TargetKind::Charuco &&
         CharucoLayout{spec.columns + 1, spec.rows + 1, false}.markerCount() > mostCharucoMarkers)
         return refuse(
-            ODO_TEXT("ui.only_so_many_charuco_markers", "there are only 250 markers for a ChArUco board"),
-            ODO_TEXT("ui.take_fewer_squares", "take fewer squares"));
+            ODO_TEXT("ui.only_so_many_charuco_markers", "only 250 markers exist for a ChArUco board"),
+            ODO_TEXT("ui.take_fewer_squares", "use fewer squares"));
     return {};
 }
 
@@ -134,8 +135,8 @@ Result<std::vector<TargetSheet>> layOutTarget(const TargetSpec &spec)
     const double unitMm = toMillimetres(board ? spec.squareM : spec.markerM);
     if (!std::isfinite(unitMm) || unitMm <= 0)
         return refuse(ODO_TEXT("ui.size_is_no_length", "its size is not a length"),
-                      board ? ODO_TEXT("ui.give_square_side", "give the side of a square, as 25mm")
-                            : ODO_TEXT("ui.give_marker_size", "give its size, as 150mm"));
+                      board ? ODO_TEXT("ui.give_square_side", "give the side of a square, such as 25mm")
+                            : ODO_TEXT("ui.give_marker_size", "give its size, such as 150mm"));
     const QSizeF figureMm = board ? unitMm * QSizeF(spec.columns + 1, spec.rows + 1) : QSizeF(unitMm, unitMm);
     // A tag can only be read with a white rim of one of its eight cells.
     const QSizeF roomMm = spec.kind == TargetKind::Tags ? figureMm * 1.25 : figureMm;
@@ -147,9 +148,8 @@ Result<std::vector<TargetSheet>> layOutTarget(const TargetSpec &spec)
             ODO_TEXT("ui.does_not_fit_on", "%1 by %2 do not fit on %3")(
                 quantity(roomMm.width(), 0), quantity(roomMm.height(), 0, "mm"),
                 QPageSize(spec.paper).name().toStdString()),
-            (board
-                 ? ODO_TEXT("ui.make_squares_smaller", "make the squares %1 at most, or take a larger paper")
-                 : ODO_TEXT("ui.make_marker_smaller", "make it %1 at most, or take a larger paper"))(
+            (board ? ODO_TEXT("ui.make_squares_smaller", "make the squares at most %1, or use larger paper")
+                   : ODO_TEXT("ui.make_marker_smaller", "make it at most %1, or use larger paper"))(
                 quantity(std::floor(room * unitMm), 0, "mm")));
     const QRectF placeMm(QPointF(0.5 * (paperMm.width() - figureMm.width()),
                                  0.5 * (paperMm.height() - targetFootMm - figureMm.height())),
@@ -241,12 +241,11 @@ QString title(const TargetSpec &spec, const TargetSheet &sheet)
 
 QString advice(TargetKind kind)
 {
-    return isBoard(kind) ? TargetPainter::tr("Print at 100 % (actual size). Glue it flat onto something "
-                                             "stiff, measure a square, and tell "
-                                             "Odograph what you measured.")
-                         : TargetPainter::tr("Print at 100 % (actual size). Lay it flat; the marker's place "
-                                             "is its middle, where the four "
-                                             "lines at the edges point.");
+    return isBoard(kind)
+               ? TargetPainter::tr("Print at 100 % (actual size). Glue it flat onto something stiff, measure "
+                                   "a square, and enter its side in Odograph.")
+               : TargetPainter::tr("Print at 100 % (actual size). Lay it flat; the marker's position is its "
+                                   "middle, where the four lines at the edges point.");
 }
 
 void paintMarker(QPainter &painter, const TargetSheet &sheet)
@@ -290,7 +289,7 @@ namespace {
 tl::unexpected<Error> notPrinted()
 {
     return fail(ErrorCode::Io, targetSubject(), ODO_TEXT("ui.not_printed", "it could not be printed"),
-                ODO_TEXT("ui.is_printer_ready", "look whether the printer is ready"));
+                ODO_TEXT("ui.is_printer_ready", "check that the printer is ready"));
 }
 
 } // namespace

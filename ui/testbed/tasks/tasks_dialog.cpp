@@ -87,7 +87,7 @@ TasksDialog::TasksDialog(Project &project, bool readOnly, QWidget *parent)
       m_message(new QLabel), m_new(plainButton(tr("&New"))), m_edit(plainButton(tr("&Edit…"))),
       m_copy(plainButton(tr("&Copy…"))), m_rename(plainButton(tr("&Rename…"))),
       m_archive(plainButton(tr("&Archive"))), m_remove(plainButton(tr("&Delete"))),
-      m_measure(plainButton(tr("&Measure them again"))), m_showArchived(new QCheckBox)
+      m_measure(plainButton(tr("Reanalyse &them"))), m_showArchived(new QCheckBox)
 {
     setWindowTitle(tr("Tasks"));
     for (QLabel *label : {m_words, m_message}) {
@@ -95,7 +95,7 @@ TasksDialog::TasksDialog(Project &project, bool readOnly, QWidget *parent)
         label->setWordWrap(true);
     }
     m_words->setAccessibleName(tr("What depends on the task"));
-    m_message->setAccessibleName(tr("What was done"));
+    m_message->setAccessibleName(tr("Latest change"));
     auto *row = new QHBoxLayout;
     row->addWidget(makeList());
     row->addLayout(makePreview(), 1);
@@ -136,7 +136,7 @@ QWidget *TasksDialog::makeList()
     more->addStretch(1);
     more->addWidget(m_showArchived);
     m_archive->setToolTip(
-        tr("An archived task is not offered any more; its trials, results and scores stay as they are"));
+        tr("Archived tasks no longer appear in lists; their trials, results and scores stay as they are"));
     auto *list = new QWidget;
     list->setFixedWidth(listWidth);
     auto *layout = new QVBoxLayout(list);
@@ -246,8 +246,8 @@ void TasksDialog::showCurrent()
     showButtons();
     m_canvas->setTask(task ? task->task : Task());
     if (!task) {
-        m_words->setText(tr("No task yet. New makes one from a template: its gates, path and scoring say "
-                            "what is to be driven, and how well it was."));
+        m_words->setText(tr("No task yet. New creates one from a template. Its gates, path and scoring "
+                            "define the course and rate the runs."));
         m_measure->hide();
         return;
     }
@@ -262,19 +262,17 @@ QString TasksDialog::wordsOf(const TaskRecord &task)
     const TaskUse use = m_uses[task.id];
     QStringList words;
     if (isEarlierVersion(task, use))
-        words << tr("The course as it was before it was changed: %n result(s) measured by it keep it.", "",
-                    use.analyses);
+        words << tr("Earlier version of the course: %n result(s) still use it.", "", use.analyses);
     else
         words << (use.trials > 0 ? tr("%n trial(s) have this task.", "", use.trials)
                                  : tr("No trial has this task."));
     if (!m_otherwise.isEmpty())
-        words << tr("%n of them measured by another course: times at gates and distances from the path are "
-                    "of that one, and there is no score "
-                    "until they are measured again.",
+        words << tr("%n of them were measured with another course: their gate times and distances from the "
+                    "path belong to that one, and they have no score until you reanalyse them.",
                     "", static_cast<int>(m_otherwise.size()));
     const auto scoring = m_project.tasks().scoring(task.id);
     words << (scoring && !scoring->empty()
-                  ? tr("It is scored by %n figure(s).", "", static_cast<int>(scoring->size()))
+                  ? tr("It is scored by %n metric(s).", "", static_cast<int>(scoring->size()))
                   : tr("It is not scored."));
     return words.join(u' ');
 }
@@ -289,13 +287,13 @@ void TasksDialog::showButtons()
     m_edit->setEnabled(able && !earlier);
     m_rename->setEnabled(able && !earlier);
     m_archive->setEnabled(able && !earlier);
-    m_archive->setText(task && task->archived ? tr("Out of the &archive") : tr("&Archive"));
+    m_archive->setText(task && task->archived ? tr("Restore from &archive") : tr("&Archive"));
     const bool used =
         task && m_uses.contains(task->id) && (m_uses[task->id].trials > 0 || m_uses[task->id].analyses > 0);
     m_remove->setEnabled(able && !used);
-    m_remove->setToolTip(used ? tr("Trials have this task, or were measured by it: it stays, so that their "
-                                   "figures say what they were measured by")
-                              : tr("Deletes the task (Del); Ctrl+Z takes it back"));
+    m_remove->setToolTip(
+        used ? tr("Trials have this task or were measured with it: it stays to document their metrics")
+             : tr("Deletes the task (Del); Ctrl+Z undoes this"));
 }
 
 QString TasksDialog::freeName(const QString &stem) const
@@ -324,11 +322,9 @@ void TasksDialog::change()
         return;
     TaskDraft draft = draftOfTask(m_project, *task, m_tasks);
     if (const int trials = m_uses[task->id].analyses; trials > 0)
-        draft.remark = tr(
-            "%n result(s) measured by this course stay true: a course that is changed is kept for them as an "
-            "earlier version. "
-            "The trials go over to the new one; their times and scores follow once they are measured again.",
-            "", trials);
+        draft.remark = tr("%n result(s) measured with this course stay valid: if you change the course, they "
+                          "keep the earlier version. Reanalyse the trials to update their times and scores.",
+                          "", trials);
     edit(draft);
 }
 
@@ -388,7 +384,7 @@ void TasksDialog::archive()
         return;
     const bool to = !task->archived;
     const MessageText &words = to ? ODO_TEXT("ui.archive_task", "archive task %1")
-                                  : ODO_TEXT("ui.unarchive_task", "take task %1 out of the archive");
+                                  : ODO_TEXT("ui.unarchive_task", "restore task %1 from the archive");
     apply(words(Named::task(task->name)), to ? QString() : QString::fromStdString(task->name),
           [&, id = task->id] { return m_project.tasks().setArchived(id, to); });
 }

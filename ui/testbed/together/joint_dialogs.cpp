@@ -57,17 +57,16 @@ QString millimetres(double metres)
 
 JointDialog::JointDialog(const QString &layout, Prepare prepare, QWidget *parent)
     : QDialog(parent), m_prepare(std::move(prepare)), m_tape(new NumberBox),
-      m_cameras(makeTable({tr("Camera"), tr("Known to, before"), tr("Known to, together"), tr("Moves by")},
+      m_cameras(makeTable({tr("Camera"), tr("Uncertainty before"), tr("Uncertainty, joint"), tr("Moves by")},
                           tr("Cameras"))),
       m_markers(makeTable({tr("Marker"), tr("Cameras"), tr("Off by, mm"), tr("Verdict")}, tr("Markers"))),
       m_verdict(new QLabel), m_advice(new QLabel)
 {
-    setWindowTitle(tr("Register all cameras together"));
+    setWindowTitle(tr("Register all cameras (joint)"));
     resize(980, 520);
     auto *intro = new QLabel(
-        tr("The cameras of layout %1 are fitted again at once, by the markers they were registered with: "
-           "where they see "
-           "the same markers, they agree better afterwards, and a marker that was measured wrongly is found.")
+        tr("This fits all cameras of layout %1 jointly to the markers they were registered with. Cameras "
+           "that see the same markers then agree better, and wrongly measured markers show up.")
             .arg(breakable(layout)));
     intro->setWordWrap(true);
     intro->setTextFormat(Qt::PlainText);
@@ -75,9 +74,9 @@ JointDialog::JointDialog(const QString &layout, Prepare prepare, QWidget *parent
     m_tape->setDecimals(1);
     m_tape->setValue(usualTapeMm);
     m_tape->setSuffix(tr(" mm"));
-    m_tape->setAccessibleName(tr("Error of the tape measure"));
+    m_tape->setAccessibleName(tr("Uncertainty of the tape measure"));
     auto *form = new QFormLayout;
-    form->addRow(tr("The markers' places were &measured to"), m_tape);
+    form->addRow(tr("Marker positions &measured to"), m_tape);
     showAsVerdict(*m_verdict, *m_advice);
     m_verdict->setAccessibleName(tr("Verdict"));
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel);
@@ -122,7 +121,7 @@ void JointDialog::fit()
     if (!prepared)
         return show(prepared.error());
     m_job = std::move(*prepared);
-    m_verdict->setText(tr("Fitting the cameras together…"));
+    m_verdict->setText(tr("Fitting the cameras jointly…"));
     m_advice->clear();
     m_task.start([job = m_job](const JobControl &control) { return job->run(control); });
 }
@@ -140,9 +139,8 @@ void JointDialog::show(const std::optional<Error> &error)
         return;
     }
     m_verdict->setText(breakable(shownWords(m_job->joint().verdict)));
-    m_advice->setText(tr("What is known together reckons with the markers' places being measured to %1 mm, "
-                         "which a camera that is registered by "
-                         "itself takes as exact. Nothing is changed before you save; trials keep the "
+    m_advice->setText(tr("The joint uncertainty assumes marker positions measured to %1 mm; registering a "
+                         "single camera assumes them exact. Nothing changes until you save; trials keep the "
                          "registration they were analysed with.")
                           .arg(QLocale().toString(m_tape->value(), 'f', 1)));
     showCameras();
@@ -173,7 +171,7 @@ void JointDialog::showMarkers()
                {QString::fromStdString(marker.label), QLocale().toString(marker.cameras),
                 tr("%1 ± %2").arg(millimetres(marker.offM.norm()),
                                   millimetres(std::sqrt(marker.covariance.trace()))),
-                marker.isSuspicious ? tr("measure it again") : tr("fits")});
+                marker.isSuspicious ? tr("check its position") : tr("fits")});
     }
 }
 
@@ -189,9 +187,9 @@ ThroughSourcePage::ThroughSourcePage(const std::vector<FloorCamera> &cameras, co
                                      QWidget *parent)
     : QWidget(parent), m_cameras(cameras), m_registered(registered), m_camera(new QComboBox),
       m_through(new QComboBox),
-      m_picture(new PictureChoice(live, tr("Picture or video of the camera to register"))),
-      m_throughPicture(new PictureChoice(live, tr("Picture or video of the registered camera"))),
-      m_same(new QLabel(tr("A camera cannot be registered through itself: choose two different ones.")))
+      m_picture(new PictureChoice(live, tr("Image or video of the camera to register"))),
+      m_throughPicture(new PictureChoice(live, tr("Image or video of the registered camera"))),
+      m_same(new QLabel(tr("A camera cannot be registered via itself: choose two different ones.")))
 {
     for (const FloorCamera &camera : m_cameras)
         m_camera->addItem(camera.name);
@@ -202,19 +200,18 @@ ThroughSourcePage::ThroughSourcePage(const std::vector<FloorCamera> &cameras, co
         m_through->setCurrentIndex(1);
     m_camera->setAccessibleName(tr("Camera to register"));
     m_through->setAccessibleName(tr("Registered camera"));
-    auto *intro = new QLabel(tr("A camera that sees no markers can be registered by points of the floor that "
-                                "a registered camera sees as "
-                                "well: corners of tiles, ends of tape, screws. Four are enough, six or more "
-                                "spread over the common part "
-                                "are better. Neither camera may be moved afterwards."));
+    auto *intro =
+        new QLabel(tr("Register a camera that sees no markers by floor points that a registered camera also "
+                      "sees: corners of tiles, ends of tape, screws. Four are enough; six or more, spread "
+                      "over the common area, are better. Do not move either camera afterwards."));
     intro->setWordWrap(true);
     auto *form = new QFormLayout;
     form->addRow(tr("C&amera to register"), m_camera);
-    form->addRow(tr("&Through camera"), m_through);
+    form->addRow(tr("&Via camera"), m_through);
     form->addRow(QString(), m_same);
     auto *pictures = new QHBoxLayout;
-    for (const auto &[title, choice] : {std::pair(tr("Its picture"), m_picture),
-                                        std::pair(tr("The registered camera's picture"), m_throughPicture)}) {
+    for (const auto &[title, choice] : {std::pair(tr("Its image"), m_picture),
+                                        std::pair(tr("The registered camera's image"), m_throughPicture)}) {
         auto *box = new QGroupBox(title);
         auto *boxLayout = new QVBoxLayout(box);
         boxLayout->addWidget(choice);
@@ -266,12 +263,12 @@ enum Page { SourcePage, PointsPage };
 ThroughWizard::ThroughWizard(const std::vector<FloorCamera> &cameras, const QString &current,
                              const std::vector<CheckCamera> &registered, const LiveCameras &live,
                              KeepPicture keep, QWidget *parent)
-    : StepDialog(tr("Register through another camera"), tr("&Save"), parent),
+    : StepDialog(tr("Register via another camera"), tr("&Save"), parent),
       m_source(new ThroughSourcePage(cameras, current, registered, live)), m_page(new SharedPointsPage),
       m_keep(std::move(keep))
 {
-    addStep(tr("Two cameras and their pictures"), m_source);
-    addStep(tr("The same points in both pictures"), m_page);
+    addStep(tr("Two cameras and their images"), m_source);
+    addStep(tr("The same points in both images"), m_page);
     resize(1180, 760);
     connect(m_source, &ThroughSourcePage::completeChanged, this, &ThroughWizard::updateButtons);
     connect(m_page, &SharedPointsPage::completeChanged, this, &ThroughWizard::updateButtons);
@@ -315,7 +312,7 @@ void ThroughWizard::showNotSaved(const Error &error)
 
 void ThroughWizard::takePictures()
 {
-    m_page->wait(tr("Getting the pictures…"));
+    m_page->wait(tr("Loading the images…"));
     m_pictures = std::make_shared<PicturePair>();
     const auto &intrinsics = m_source->camera().intrinsics;
     const std::optional<Intrinsics> lens =

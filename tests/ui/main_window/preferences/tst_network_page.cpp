@@ -33,22 +33,22 @@ private Q_SLOTS:
         const NetworkPage page;
         QVERIFY(!page.findChild<QCheckBox *>()->isChecked());
         QVERIFY(!page.findChild<QLineEdit *>()->isEnabled());
-        QVERIFY(hasWords(page, QStringLiteral("Nothing is sent.")));
+        QVERIFY(hasWords(page, QStringLiteral("Odograph sends nothing.")));
     }
     void whatIsChosenIsKept()
     {
         const NetworkPage page;
         page.findChild<QCheckBox *>()->click();
         QCOMPARE(SentPositions::chosen().wanted(), std::optional(BroadcastTarget()));
-        QVERIFY(hasWords(page, QStringLiteral("They do not leave this machine.")));
+        QVERIFY(hasWords(page, QStringLiteral("They do not leave this computer.")));
         page.findChild<QLineEdit *>()->setText(QStringLiteral("10.0.0.7"));
-        QVERIFY(hasWords(page, QStringLiteral("They go to the one machine that has this address.")));
+        QVERIFY(hasWords(page, QStringLiteral("They go only to the computer with this address.")));
         QVERIFY(!page.findChild<QComboBox *>()->isEnabled());
         page.findChild<QSpinBox *>()->setValue(10020);
         QCOMPARE(SentPositions::chosen().target.address, std::string("10.0.0.7"));
         QCOMPARE(SentPositions::chosen().target.port, std::uint16_t(10020));
         page.findChild<QLineEdit *>()->setText(QStringLiteral("10.0.0.")); // while it is being typed
-        QVERIFY(hasWords(page, QStringLiteral("This is no IPv4 address; write it like 224.5.23.2.")));
+        QVERIFY(hasWords(page, QStringLiteral("This is not an IPv4 address; enter one such as 224.5.23.2.")));
         QCOMPARE(SentPositions::chosen().target.address, std::string("10.0.0.7"));
         const NetworkPage again;
         QVERIFY(again.findChild<QCheckBox *>()->isChecked());
@@ -62,7 +62,7 @@ private Q_SLOTS:
         sent.target.interface = "gone0";
         sent.choose();
         const NetworkPage page;
-        QCOMPARE(page.findChild<QComboBox *>()->currentText(), QStringLiteral("gone0: not there now"));
+        QCOMPARE(page.findChild<QComboBox *>()->currentText(), QStringLiteral("gone0: not available now"));
     }
     void settingsOfNobodyKnowsWhat()
     {

@@ -38,7 +38,7 @@ class TestReportsPage : public QObject
     static QLabel *shown(const ReportsPage &page)
     {
         for (auto *label : page.findChildren<QLabel *>())
-            if (label->accessibleName() == QStringLiteral("How the logo looks"))
+            if (label->accessibleName() == QStringLiteral("Preview of the logo"))
                 return label;
         qFatal("no picture");
     }

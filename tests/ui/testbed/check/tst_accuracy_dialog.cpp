@@ -74,7 +74,7 @@ void TestAccuracyDialog::mapsTheRegisteredCameras()
     const QString words = summary(*dialog);
     QVERIFY2(words.contains(QStringLiteral("mm in the middle")), qPrintable(words));
     QVERIFY2(middleMm(words) > 0.1 && middleMm(words) < 10, qPrintable(words));
-    QCOMPARE(named<QListWidget>(*dialog, "Cameras that count")->count(), 2);
+    QCOMPARE(named<QListWidget>(*dialog, "Cameras included")->count(), 2);
 }
 
 void TestAccuracyDialog::togetherIsBetterThanAlone()
@@ -88,7 +88,7 @@ void TestAccuracyDialog::togetherIsBetterThanAlone()
     QVERIFY2(alone > together, qPrintable(QStringLiteral("%1 %2").arg(alone).arg(together)));
     // The same by taking the other's tick away.
     const auto other = makeDialog(2);
-    named<QListWidget>(*other, "Cameras that count")->item(1)->setCheckState(Qt::Unchecked);
+    named<QListWidget>(*other, "Cameras included")->item(1)->setCheckState(Qt::Unchecked);
     QCOMPARE(middleMm(summary(*other)), alone);
 }
 
@@ -98,7 +98,7 @@ void TestAccuracyDialog::plansByNumbersAlone()
     QVERIFY(QTest::qWaitForWindowActive(dialog.get()));
     const double before = middleMm(summary(*dialog));
     QTest::keyClick(dialog.get(), Qt::Key_P, Qt::AltModifier);
-    QTRY_COMPARE(named<QListWidget>(*dialog, "Cameras that count")->count(), 3);
+    QTRY_COMPARE(named<QListWidget>(*dialog, "Cameras included")->count(), 3);
     QVERIFY(dialog->planned(2));
     auto *height = named<QDoubleSpinBox>(*dialog, "Height of the camera");
     height->setFocus();
@@ -106,7 +106,7 @@ void TestAccuracyDialog::plansByNumbersAlone()
     QTest::keyClicks(height, QStringLiteral("3000"));
     QTest::keyClick(height, Qt::Key_Tab);
     QCOMPARE(dialog->planned(2)->heightM, 3.0);
-    auto *direction = named<QDoubleSpinBox>(*dialog, "Direction in which it looks");
+    auto *direction = named<QDoubleSpinBox>(*dialog, "Viewing direction");
     const Eigen::Vector2d foot = dialog->planned(2)->footM();
     direction->setValue(direction->value() + 10);                 // it turns where it stands
     QVERIFY((dialog->planned(2)->footM() - foot).norm() < 0.002); // the form counts in whole millimetres
@@ -146,7 +146,7 @@ void TestAccuracyDialog::findsTheBestPlace()
     };
     named<QDoubleSpinBox>(*dialog, "Field of view")->setValue(75);
     const double before = worst();
-    QTest::mouseClick(button(*dialog, "Best place"), Qt::LeftButton);
+    QTest::mouseClick(button(*dialog, "Find best position"), Qt::LeftButton);
     QVERIFY(!dialog->isSettled());
     const double after = worst();
     QVERIFY2(after > 0 && after < before, qPrintable(QStringLiteral("%1 %2").arg(before).arg(after)));
@@ -162,7 +162,7 @@ void TestAccuracyDialog::saysWhyAPlannedCameraCannotBeThere()
     QVERIFY(says(*dialog, "None of the floor between the markers is in view."));
     named<QDoubleSpinBox>(*dialog, "Field of view")->setValue(80);
     summary(*dialog);
-    QVERIFY(named<QLabel>(*dialog, "What is wrong")->isHidden());
+    QVERIFY(named<QLabel>(*dialog, "Problems")->isHidden());
 }
 
 void TestAccuracyDialog::levelsAreRound()
@@ -179,7 +179,8 @@ void TestAccuracyDialog::closingLeavesNothing()
 {
     const auto dialog = makeDialog(1);
     QTest::keyClick(dialog.get(), Qt::Key_P, Qt::AltModifier);
-    QTest::mouseClick(button(*dialog, "Best place"), Qt::LeftButton); // and away while it is looked for
+    QTest::mouseClick(button(*dialog, "Find best position"),
+                      Qt::LeftButton); // and away while it is looked for
     QTest::keyClick(dialog.get(), Qt::Key_Escape);
     QVERIFY(!dialog->isVisible());
 }

@@ -101,7 +101,7 @@ void TestLengthWizard::walkToEnds(LengthWizard &wizard)
 {
     QTest::keyClick(&wizard, Qt::Key_Return);
     QCOMPARE(wizard.findChild<QStackedWidget *>()->currentIndex(), 1);
-    QTRY_VERIFY_WITH_TIMEOUT(says(wizard, "click both its ends"), patienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(says(wizard, "click both ends"), patienceMs);
 }
 
 void TestLengthWizard::measuresByMouse()
@@ -120,7 +120,7 @@ void TestLengthWizard::measuresByMouse()
     QVERIFY2(check.agrees, check.words.english().c_str());
     // Both tags are found to a few tenths of a pixel, which is a millimetre or two here.
     QVERIFY2(std::abs(*check.differenceM) < 0.003, check.words.english().c_str());
-    QVERIFY(says(*wizard, "inside the expected error"));
+    QVERIFY(says(*wizard, "within uncertainty"));
     // The same in another unit.
     named<QDoubleSpinBox>(*wizard, "True length")->setValue(trueLengthMm() / 1000);
     named<QComboBox>(*wizard, "Unit of the true length")->setCurrentText(QStringLiteral("m"));
@@ -172,7 +172,7 @@ void TestLengthWizard::tellsALengthThatIsOff()
         QTest::mouseClick(&canvas, Qt::LeftButton, {}, canvas.fromPixel(seen(end)).toPoint());
     named<QDoubleSpinBox>(*wizard, "True length")->setValue(trueLengthMm() + 50);
     QVERIFY(!wizard->page().check()->agrees);
-    QVERIFY(says(*wizard, "outside the expected error"));
+    QVERIFY(says(*wizard, "outside uncertainty"));
     QVERIFY(says(*wizard, "the places of the markers"));
 }
 
@@ -184,7 +184,7 @@ void TestLengthWizard::measuresWithoutATruth()
     for (const char *end : {"O", "U"})
         QTest::mouseClick(&canvas, Qt::LeftButton, {}, canvas.fromPixel(seen(end)).toPoint());
     QVERIFY(!wizard->page().check()->differenceM);
-    QVERIFY(says(*wizard, "Give its true length"));
+    QVERIFY(says(*wizard, "Enter its true length"));
     // A step by key is by hand: no longer what was snapped to.
     QTest::keyClick(&canvas, Qt::Key_Right);
     QCOMPARE(named<QTableWidget>(*wizard, "Ends of the length")->item(1, 1)->text(),
@@ -200,7 +200,7 @@ void TestLengthWizard::tellsWhatIsWrong()
                      small.toStdString()));
     const auto wizard = makeWizard(small);
     QTest::keyClick(wizard.get(), Qt::Key_Return);
-    QTRY_VERIFY_WITH_TIMEOUT(says(*wizard, "it is 640×480, but the lens was measured at 1280×720"),
+    QTRY_VERIFY_WITH_TIMEOUT(says(*wizard, "its size is 640×480, but the lens was calibrated at 1280×720"),
                              patienceMs);
 
     const auto same = makeWizard(m_picture);

@@ -176,7 +176,7 @@ void TestMovedDialog::tellsOneThatLooksElsewhere()
     const auto dialog = makeDialog();
     dialog->setPicture(0, {m_elsewhere, {}});
     check(*dialog);
-    QCOMPARE(result(*dialog, 0), QStringLiteral("not told"));
+    QCOMPARE(result(*dialog, 0), QStringLiteral("undetermined"));
     QVERIFY(says(*dialog, "markers were found again, two are needed"));
     QVERIFY(kept("A") && kept("A")->outcome == RegistrationCheck::Outcome::NotTold);
     QCOMPARE(cameraBadge(loadCameraRows(*m_project)->front().registration).text,
@@ -217,8 +217,8 @@ void TestMovedDialog::picturesOfAnotherSizeAreRefused()
     dialog->setPicture(0, {m_small, {}});
     dialog->setPicture(1, {m_folder.filePath(QStringLiteral("nowhere.png")), {}});
     check(*dialog);
-    QCOMPARE(result(*dialog, 0), QStringLiteral("not told"));
-    QCOMPARE(result(*dialog, 1), QStringLiteral("not told"));
+    QCOMPARE(result(*dialog, 0), QStringLiteral("undetermined"));
+    QCOMPARE(result(*dialog, 1), QStringLiteral("undetermined"));
     auto *table = named<QTableWidget>(*dialog, "Registered cameras");
     table->selectRow(0);
     QVERIFY(says(*dialog, "the image is 640×480, the camera was registered at 1280×720"));

@@ -85,12 +85,12 @@ void TestRevisionsDialog::listsRevisions()
     QCOMPARE(table->rowCount(), 3); // a calibration, two registrations
     QCOMPARE(table->item(0, RmsColumn)->text(), QStringLiteral("0.21 px"));
     QCOMPARE(table->item(1, VersionColumn)->text(), QStringLiteral("0.2"));
-    QCOMPARE(table->item(1, StateColumn)->text(), QStringLiteral("in force"));
+    QCOMPARE(table->item(1, StateColumn)->text(), QStringLiteral("current"));
     QVERIFY(table->item(2, StateColumn)->text().isEmpty());
     QCOMPARE(table->item(2, TrialsColumn)->text(), QStringLiteral("Trial 1, Trial 2"));
     table->selectRow(1);
     QVERIFY(says(dialog, "Good: once more."));
-    QVERIFY(says(dialog, "No trial was measured with it."));
+    QVERIFY(says(dialog, "No trial uses it."));
     QVERIFY2(!button(dialog, "Use this one")->isEnabled(), "it is in force");
 }
 
@@ -103,8 +103,8 @@ void TestRevisionsDialog::usesAnOlderOneByMouse()
     QCOMPARE(currentRegistration(), m_first);
     QVERIFY(dialog.hasChanged());
     QCOMPARE(named<QTableWidget>(dialog, "Revisions")->item(2, StateColumn)->text(),
-             QStringLiteral("in force"));
-    QVERIFY(says(dialog, "Trials keep theirs until they are measured again."));
+             QStringLiteral("current"));
+    QVERIFY(says(dialog, "Trials keep theirs until you reanalyse them."));
 }
 
 void TestRevisionsDialog::usesAnOlderOneByKeysAlone()
@@ -131,7 +131,7 @@ void TestRevisionsDialog::registersWithANewerLens()
     dialog.open();
     auto *table = named<QTableWidget>(dialog, "Revisions");
     table->selectRow(0); // the only calibration
-    QTest::mouseClick(button(dialog, "Register with this lens"), Qt::LeftButton);
+    QTest::mouseClick(button(dialog, "Register with this calibration"), Qt::LeftButton);
     QVERIFY(says(dialog, "it already uses that calibration"));
     QVERIFY(!dialog.hasChanged());
     dialog.close();
@@ -144,17 +144,17 @@ void TestRevisionsDialog::registersWithANewerLens()
     named<QTableWidget>(next, "Revisions")->selectRow(0);
     QTest::keyClick(&next, Qt::Key_R, Qt::AltModifier);
     QTRY_VERIFY(currentRegistration() > m_second);
-    QVERIFY(says(next, "the same markers, with this lens."));
+    QVERIFY(says(next, "the same markers, with this lens calibration."));
     named<QTableWidget>(next, "Revisions")->selectRow(2);
-    QVERIFY2(!button(next, "Register with this lens")->isEnabled(), "a registration is no lens");
+    QVERIFY2(!button(next, "Register with this calibration")->isEnabled(), "a registration is no lens");
 }
 
 void TestRevisionsDialog::measure(ReprocessDialog &dialog, const char *trial)
 {
     auto *box = dialog.findChild<QComboBox *>();
     box->setCurrentIndex(box->findData(QString::fromLatin1(trial)));
-    QTest::mouseClick(button(dialog, "Measure again"), Qt::LeftButton);
-    QTRY_VERIFY_WITH_TIMEOUT(!dialog.isRunning() && button(dialog, "Measure again")->isEnabled(), patienceMs);
+    QTest::mouseClick(button(dialog, "Reanalyse"), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(!dialog.isRunning() && button(dialog, "Reanalyse")->isEnabled(), patienceMs);
 }
 
 void TestRevisionsDialog::measuresAgainAndKeeps()
@@ -201,7 +201,7 @@ void TestRevisionsDialog::whatIsNotKeptLeavesNothing()
     {
         ReprocessDialog dialog(*m_project);
         dialog.open();
-        QTest::mouseClick(button(dialog, "Measure again"), Qt::LeftButton);
+        QTest::mouseClick(button(dialog, "Reanalyse"), Qt::LeftButton);
         QTest::keyClick(&dialog, Qt::Key_Escape); // while it is measured
     }
     QCOMPARE(currentAnalysis(), before);

@@ -232,7 +232,7 @@ void TestFloorWizard::takesOutAndUndoes()
     const auto wizard = makeWizard(m_picture);
     walkToMarkers(*wizard);
     QTRY_VERIFY_WITH_TIMEOUT(button(*wizard, "Save")->isEnabled(), patienceMs);
-    QTest::mouseClick(button(*wizard, "Take out"), Qt::LeftButton);
+    QTest::mouseClick(button(*wizard, "Remove"), Qt::LeftButton);
     QCOMPARE(wizard->markers().pixels().size(), std::size_t(3));
     QVERIFY(!button(*wizard, "Save")->isEnabled());
     QVERIFY(says(*wizard, "four markers in common"));
@@ -283,9 +283,9 @@ void TestFloorWizard::tellsWhatIsWrongWithAPicture()
                      other.toStdString()));
     const auto wizard = makeWizard(other);
     QTest::keyClick(wizard.get(), Qt::Key_Return);
-    QTRY_VERIFY_WITH_TIMEOUT(says(*wizard, "it is 640×480, but the lens was measured at 1280×720"),
+    QTRY_VERIFY_WITH_TIMEOUT(says(*wizard, "its size is 640×480, but the lens was calibrated at 1280×720"),
                              patienceMs);
-    QVERIFY(says(*wizard, "measure the lens again"));
+    QVERIFY(says(*wizard, "calibrate the lens again"));
     QVERIFY(!button(*wizard, "Save")->isEnabled());
 }
 
@@ -333,9 +333,9 @@ void TestFloorWizard::layoutProblemsAreNamed_data()
     QTest::newRow("the same label") << 1 << 0 << QStringLiteral("O")
                                     << QStringLiteral("Two markers are called O.");
     QTest::newRow("no number") << 1 << 1 << QStringLiteral("far")
-                               << QStringLiteral("The place of U is not a number.");
+                               << QStringLiteral("The position of U is not a number.");
     QTest::newRow("one place") << 1 << 1 << QStringLiteral("0")
-                               << QStringLiteral("O and U lie at one place.");
+                               << QStringLiteral("O and U have the same position.");
 }
 
 void TestFloorWizard::layoutProblemsAreNamed()

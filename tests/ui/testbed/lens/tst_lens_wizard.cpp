@@ -266,7 +266,7 @@ void TestLensWizard::saysWhyPicturesDoNotCount()
     QTest::mouseClick(button(*wizard, "Next >"), Qt::LeftButton);
     QListWidget *refused = nullptr;
     for (auto *list : wizard->findChildren<QListWidget *>())
-        if (list->accessibleName() == QStringLiteral("Pictures that do not count"))
+        if (list->accessibleName() == QStringLiteral("Rejected images"))
             refused = list;
     QVERIFY(refused);
     QTRY_COMPARE_WITH_TIMEOUT(refused->count(), 2, patienceMs);
@@ -371,9 +371,8 @@ void TestLensWizard::staysOpenWhenTheDiskIsFull()
     m_problem = test::saidError(ErrorCode::Io, "calibration image 'B_1'", "no space left on device",
                                 "check the free space");
     QTest::mouseClick(button(*wizard, "Save"), Qt::LeftButton);
-    QTRY_VERIFY(says(
-        *wizard,
-        "The lens was not stored. calibration image 'B_1': no space left on device; check the free space"));
+    QTRY_VERIFY(says(*wizard, "The lens calibration was not stored. calibration image 'B_1': no space left "
+                              "on device; check the free space"));
     QVERIFY(wizard->isVisible());
     m_problem.reset();
     QTRY_VERIFY(button(*wizard, "Save")->isEnabled());

@@ -195,24 +195,25 @@ void TestTargets::refusesWithReason_data()
     QTest::addColumn<QString>("message");
     const int board = int(TargetKind::Checkerboard), charuco = int(TargetKind::Charuco),
               tags = int(TargetKind::Tags);
-    QTest::newRow("too large a board") << board << 9 << 6 << 40.0
-                                       << QStringLiteral("target: 400 by 280 mm do not fit on A4; make the "
-                                                         "squares 25 mm at most, or take a larger paper");
+    QTest::newRow("too large a board")
+        << board << 9 << 6 << 40.0
+        << QStringLiteral(
+               "target: 400 by 280 mm do not fit on A4; make the squares at most 25 mm, or use larger paper");
     QTest::newRow("too large a tag")
         << tags << 9 << 6 << 200.0
         << QStringLiteral(
-               "target: 250 by 250 mm do not fit on A4; make it 155 mm at most, or take a larger paper");
+               "target: 250 by 250 mm do not fit on A4; make it at most 155 mm, or use larger paper");
     QTest::newRow("two corners")
         << board << 9 << 2 << 25.0
-        << QStringLiteral("target: a board has 3 to 30 inner corners each way; give a size as 9x6");
+        << QStringLiteral("target: a board has 3 to 30 inner corners each way; give a size such as 9x6");
     QTest::newRow("even rows of ChArUco")
         << charuco << 8 << 5 << 25.0
         << QStringLiteral(
-               "target: a ChArUco board of 6 rows of squares is numbered in two ways by different programs; "
-               "take an even number of rows of inner corners, as 9x6");
-    QTest::newRow("no size") << board << 9 << 6 << 0.0
-                             << QStringLiteral(
-                                    "target: its size is not a length; give the side of a square, as 25mm");
+               "target: programs number a ChArUco board with 6 rows of squares in two different ways; "
+               "use an even number of rows of inner corners, such as 9x6");
+    QTest::newRow("no size")
+        << board << 9 << 6 << 0.0
+        << QStringLiteral("target: its size is not a length; give the side of a square, such as 25mm");
 }
 
 void TestTargets::refusesWithReason()

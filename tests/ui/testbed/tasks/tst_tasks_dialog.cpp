@@ -135,7 +135,7 @@ void TestTasksDialog::gatesAreDraggedAndMovedByKeys()
 void TestTasksDialog::gatesAreWrittenInTheTable()
 {
     TaskEditor editor(draftOf(TaskTemplate::Free));
-    auto *table = named<QTableWidget>(editor, "Gates in the order in which they are passed");
+    auto *table = named<QTableWidget>(editor, "Gates in passing order");
     QCOMPARE(table->rowCount(), 2);
     table->item(0, 0)->setText(QStringLiteral("Here"));
     table->item(0, 2)->setText(QStringLiteral("1250.5"));
@@ -148,7 +148,7 @@ void TestTasksDialog::gatesAreWrittenInTheTable()
     button(editor, "&Add gate")->click();
     QCOMPARE(editor.task().task.gates.size(), std::size_t(3));
     const Gate before = editor.task().task.gates[1];
-    button(editor, "Other way")->click();
+    button(editor, "Reverse direction")->click();
     QVERIFY(editor.task().task.gates[1].from == before.to);
     button(editor, "Remove")->click();
     QCOMPARE(editor.task().task.gates.size(), std::size_t(2));
@@ -229,10 +229,10 @@ void TestTasksDialog::saysWhatIsWrong()
     QCOMPARE(editor.problem(), QStringLiteral("The task has no name."));
     QVERIFY(!save->isEnabled());
     name->setText(QStringLiteral("Taken"));
-    QCOMPARE(editor.problem(), QStringLiteral("There is a task of that name. Give another name."));
+    QCOMPARE(editor.problem(), QStringLiteral("A task with this name exists. Enter another name."));
     name->setText(QStringLiteral("Line"));
     QVERIFY(save->isEnabled());
-    auto *table = named<QTableWidget>(editor, "Gates in the order in which they are passed");
+    auto *table = named<QTableWidget>(editor, "Gates in passing order");
     table->item(0, 2)->setText(QStringLiteral("far"));
     QVERIFY(editor.problem().startsWith(QLatin1String("gate 'Start': its ends are not both on a floor")));
     table->item(0, 2)->setText(QStringLiteral("100"));
@@ -307,7 +307,7 @@ void TestTasksDialog::aCourseThatIsChangedIsToldAndMeasuredAgain()
     QVERIFY(m_project->tasks().scoring(m_project->tasks().find(task.name)->id)->size() == 1);
     auto *table = named<QTableWidget>(dialog, "Tasks");
     QCOMPARE(table->item(table->currentRow(), 0)->text(), QString::fromStdString(task.name));
-    auto *again = button(dialog, "&Measure them again");
+    auto *again = button(dialog, "Reanalyse &them");
     QVERIFY(!again->isHidden());
     QSignalSpy wanted(&dialog, &TasksDialog::reprocessRequested);
     again->click();
@@ -344,7 +344,7 @@ void TestTasksDialog::aTaskIsArchivedAndRestored()
     QCOMPARE(table->item(0, 0)->text(), name);
     QVERIFY2(table->item(0, 2)->text().endsWith(QStringLiteral(", archived")),
              qPrintable(table->item(0, 2)->text()));
-    button(dialog, "Out of the &archive")->click();
+    button(dialog, "Restore from &archive")->click();
     QVERIFY(!m_project->tasks().find(name.toStdString())->archived);
     for (QAction *action : dialog.actions())
         if (action->shortcut() == QKeySequence(Qt::CTRL | Qt::Key_Z))

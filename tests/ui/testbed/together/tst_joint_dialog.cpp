@@ -90,7 +90,7 @@ void TestJointDialog::showsWhatChangesAndThenStores()
 void TestJointDialog::anotherTapeFitsAgain()
 {
     const auto dialog = open("floor");
-    auto *tape = named<QDoubleSpinBox>(*dialog, "Error of the tape measure");
+    auto *tape = named<QDoubleSpinBox>(*dialog, "Uncertainty of the tape measure");
     QCOMPARE(m_tapeM, 0.002);
     tape->setValue(30); // while it still fits with the first
     QTRY_VERIFY_WITH_TIMEOUT(button(*dialog, "Save")->isEnabled(), patienceMs);

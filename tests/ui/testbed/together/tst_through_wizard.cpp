@@ -108,7 +108,7 @@ void TestThroughWizard::walkToPoints(ThroughWizard &wizard)
 {
     QTest::keyClick(&wizard, Qt::Key_Return);
     QCOMPARE(wizard.findChild<QStackedWidget *>()->currentIndex(), 1);
-    QTRY_VERIFY_WITH_TIMEOUT(!says(wizard, "Getting the pictures"), patienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!says(wizard, "Loading the images"), patienceMs);
 }
 
 void TestThroughWizard::markersThatBothSeeAreThereAtOnce()
@@ -128,7 +128,7 @@ void TestThroughWizard::pointsArePutByMouse()
     walkToPoints(*wizard);
     SharedPointsPage &page = wizard->page();
     QVERIFY(!button(*wizard, "Save")->isEnabled());
-    QVERIFY(says(*wizard, "then the same one in the right picture"));
+    QVERIFY(says(*wizard, "then the same point in the right image"));
     for (std::size_t i = 0; i < m_places.size(); ++i) {
         QVERIFY(!page.registration() || i >= 4);
         QTest::mouseClick(&page.canvas(), Qt::LeftButton, {},
@@ -182,8 +182,8 @@ void TestThroughWizard::takesOutAndUndoes()
 {
     const auto wizard = makeWizard(picture(1, true), picture(0, true));
     walkToPoints(*wizard);
-    named<QTableWidget>(*wizard, "Points of the floor")->selectRow(0);
-    QTest::mouseClick(button(*wizard, "Take out"), Qt::LeftButton);
+    named<QTableWidget>(*wizard, "Floor points")->selectRow(0);
+    QTest::mouseClick(button(*wizard, "Remove"), Qt::LeftButton);
     QCOMPARE(wizard->page().points().size(), std::size_t(3));
     QVERIFY(!wizard->page().registration());
     QVERIFY(!button(*wizard, "Save")->isEnabled());
@@ -198,7 +198,7 @@ void TestThroughWizard::aCameraIsNotRegisteredThroughItself()
     QVERIFY(button(*wizard, "Next >")->isEnabled());
     named<QComboBox>(*wizard, "Camera to register")->setCurrentText(QStringLiteral("A"));
     QVERIFY(!button(*wizard, "Next >")->isEnabled());
-    QVERIFY(says(*wizard, "cannot be registered through itself"));
+    QVERIFY(says(*wizard, "cannot be registered via itself"));
 }
 
 void TestThroughWizard::tellsWhatIsWrong()

@@ -24,7 +24,7 @@ constexpr double longestArrow = 0.08; // of the picture's width
 BoardCanvas::BoardCanvas(QWidget *parent) : QWidget(parent)
 {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
-    setAccessibleName(tr("Picture of the board"));
+    setAccessibleName(tr("Image of the board"));
 }
 
 void BoardCanvas::setContent(Content content)

@@ -209,7 +209,7 @@ void BoardSearchWorker::lookAtCamera()
         return;
     }
     const bool chosen = std::exchange(m_takeNow, false);
-    const QString name = tr("picture %1").arg(m_state.kept.size() + m_removed.size() + 1);
+    const QString name = tr("image %1").arg(m_state.kept.size() + m_removed.size() + 1);
     const PictureAnswer answer = chosen ? m_collector.offer(captured->frame, name.toStdString())
                                         : m_collector.watch(captured->frame, name.toStdString());
     took(captured->frame, name, answer, chosen);
@@ -241,7 +241,8 @@ void BoardSearchWorker::lookAtVideo()
     if (frame && !*frame) {
         if (m_fromVideo == 0)
             m_state.refused.emplace_back(
-                m_videoName, tr("in none of its pictures is a board that is still, sharp and new"));
+                m_videoName,
+                tr("none of its images shows a board that is still, sharp and in a new position"));
         m_video.reset();
         tellState();
         return;

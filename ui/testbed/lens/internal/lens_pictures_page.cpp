@@ -83,10 +83,9 @@ void CoveragePanel::setCoverage(const BoardCoverage &coverage)
         m_bars[i]->setValue(int(parts[i] * whole));
         m_marks[i]->setText(parts[i] >= 1 ? QStringLiteral("✓") : QString());
     }
-    m_count->setText(coverage.isEnough() ? tr("%1 pictures: enough. More do no harm.").arg(coverage.pictures)
-                     : coverage.pictures == 1
-                         ? tr("1 picture; ten or more are wanted.")
-                         : tr("%1 pictures; ten or more are wanted.").arg(coverage.pictures));
+    m_count->setText(coverage.isEnough() ? tr("%1 images: enough. More do no harm.").arg(coverage.pictures)
+                     : coverage.pictures == 1 ? tr("1 image; take ten or more.")
+                                              : tr("%1 images; take ten or more.").arg(coverage.pictures));
 }
 
 namespace {
@@ -99,9 +98,9 @@ QString wordsOf(BoardHint hint)
 {
     switch (hint) {
     case BoardHint::Left:
-        return LensPicturesPage::tr("Move it to the left of the picture");
+        return LensPicturesPage::tr("Move it to the left of the image");
     case BoardHint::Right:
-        return LensPicturesPage::tr("Move it to the right of the picture");
+        return LensPicturesPage::tr("Move it to the right of the image");
     case BoardHint::Up:
         return LensPicturesPage::tr("Move it up");
     case BoardHint::Down:
@@ -127,7 +126,7 @@ QString wordsOf(BoardHint hint)
 LensPicturesPage::LensPicturesPage(BoardSearch &search, QWidget *parent)
     : QWidget(parent), m_search(search), m_canvas(new BoardCanvas), m_coverage(new CoveragePanel),
       m_refused(new QListWidget), m_strip(new FilmStrip), m_headline(new QLabel), m_detail(new QLabel),
-      m_take(plainButton(tr("&Take a picture now")))
+      m_take(plainButton(tr("&Take an image now")))
 {
     setAcceptDrops(true);
     m_headline->setStyleSheet(QStringLiteral("font-size: 14pt; font-weight: 600"));
@@ -158,7 +157,7 @@ LensPicturesPage::LensPicturesPage(BoardSearch &search, QWidget *parent)
     connect(&m_search, &BoardSearch::searched, this, &LensPicturesPage::showSearched);
     connect(&m_search, &BoardSearch::changed, this, &LensPicturesPage::showState);
     connect(&m_search, &BoardSearch::troubled, this,
-            [this](const QString &message) { say(tr("No picture from the camera"), message); });
+            [this](const QString &message) { say(tr("No image from the camera"), message); });
     connect(m_strip, &FilmStrip::removeRequested, &m_search, &BoardSearch::remove);
     connect(m_strip, &FilmStrip::undoRequested, &m_search, &BoardSearch::undoRemove);
     connect(m_strip, &QListWidget::currentRowChanged, this, &LensPicturesPage::showKept);
@@ -166,16 +165,16 @@ LensPicturesPage::LensPicturesPage(BoardSearch &search, QWidget *parent)
 
 QWidget *LensPicturesPage::makeSide()
 {
-    m_refused->setAccessibleName(tr("Pictures that do not count"));
+    m_refused->setAccessibleName(tr("Rejected images"));
     m_refused->setWordWrap(true);
     m_refused->setSelectionMode(QAbstractItemView::NoSelection);
-    auto *needed = new Card(tr("What the pictures cover"));
+    auto *needed = new Card(tr("Coverage of the images"));
     needed->setContent(m_coverage);
     auto *content = new QWidget;
     auto *contentLayout = new QVBoxLayout(content);
     contentLayout->setContentsMargins(0, 0, 0, 0);
     contentLayout->addWidget(m_refused);
-    auto *refused = new Card(tr("Not counted"));
+    auto *refused = new Card(tr("Rejected"));
     refused->setContent(content);
     auto *side = new QWidget;
     side->setFixedWidth(sideWidth);
@@ -205,9 +204,9 @@ void LensPicturesPage::begin(bool live)
     m_live = live;
     m_take->setVisible(live);
     m_canvas->setContent({});
-    m_canvas->setEmptyText(live ? tr("Waiting for the camera…") : tr("Looking for the board…"));
-    say(live ? tr("Hold the board before the camera") : tr("Looking for the board"),
-        live ? tr("A picture is taken by itself whenever the board is still, sharp and in a new place.")
+    m_canvas->setEmptyText(live ? tr("Waiting for the camera…") : tr("Detecting the board…"));
+    say(live ? tr("Hold the board before the camera") : tr("Detecting the board"),
+        live ? tr("Odograph takes an image whenever the board is still, sharp and in a new position.")
              : QString());
 }
 
@@ -257,14 +256,13 @@ void LensPicturesPage::showState()
     if (m_live)
         return;
     if (state.waiting > 0)
-        say(tr("Looking for the board"), tr("%1 to go").arg(state.waiting));
+        say(tr("Detecting the board"), tr("%1 to go").arg(state.waiting));
     else if (state.kept.empty())
-        say(tr("No picture counts"), tr("The reasons stand at the right. Add others by dropping them here."));
+        say(tr("No image accepted"), tr("See the reasons on the right. Drop other images here to add them."));
     else
-        say(tr("Looked at all"),
-            state.coverage.isEnough()
-                ? tr("They are enough.")
-                : tr("More pictures can be dropped here; the bars show what is missing."));
+        say(tr("All images checked"), state.coverage.isEnough()
+                                          ? tr("They are enough.")
+                                          : tr("Drop more images here; the bars show what is missing."));
 }
 
 void LensPicturesPage::showKept(int row)
@@ -307,8 +305,7 @@ constexpr QSize thumbnail(112, 63);
 } // namespace
 
 FilmStrip::FilmStrip(QWidget *parent)
-    : QListWidget(parent), m_remove(new QAction(tr("&Take out"), this)),
-      m_undo(new QAction(tr("&Undo"), this))
+    : QListWidget(parent), m_remove(new QAction(tr("&Remove"), this)), m_undo(new QAction(tr("&Undo"), this))
 {
     setViewMode(QListView::IconMode);
     setFlow(QListView::LeftToRight);
@@ -318,7 +315,7 @@ FilmStrip::FilmStrip(QWidget *parent)
     setSpacing(4);
     setUniformItemSizes(true);
     setTextElideMode(Qt::ElideMiddle);
-    setAccessibleName(tr("Pictures that count"));
+    setAccessibleName(tr("Accepted images"));
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
     setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setFixedHeight(thumbnail.height() + fontMetrics().height() + horizontalScrollBar()->sizeHint().height() +

@@ -169,15 +169,15 @@ LensResultPage::LensResultPage(QWidget *parent)
     m_verdict->setStyleSheet(QStringLiteral("font-size: 12pt"));
     m_progress->setRange(0, wholeResult);
     m_progress->setAccessibleName(tr("Solving"));
-    m_model->addItem(tr("Lens model chosen by itself"), chosenByItself);
+    m_model->addItem(tr("Automatic choice of the lens model"), chosenByItself);
     m_model->addItem(tr("Ordinary lens"), int(LensModel::Standard));
     m_model->addItem(tr("Wide lens (rational model)"), int(LensModel::Rational));
     m_model->addItem(tr("Fisheye"), int(LensModel::Fisheye));
     m_model->setAccessibleName(tr("Lens model"));
-    m_canvas->setEmptyText(tr("Choose a bar to see its picture."));
-    m_straight->setEmptyText(tr("Stands here once the lens is known."));
+    m_canvas->setEmptyText(tr("Select a bar to see its image."));
+    m_straight->setEmptyText(tr("Appears here after the calibration."));
     auto *pictures = new QTabWidget;
-    pictures->addTab(m_canvas, tr("Picture and &residuals"));
+    pictures->addTab(m_canvas, tr("Image and &residuals"));
     pictures->addTab(m_straight, tr("&Straightened"));
     pictures->setDocumentMode(true);
     auto *row = new QHBoxLayout;
@@ -201,11 +201,11 @@ LensResultPage::LensResultPage(QWidget *parent)
 
 QWidget *LensResultPage::makeFigures()
 {
-    auto *errors = new Card(tr("Error by picture"));
+    auto *errors = new Card(tr("Error by image"));
     errors->setContent(m_bars);
-    auto *facts = new Card(tr("Lens"));
+    auto *facts = new Card(tr("Calibration"));
     facts->addToHeader(m_model);
-    facts->setContent(scrolled(m_facts, tr("What is known of the lens")));
+    facts->setContent(scrolled(m_facts, tr("Lens calibration")));
     auto *figures = new QWidget;
     figures->setFixedWidth(figuresWidth);
     auto *layout = new QVBoxLayout(figures);
@@ -298,12 +298,12 @@ void LensResultPage::showAnswer(const LensAnswer &answer)
 
 void LensResultPage::showSaving()
 {
-    m_verdict->setText(tr("Storing the lens and its pictures…"));
+    m_verdict->setText(tr("Storing the lens calibration and its images…"));
 }
 
 void LensResultPage::showNotSaved(const Error &error)
 {
-    m_verdict->setText(tr("The lens was not stored. %1").arg(errorLine(error)));
+    m_verdict->setText(tr("The lens calibration was not stored. %1").arg(errorLine(error)));
 }
 
 void LensResultPage::showFigures()
@@ -312,10 +312,10 @@ void LensResultPage::showFigures()
     const Intrinsics &lens = calibration.intrinsics;
     m_facts->setFacts(
         {{tr("Model"), tr("%1: %2").arg(modelName(lens.model), shownWords(calibration.lensReason)), {}},
-         {tr("Pictures"), tr("%1 of %2").arg(calibration.picturesUsed()).arg(m_pictures.kept.size()), {}},
+         {tr("Images"), tr("%1 of %2").arg(calibration.picturesUsed()).arg(m_pictures.kept.size()), {}},
          {tr("Board error"), px(calibration.rmsPx, 3), {}},
          {tr("Held-out error"),
-          calibration.crossValidationPx > 0 ? px(calibration.crossValidationPx, 3) : tr("needs six pictures"),
+          calibration.crossValidationPx > 0 ? px(calibration.crossValidationPx, 3) : tr("needs six images"),
           {}},
          {tr("Corners left out"), QLocale().toString(qulonglong(calibration.cornersLeftOut())), {}},
          {tr("Focal length"), withSigma(lens, lens.fxPx, 0), {}},

@@ -40,7 +40,7 @@ PictureBars::PictureBars(QWidget *parent)
     : ChartView(*new AxisSpan, {{{}, 1}, QStringLiteral("px"), ChartStyle::Bars}, parent)
 {
     span().setParent(this);
-    setAccessibleName(tr("Error of each picture, with a threshold"));
+    setAccessibleName(tr("Error of each image, with a threshold"));
     showBars();
 }
 
@@ -102,7 +102,7 @@ void PictureBars::paintOver(QPainter &painter)
         Qt::AlignCenter,
         m_current >= 0
             ? tr("%1: %2 px").arg(m_names.value(m_current), pixels(m_errors[std::size_t(m_current)]))
-            : tr("pictures; above %1 px they do not count").arg(pixels(m_threshold)));
+            : tr("images; rejected above %1 px").arg(pixels(m_threshold)));
 }
 
 void PictureBars::setThreshold(double px)

@@ -178,8 +178,8 @@ QString roleName(GateRole role)
 
 GateTable::GateTable(QWidget *parent)
     : PartTable({tr("Gate"), tr("Role"), tr("x₁, mm"), tr("y₁, mm"), tr("x₂, mm"), tr("y₂, mm")},
-                tr("Gates in the order in which they are passed"), plainButton(tr("Remo&ve")), parent),
-      m_turn(plainButton(tr("&Other way")))
+                tr("Gates in passing order"), plainButton(tr("Remo&ve")), parent),
+      m_turn(plainButton(tr("Reverse directi&on")))
 {
     // Numbers are shown whole, however long they are; a long name is cut.
     table().horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
@@ -188,7 +188,7 @@ GateTable::GateTable(QWidget *parent)
     table().setMinimumHeight(120);
     auto *add = plainButton(tr("&Add gate"));
     enableWithParts(m_turn);
-    m_turn->setToolTip(tr("The chosen gate is passed the other way"));
+    m_turn->setToolTip(tr("Robots pass the selected gate the other way"));
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(&table(), 1);
@@ -314,10 +314,9 @@ ZoneTable::ZoneTable(const Eigen::Vector2d &middle, QWidget *parent)
     table().horizontalHeader()->setSectionResizeMode(ZoneColumn::Corners, QHeaderView::Stretch);
     auto *inside = plainButton(tr("Add zone to sta&y in")),
          *outside = plainButton(tr("Add zone to &keep out of"));
-    auto *words =
-        new QLabel(tr("The robot's centre must stay in a zone, or keep out of it. Each is judged by itself; "
-                      "how often, how long "
-                      "and how far it was broken can be scored. Drag corners and edges on the map."));
+    auto *words = new QLabel(tr(
+        "The robot's reference point must stay in a zone or keep out of it. Each zone counts separately; you "
+        "can score how often, how long and how far a robot broke it. Drag corners and edges on the map."));
     words->setWordWrap(true);
     auto *layout = new QVBoxLayout(this);
     layout->addWidget(words);

@@ -48,11 +48,11 @@ ScoringTable::ScoringTable(const std::vector<std::string> &metrics, QWidget *par
     : QWidget(parent), m_metrics(metrics), m_table(new QTableWidget(0, ScoringColumn::Count)),
       m_remove(plainButton(tr("Remo&ve line"))), m_words(new QLabel)
 {
-    auto *intro = new QLabel(tr("Each line gives all of its points where the figure is at the one bound or "
-                                "better, none at the other or worse, "
-                                "and evenly between them. Points below zero are a penalty."));
+    auto *intro = new QLabel(
+        tr("Each line gives all its points if the metric reaches the first bound, none at the second bound "
+           "or worse, and a proportional share between them. Negative points are a penalty."));
     intro->setWordWrap(true);
-    m_table->setHorizontalHeaderLabels({tr("Figure"), tr("All points at"), tr("None at"), tr("Points")});
+    m_table->setHorizontalHeaderLabels({tr("Metric"), tr("All points at"), tr("None at"), tr("Points")});
     m_table->setAccessibleName(tr("Lines of the scoring"));
     m_table->verticalHeader()->hide();
     m_table->setTabKeyNavigation(false);
@@ -110,7 +110,7 @@ void ScoringTable::show(int row)
     auto *figure = qobject_cast<QComboBox *>(m_table->cellWidget(row, ScoringColumn::Figure));
     if (!figure) {
         figure = new QComboBox;
-        figure->setAccessibleName(tr("Figure that counts"));
+        figure->setAccessibleName(tr("Scored metric"));
         for (const std::string &metric : m_metrics)
             figure->addItem(figureWords(metric), QString::fromStdString(metric));
         m_table->setCellWidget(row, ScoringColumn::Figure, figure);
@@ -151,7 +151,7 @@ void ScoringTable::showWords()
     if (words.isEmpty())
         words << tr("Without a line, runs of the task are not scored.");
     else
-        words << tr("In all %1 points.").arg(QLocale().toString(most, 'g', 6));
+        words << tr("Total: %1 points.").arg(QLocale().toString(most, 'g', 6));
     m_words->setText(words.join(u'\n'));
 }
 

@@ -108,9 +108,9 @@ QLayout *TaskEditor::makeButtons()
     m_message->setTextFormat(Qt::PlainText);
     m_message->setWordWrap(true);
     m_message->setObjectName(QStringLiteral("problem"));
-    m_message->setAccessibleName(tr("What is wrong"));
+    m_message->setAccessibleName(tr("Problems"));
     auto *import = plainButton(tr("Import &file…")), *cancel = plainButton(tr("Cancel"));
-    import->setToolTip(tr("Take gates, path, limits and zones from a task file (JSON)"));
+    import->setToolTip(tr("Import gates, path, limits and zones from a task file (JSON)"));
     m_save->setProperty("primary", true);
     m_save->setDefault(true);
     auto *buttons = new QHBoxLayout;
@@ -155,7 +155,7 @@ QWidget *TaskEditor::makeCourse()
     auto *limits = new QFormLayout;
     limits->addRow(tr("Speed limi&t"), m_speed);
     limits->addRow(tr("Acceleration l&imit"), m_accel);
-    m_speed->setToolTip(tr("What no robot in the task can do: a measurement beyond it is a spike"));
+    m_speed->setToolTip(tr("No robot in the task can exceed it: a measurement beyond it is a spike"));
     m_accel->setToolTip(m_speed->toolTip());
     auto *layout = new QVBoxLayout(course);
     layout->addLayout(name);
@@ -257,7 +257,7 @@ QString TaskEditor::problem() const
     if (m_name->text().trimmed().isEmpty())
         return tr("The task has no name.");
     if (m_taken.contains(m_name->text().trimmed()))
-        return tr("There is a task of that name. Give another name.");
+        return tr("A task with this name exists. Enter another name.");
     if (!m_templateProblem.isEmpty())
         return m_templateProblem;
     for (const Gate &gate : m_task.task.gates)
@@ -323,7 +323,7 @@ TemplateForm::TemplateForm(QWidget *parent)
     m_direction->setRange(-360, 360);
     m_direction->setDecimals(0);
     m_direction->setSuffix(QStringLiteral("°"));
-    m_direction->setToolTip(tr("The way it is driven: 0° along X, 90° along Y"));
+    m_direction->setToolTip(tr("Driving direction: 0° along X, 90° along Y"));
     m_form->addRow(tr("&Direction"), m_direction);
     m_poles->setRange(1, 100);
     m_form->addRow(tr("&Poles"), m_poles);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/testbed/together/internal/shared_points_page.h"
 #include "ui/models/shown_message.h"
 #include "ui/testbed/floor/floor_wizard.h"
-#include "ui/testbed/together/internal/shared_points_page.h"
 
 #include "core/base/units.h"
 #include "core/calibration/lens_influence.h"
@@ -40,7 +40,7 @@ QString wholeMillimetres(double metres)
 SharedPointsPage::SharedPointsPage(QWidget *parent)
     : QWidget(parent), m_canvas(new MarkerCanvas), m_throughCanvas(new MarkerCanvas), m_name(new QLabel),
       m_throughName(new QLabel), m_table(new QTableWidget(0, ColumnCount)),
-      m_verdict(new RegistrationVerdict), m_remove(new QAction(tr("&Take out"), this)),
+      m_verdict(new RegistrationVerdict), m_remove(new QAction(tr("&Remove"), this)),
       m_undo(new QAction(tr("&Undo"), this))
 {
     m_remove->setShortcut(QKeySequence::Delete);
@@ -48,9 +48,9 @@ SharedPointsPage::SharedPointsPage(QWidget *parent)
     addActions({m_remove, m_undo});
     connect(m_remove, &QAction::triggered, this, &SharedPointsPage::removeCurrent);
     connect(m_undo, &QAction::triggered, this, &SharedPointsPage::undo);
-    m_canvas->setAccessibleName(tr("Picture of the camera to register; arrow keys move the chosen point"));
+    m_canvas->setAccessibleName(tr("Image of the camera to register; arrow keys move the selected point"));
     m_throughCanvas->setAccessibleName(
-        tr("Picture of the registered camera; arrow keys move the chosen point"));
+        tr("Image of the registered camera; arrow keys move the selected point"));
     connect(m_canvas, &MarkerCanvas::placed, this,
             [this](const QString &label, const Eigen::Vector2d &pixel, bool snap) {
                 place(&Point::pixel, m_pictures->camera.frame, label, pixel, snap);
@@ -80,7 +80,7 @@ SharedPointsPage::SharedPointsPage(QWidget *parent)
 QWidget *SharedPointsPage::makeTable()
 {
     m_table->setHorizontalHeaderLabels({tr("Point"), tr("Seen in"), tr("On the floor, mm"), tr("Error")});
-    m_table->setAccessibleName(tr("Points of the floor"));
+    m_table->setAccessibleName(tr("Floor points"));
     showAsList(*m_table);
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
@@ -100,7 +100,7 @@ QWidget *SharedPointsPage::makeTable()
 
 QWidget *SharedPointsPage::makeSide()
 {
-    auto *points = new Card(tr("Points of the floor"));
+    auto *points = new Card(tr("Floor points"));
     points->setContent(makeTable());
     auto *side = new QWidget;
     auto *layout = new QHBoxLayout(side);
@@ -271,10 +271,9 @@ void SharedPointsPage::evaluate()
         } else {
             m_verdict->tell(shownWords(chained.error().why),
                             shared.size() < fewestPoints
-                                ? tr("Click a point of the floor in the left picture, then the same one in "
-                                     "the right picture. What lies "
-                                     "near a click is taken to the tenth of a pixel; the arrow keys move the "
-                                     "chosen point, Space snaps it.")
+                                ? tr("Click a floor point in the left image, then the same point in the "
+                                     "right image. A click snaps to what is near it, to a tenth of a pixel; "
+                                     "arrow keys move the selected point, Space snaps it.")
                                 : shownWords(chained.error().advice));
         }
     }
@@ -308,10 +307,10 @@ void SharedPointsPage::showPoints()
             if (found != markers.end())
                 error = tr("%1 mm").arg(locale.toString(toMillimetres(found->errorM), 'f', 1));
         }
-        const QString seen = point.pixel && point.throughPixel ? tr("both pictures")
+        const QString seen = point.pixel && point.throughPixel ? tr("both images")
                              : point.pixel                     ? tr("left only")
                              : point.throughPixel              ? tr("right only")
-                                                               : tr("not put yet");
+                                                               : tr("not set yet");
         const QString texts[] = {point.label, seen, place, error};
         for (int column = 0; column < ColumnCount; ++column)
             m_table->setItem(i, column, new QTableWidgetItem(texts[column]));
