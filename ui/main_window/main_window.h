@@ -42,8 +42,8 @@ public:
     MainWindow();
     ~MainWindow() override;
 
-    /// Begins to open a project and to show its newest trial; tells by itself when it fails, and keeps the
-    /// one that was open.
+    /// Starts to open a project and to show its newest trial; on failure it shows the error and keeps the
+    /// project that was open.
     void beginOpening(const std::filesystem::path &file);
     /// As beginOpening, but waits until it is open and leaves a failure to the caller.
     Result<void> openProject(const std::filesystem::path &file);
@@ -54,7 +54,7 @@ public:
     /// Compares trials in Compare; a single one with another that suits it. NotFound where one of them does
     /// not exist.
     Result<void> compareTrials(const QStringList &names);
-    /// Every picture that belongs to what is shown is on screen, or cannot be had.
+    /// Every image of what is shown is on screen, or cannot be loaded.
     bool isSettled() const;
 
     /// For when the program may have to end at any moment: what is being recorded is complete in the project,

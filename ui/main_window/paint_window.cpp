@@ -19,7 +19,7 @@ QImage paintWindow(MainWindow &window, QSize size, const CancelToken &cancel)
 {
     window.resize(size);
     window.show();
-    // Layouts take effect, and the views ask for pictures of their final size, before anything is waited for.
+    // Apply layouts first: the views then request images of their final size.
     QCoreApplication::sendPostedEvents();
     QCoreApplication::processEvents();
     window.grab();

@@ -10,9 +10,9 @@ namespace odo {
 
 class MainWindow;
 
-/// The window as a user would see it at a size in logical pixels, once its pictures are there (or ten seconds
-/// have passed). Cancelled, it is what is there then. Works on the offscreen platform. The picture has the
-/// size times the device pixel ratio.
+/// Paints the window as a user would see it at a size in logical pixels, once its images are loaded (or after
+/// ten seconds; cancelled, at once). Works on the offscreen platform. The image has the size times the device
+/// pixel ratio.
 QImage paintWindow(MainWindow &window, QSize size, const CancelToken &cancel = {});
 
 } // namespace odo

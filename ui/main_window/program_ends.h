@@ -24,8 +24,8 @@ Q_SIGNALS:
     void openRequested(const std::filesystem::path &project);
 };
 
-/// Shows a notice over the window where the folder holds reports that nobody was told of. opening: the
-/// project that is being opened anyway. Does not wait.
+/// Shows a notice over the window if the folder holds crash reports not shown yet. opening: the project that
+/// is being opened anyway. Does not wait.
 void tellCrashes(MainWindow &window, const std::filesystem::path &folder,
                  const std::optional<std::filesystem::path> &opening);
 

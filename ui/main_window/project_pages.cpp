@@ -102,8 +102,7 @@ QWidget *ProjectPages::page(Mode mode)
     return page;
 }
 
-/// In its place from the beginning: whatever moves from one parent to another is given its style anew, with
-/// all that is in it.
+/// Parented from the start: reparenting a widget restyles it and all its children.
 QWidget *ProjectPages::make(Mode mode)
 {
     switch (mode) {
@@ -238,7 +237,7 @@ void ProjectPages::refreshAllBut(const QWidget *page)
     Q_EMIT changed();
 }
 
-/// What stands in it is out of date; a page of something else is left alone.
+/// Its contents are out of date; a page of something else is left alone.
 void ProjectPages::read(QWidget *page)
 {
     if (m_stale.erase(page) == 0)

@@ -39,9 +39,9 @@ class ReviewPage;
 class TestbedPage;
 class Workspace;
 
-/// The pages of the open project, one a mode: makes them one by one, tells each what another one changed, and
-/// lets it read the project only while it is seen. A page that is hidden is stale after a change, and reads
-/// when it is shown. Lives as long as the project is open. GUI thread.
+/// The pages of the open project, one a mode: creates them one by one, notifies each of changes by the
+/// others, and lets it read the project only while it is visible. A hidden page is stale after a change, and
+/// reads when it is shown. Lives as long as the project is open. GUI thread.
 class ProjectPages : public QObject
 {
     Q_OBJECT

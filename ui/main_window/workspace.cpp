@@ -49,7 +49,7 @@ struct Workspace::Ready
     std::filesystem::path file;
     std::unique_ptr<WindowLock> lock; ///< null: for reading only, or it is the one that is open here
     bool isOpenHere = false;
-    /// why it can only be read, where another window has it, or that it lies in a bad place
+    /// why it is read-only, if another window has it, or a warning about its location
     QString words = {};
     bool isCutOff = false, lacksHashes = false;
 };
@@ -57,8 +57,8 @@ struct Workspace::Ready
 struct Workspace::Made
 {
     Ready ready;
-    std::filesystem::path written = {}; ///< what was made for it, and stays in any case
-    /// the project that could not be opened, where a sound backup lies beside it
+    std::filesystem::path written = {}; ///< created for it, kept in any case
+    /// the project that failed to open, if an intact backup is beside it
     std::filesystem::path damaged = {};
 };
 
@@ -311,7 +311,7 @@ Result<void> Workspace::begin(std::function<Result<std::filesystem::path>(const 
     return {};
 }
 
-/// On any thread. What a person is told to do is then not to copy files by hand.
+/// On any thread. The advice is then not to copy files by hand.
 Error Workspace::offeringABackup(Error error, const std::filesystem::path &file, Made &made)
 {
     if (error.code != ErrorCode::InvalidInput)

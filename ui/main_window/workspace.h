@@ -37,8 +37,8 @@ public:
     /// All changes are in the project file, so that a copy of it has them.
     bool isSaved() const;
 
-    /// Begins to open for writing or, where the place cannot be written to or another window has the project,
-    /// for reading: the file is looked through and brought up to date on a thread of its own. As makeAndOpen.
+    /// Starts to open for writing or, if the folder is write-protected or another window has the project, for
+    /// reading; checks and migrates the file on a thread of its own. Like makeAndOpen.
     Result<void> beginOpening(const std::filesystem::path &file, Done whenOpen = {});
     /// As beginOpening, but waits: where no window is on screen. The project that was open stays when it
     /// fails.
@@ -86,7 +86,7 @@ Q_SIGNALS:
     void backupFound(const std::filesystem::path &project);
 
 private:
-    /// A project that was looked through, to be opened again by the thread that shows it.
+    /// A checked project, to be opened again by the thread that shows it.
     struct Ready;
     /// What a job on a thread of its own leaves for this one.
     struct Made;

@@ -43,10 +43,10 @@ private:
 
 class Project;
 
-/// Reads from a project on a thread of its own, by a reading connection of its own, so that the window does
-/// not wait. The newest request counts: one that is overtaken is not told. A request begins when the event
-/// loop runs again; of several made before that, only the last is begun. The window must have the project
-/// open meanwhile. GUI thread; the destructor waits for what is being read.
+/// Reads from a project on a thread of its own, by a reading connection of its own, so the window does not
+/// wait. Only the newest request is answered. A request starts when the event loop runs again; of several
+/// made before that, only the last starts. The window must have the project open meanwhile. GUI thread; the
+/// destructor waits for the read.
 class ProjectReader : public QObject
 {
     Q_OBJECT
@@ -71,7 +71,7 @@ public:
                      take(std::move(**value));
              }});
     }
-    /// Something was asked for that was not told yet.
+    /// A request has not been answered yet.
     bool isRunning() const { return m_next.has_value() || m_isWanted; }
 
 private:
@@ -85,7 +85,7 @@ private:
     void finish(const std::optional<Error> &error);
 
     std::filesystem::path m_file;
-    std::optional<Request> m_next; ///< not begun yet
+    std::optional<Request> m_next; ///< not started yet
     std::function<void(const std::optional<Error> &)> m_take;
     bool m_isWanted = false; ///< what is being read
     BackgroundTask m_task;

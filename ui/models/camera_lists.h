@@ -52,8 +52,8 @@ private:
     std::vector<CameraRow> m_rows;
 };
 
-/// The cameras that are connected. To look for them takes up to two seconds, so it is done on a thread of its
-/// own; what was found last stands meanwhile. GUI thread.
+/// The connected cameras. A search takes up to two seconds, so it runs on a thread of its own; the last
+/// result stays valid meanwhile. GUI thread.
 class LiveCameras : public QObject
 {
     Q_OBJECT
@@ -63,13 +63,13 @@ public:
     /// list: called on a thread of its own.
     explicit LiveCameras(List list = listCameras, QObject *parent = nullptr);
 
-    /// Looks again, unless that is under way.
+    /// Searches again, unless a search is running.
     void look();
     bool isLooking() const { return m_task.isRunning(); }
     const std::vector<CameraDescription> &cameras() const { return m_cameras; }
 
 Q_SIGNALS:
-    void changed(); ///< looking has begun or ended
+    void changed(); ///< a search has started or ended
 
 private:
     List m_list;

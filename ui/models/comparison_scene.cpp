@@ -108,7 +108,7 @@ QString nameOf(const ComparisonScene &scene, std::size_t run)
     return QString::fromStdString(scene.name(run));
 }
 
-/// Whether a difference can be claimed, with the numbers that say so.
+/// Whether a difference is significant, with the numbers that show it.
 QString significanceText(const Difference &difference)
 {
     const QLocale locale;
@@ -278,7 +278,7 @@ namespace {
 
 const QString dash = QStringLiteral("–");
 
-/// "1.83 ±0.02", the unit stands beside the name.
+/// "1.83 ±0.02"; the unit is beside the name.
 QString bareText(FigureText figure)
 {
     figure.unit.clear();

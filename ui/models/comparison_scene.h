@@ -50,19 +50,19 @@ Result<ComparisonScenePtr> loadComparisonScene(Project &project, const CompareSe
 /// "How was this computed?" of what Compare shows of a run against the first one. run: 1 or more. distances
 /// as in the comparison, metres.
 
-/// A line of the figures: the difference of both, and whether it is more than their errors.
+/// A row of the metrics: the difference of both runs, and whether it is significant.
 Explanation explainDifference(const ComparisonScene &scene, std::size_t run, const MetricDifference &metric);
 /// A line of the sectors.
 Explanation explainSector(const ComparisonScene &scene, std::size_t run, const SectorTimes &sector);
-/// How much later it is at a place of the way.
+/// The time difference at a point of the path.
 Explanation explainTimeDifference(const ComparisonScene &scene, std::size_t run, double distanceM,
                                   const Difference &difference);
-/// A run's speed where it first came to a place of the way; value: as it is shown. run: 0 or more.
+/// A run's speed where it first reached a point of the path; value: as it is shown. run: 0 or more.
 Explanation explainSpeedOnWay(const ComparisonScene &scene, std::size_t run, double distanceM,
                               const QString &value);
 
-/// Figures of two runs side by side with their difference: a row a figure or a sector. What is within the
-/// error is muted, and says so in words.
+/// Metrics of two runs side by side with their difference: a row a metric or a sector. Differences that are
+/// not significant are muted, and say so in words.
 class DifferenceModel : public RowTableModel
 {
     Q_OBJECT

@@ -10,15 +10,13 @@
 
 namespace odo {
 
-/// What went into figures, in words that fit a line.
+/// The inputs of metrics, in phrases that fit a line.
 
 /// "Kalman/RTS, noise from the data"
 QString smootherText(Smoother smoother);
-/// How a view was put in step with the first one: "in step to 1.2 ms, found from the motion; begun 3.0 ms
-/// later".
+/// How a view was synchronised with the first: "synchronised to 1.2 ms by the motion; started 3.0 ms later".
 QString stepText(const RecordingRecord &view);
-/// How far apart the pictures of a camera with an uneven rate are: "9 to 46 ms apart"; empty where the rate
-/// is even.
+/// The frame intervals of a camera with an uneven rate: "9 to 46 ms apart"; empty where the rate is even.
 QString unevenText(const RecordingRecord &view);
 
 /// "How was this computed?" of one number: plain text that can be copied.
@@ -48,11 +46,11 @@ Explanation explainCurve(const TrialScene &scene, std::size_t robot, Quantity qu
 
 /// What is known of an analysis without its series: smoother, height, version.
 QStringList analysisInputs(const TrialRecord &trial, const AnalysisRecord &analysis);
-/// Of a figure, with what went into it.
+/// Of a metric, with its inputs.
 Explanation explainMetric(const Metric &metric, const QStringList &inputs);
-/// Of a figure of a robot's analysis. One that is not known is told by its name and inputs alone.
+/// Of a metric of a robot's analysis. An unknown one has only its name and inputs.
 Explanation explainMetric(const TrialScene &scene, std::size_t robot, const Metric &metric);
-/// Of a flag that a sample of a robot bears: what was looked at, and what becomes of the sample.
+/// Of a flag on a sample of a robot: what was tested, and what happens to the sample.
 Explanation explainSpike(const TrialScene &scene, std::size_t robot, const Spike &spike);
 
 } // namespace odo

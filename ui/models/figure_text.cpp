@@ -119,7 +119,7 @@ QString tr(const char *text)
     return QCoreApplication::translate("odo::FigureText", text);
 }
 
-/// The place of the first significant digit: 0 for 1 to 9.99, -1 for 0.1 to 0.999.
+/// The position of the first significant digit: 0 for 1 to 9.99, -1 for 0.1 to 0.999.
 int leadingPlace(double magnitude)
 {
     return static_cast<int>(std::floor(std::log10(magnitude)));

@@ -47,13 +47,13 @@ struct ShownUnit
 struct ShownUnits
 {
     ShownUnit length;   ///< of errors and heights
-    ShownUnit distance; ///< of ways driven
+    ShownUnit distance; ///< of distances travelled
     ShownUnit speed, acceleration;
 };
 const ShownUnits &unitsOf(UnitSystem system);
 
-/// Those of the whole program, as QLocale() is its locale. Any thread. What is on the screen already stays as
-/// it is until it is made anew.
+/// The formats of the whole program, those of QLocale(). Any thread. Text already on the screen changes only
+/// when it is rebuilt.
 UnitSystem shownUnitSystem();
 void setShownUnitSystem(UnitSystem system);
 const ShownUnits &shownUnits();
@@ -68,7 +68,7 @@ struct FigureText
 
     /// "1.83 ±0.02 m/s"
     QString text() const;
-    /// "m/s ±0.02": what stands small beside a large value
+    /// "m/s ±0.02": shown small beside a large value
     QString smallPrint() const;
 };
 
@@ -78,7 +78,7 @@ FigureText figureText(double value, std::optional<double> sigma, const QString &
 /// What a metric is shown in, and by how much its stored value is multiplied for it; a bare number has no
 /// name.
 ShownUnit metricUnit(const Metric &metric);
-/// The figure of a metric, in the units that are shown (shown_units.h).
+/// A metric as text, in the units that are shown (shown_units.h).
 FigureText metricFigure(const Metric &metric, const QLocale &locale = QLocale());
 /// "max_speed" → "Top speed"; a name that is not known is made readable.
 QString metricName(const std::string &name);
@@ -89,7 +89,7 @@ QString timeCode(Nanoseconds time);
 QString secondsText(Nanoseconds time, const QLocale &locale = QLocale());
 /// An error or a height: "1.6 mm"; from 100 mm on without decimals. In the unit that is shown.
 QString lengthText(double metres, const QLocale &locale = QLocale());
-/// A place or a way, to about a centimetre: "1.23 m"; in the unit that is shown.
+/// A position or distance, to about a centimetre: "1.23 m"; in the unit that is shown.
 QString distanceText(double metres, const QLocale &locale = QLocale());
 /// "1.83 ±0.02 m/s"; in the unit that is shown.
 QString speedText(double metresPerSecond, std::optional<double> sigma, const QLocale &locale = QLocale());

@@ -81,7 +81,7 @@ class OwnChangesWords
     Q_DECLARE_TR_FUNCTIONS(OwnChanges)
 };
 
-/// Of all changes that were ever told.
+/// All changes ever recorded.
 std::size_t countOf(const Project &project)
 {
     const auto changes = project.changes();

@@ -32,8 +32,8 @@ private:
 
 class Project;
 
-/// The changes that one dialog makes to a project: told in words, and taken back by the dialog alone as far
-/// as they are its own. On the project's thread; the project must outlive it.
+/// The changes that one dialog makes to a project: reported in words, and undone by the dialog only if they
+/// are its own. On the project's thread; the project must outlive it.
 class OwnChanges
 {
 public:

@@ -16,8 +16,8 @@
 
 namespace odo {
 
-/// So many of a run's metrics, the most telling ones first: the time of the task before all; what else there
-/// is fills up.
+/// This many metrics of a run, the most informative first: the time of the task before all; others fill up
+/// the rest.
 std::vector<Metric> tellingMetrics(const std::vector<Metric> &all, std::size_t count);
 
 /// Names of metrics in that order.
@@ -27,7 +27,7 @@ struct TrialScene;
 
 /// "27 ±1 of 30"
 QString scoreText(const Score &score);
-/// The same as a large figure, "of 30" in the place of its unit.
+/// The same as a large value, with "of 30" instead of its unit.
 FigureText scoreFigure(const Score &score);
 /// How a line of a rubric is meant: "30 points at 4 s or less, none at 10 s or more".
 QString criterionText(const Criterion &criterion);

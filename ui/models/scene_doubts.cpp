@@ -160,7 +160,7 @@ void SpikeModel::setScene(TrialScenePtr scene)
     endResetModel();
 }
 
-/// Those that are no spikes any more because a person said so.
+/// Samples that are no longer spikes because of a manual override.
 void SpikeModel::addUsedByHand(int robot, const Profile &profile)
 {
     for (std::size_t i = 0; i < profile.samples.size(); ++i) {
@@ -176,7 +176,7 @@ void SpikeModel::addUsedByHand(int robot, const Profile &profile)
 void SpikeModel::addStretches()
 {
     for (DoubtfulStretch &stretch : doubtfulStretches(*m_scene)) {
-        // At a frame, where the time line stands when it is chosen.
+        // Rounded to a frame: selecting the row moves the time line there.
         const auto frame = m_scene->views.empty() ? std::nullopt : m_scene->frameAt(0, stretch.span.begin);
         Row &row = m_rows.emplace_back();
         row.robot = static_cast<int>(stretch.robot);

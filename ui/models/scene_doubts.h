@@ -22,7 +22,7 @@ struct DoubtfulStretch
     std::size_t robot = 0; ///< index into TrialScene::robots
     TimeSpan span;
     Kind kind = Kind::Name;
-    QString reason;   ///< "hidden behind Blue 1 in view A"; of a name until when it is doubtful
+    QString reason;   ///< "hidden behind Blue 1 in view A"; for an ambiguous name, until when
     QString sentence; ///< "Red 2: hidden behind Blue 1 in view A (3.20 s to 3.90 s)"
 };
 
@@ -30,11 +30,11 @@ struct DoubtfulStretch
 QString occlusionText(const Occlusion &occlusion);
 /// Of all robots, in order of time; in the language of the windows.
 std::vector<DoubtfulStretch> doubtfulStretches(const TrialScene &scene);
-/// What is said of those at a time, or so near to it, for a tool tip; empty: nothing.
+/// Tool tip for the intervals at or near a time; empty: none.
 QString doubtfulWordsAt(const std::vector<DoubtfulStretch> &stretches, Nanoseconds time,
                         Nanoseconds reach = Nanoseconds{0});
 
-/// Of each robot of a scene; without places where it was not tracked. Pure, any thread; a millisecond for a
+/// Of each robot of a scene; no positions where it was not tracked. Pure, any thread; a millisecond for a
 /// thousand frames.
 std::vector<ViewDisagreement> disagreementsOf(const TrialScene &scene);
 
@@ -62,7 +62,7 @@ public:
 
     explicit SpikeModel(QObject *parent = nullptr);
     void setScene(TrialScenePtr scene);
-    /// "3 flagged · 1 restored · 2 doubtful · 1 hidden"
+    /// "3 flagged · 1 restored · 2 ambiguous · 1 hidden"
     QString summary() const;
 
 private:

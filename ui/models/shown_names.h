@@ -45,8 +45,8 @@ struct RunChoice
 /// each of its robots.
 QList<RunChoice> runChoices(std::span<const TrialRecord> trials);
 
-/// Where runs stand among the choices, each place at most once; one that does not is left out. A robot that
-/// is not named is any.
+/// The rows of the runs among the choices, each row at most once; missing runs are left out. A run without a
+/// robot matches any robot.
 QList<int> placesOf(const QList<RunChoice> &choices, std::span<const CompareSettings::Run> runs);
 
 /// What a trial suggests itself to be compared with: the newest other trial of the same task that was
@@ -60,14 +60,14 @@ Result<std::optional<std::string>> partnerOf(Project &project, std::span<const T
 bool arePseudonymsShown();
 void showPseudonyms(bool shown);
 
-/// The one place that decides by which name a team is shown.
+/// The single point that decides which name of a team is shown.
 QString shownTeam(const std::string &name, const std::string &pseudonym);
 QString shownTeam(const TrialRecord &trial); ///< empty without a team
 QString shownTeam(const TeamRecord &team);
 
 /// A team of the open project, by name alone; one that is not known is shown by its name.
 QString shownTeam(const std::string &name);
-/// The teams of the open project: messages of core tell names only. Any thread.
+/// The teams of the open project: messages of core contain only names. Any thread.
 void knowPseudonyms(std::span<const TeamRecord> teams);
 
 } // namespace odo

@@ -31,7 +31,7 @@ TrialFilter::Place placeOf(const TrialRecord &trial, const TrialFilter &filter)
 
 QString searchTextOf(const TrialRecord &trial)
 {
-    // A line break keeps what stands in two fields from being found as one word.
+    // A line break keeps a search word from matching across two fields.
     std::string words = trial.name + '\n' + trial.teamName + '\n' + trial.teamPseudonym + '\n' +
                         trial.className + '\n' + trial.task + '\n' + trial.notes;
     for (const std::string &robot : trial.robotNames)
@@ -108,7 +108,7 @@ Result<std::unordered_map<RecordId, std::optional<Score>>> bestScores(Project &p
     return best;
 }
 
-/// Rows of trials that were read, newest first, with their figures.
+/// The rows of trials, newest first, with their metrics.
 Result<std::vector<TrialRow>> withFigures(Project &project, std::vector<TrialRecord> trials)
 {
     std::vector<TrialRow> rows;
@@ -252,7 +252,7 @@ void TrialModel::arrange()
         return sortBy([this](std::size_t i) { return m_rows[i].trial.date; });
     case DurationColumn:
         return sortBy([this](std::size_t i) { return m_rows[i].trial.durationS; });
-    case TopSpeedColumn: // trials without a figure come together at one end
+    case TopSpeedColumn: // trials without a value are grouped at one end
         return sortBy(
             [this](std::size_t i) { return m_rows[i].topSpeed ? m_rows[i].topSpeed->value : -1.0; });
     case ScoreColumn:

@@ -18,7 +18,7 @@ namespace odo {
 struct TrialFilter
 {
     enum class Place { Active, Archived, Bin };
-    /// Each of its words must occur in what a person would look for; upper and lower case count as the same.
+    /// Each word of it must occur in the trial's search text; case does not matter.
     QString text;
     std::string className, team, task, robot; ///< by name; empty: any
     /// whose trials count as archived unless the class is chosen by name
@@ -28,7 +28,7 @@ struct TrialFilter
     std::optional<Instant> from, to; ///< from included, to excluded
 };
 
-/// What a person would look for in a trial, in lower case: names, pseudonym, date, notes, tags.
+/// The search text of a trial, in lower case: names, pseudonym, date, notes, tags.
 QString searchTextOf(const TrialRecord &trial);
 
 /// words: of the filter's text, in lower case; searchText: searchTextOf the trial.
@@ -37,7 +37,7 @@ bool isShown(const TrialFilter &filter, const QStringList &words, const TrialRec
 
 class Project;
 
-/// A trial in the list, with the figure that the list shows of it.
+/// A trial in the list, with the metric that the list shows.
 struct TrialRow
 {
     TrialRecord trial;
@@ -64,8 +64,8 @@ private:
 /// One of them. On the project's thread.
 Result<TrialRow> loadTrialRow(Project &project, RecordId trial);
 
-/// The trials of a project that a filter lets through, sorted by a column. Ten thousand are filtered in
-/// milliseconds: a proxy, which tells a view of each range of rows that goes, is not used. GUI thread.
+/// The trials of a project that pass a filter, sorted by a column. Filters ten thousand in milliseconds: no
+/// proxy model, because a proxy notifies the view of each removed range. GUI thread.
 class TrialModel : public QAbstractTableModel
 {
     Q_OBJECT

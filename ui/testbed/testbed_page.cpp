@@ -264,7 +264,7 @@ void TestbedPage::showCamera()
     if (!scene)
         Q_EMIT failed(scene.error());
     m_view->setScene(scene.value_or(nullptr), 0);
-    m_view->setBadge(cameraBadge(camera.registration)); // how it stands now
+    m_view->setBadge(cameraBadge(camera.registration)); // as it is now
     if (scene && *scene)
         m_timeline->setFrameTimes((*scene)->frameTimes());
 }

@@ -31,7 +31,7 @@ class Project;
 class TestbedTools;
 class Timeline;
 
-/// Testbed: the cameras, how well each is calibrated and registered, what it sees, and where all stand.
+/// Testbed: the cameras, how well each is calibrated and registered, its image, and all camera positions.
 /// Uses the project on its own thread. The project must outlive the page.
 class TestbedPage : public QWidget
 {
@@ -49,7 +49,7 @@ public:
 
 Q_SIGNALS:
     void changed(const QString &words); ///< the project was changed
-    void tasksRequested();              ///< what is driven on the floor is to be looked at
+    void tasksRequested();              ///< the user wants to see the tasks of this floor
     void failed(const odo::Error &error);
     void settled();
 

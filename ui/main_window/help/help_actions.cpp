@@ -129,7 +129,7 @@ void HelpActions::setPages(const ProjectPages *pages)
         return;
     }
     connect(pages, &ProjectPages::shown, this, &HelpActions::showPage);
-    // it stands there then
+    // the panel is now visible
     connect(pages, &ProjectPages::shown, m_lesson, &Lesson::look, Qt::QueuedConnection);
     connect(&pages->review(), &ReviewPage::trialShown, m_lesson, &Lesson::look);
     connect(&pages->review().timeline(), &Timeline::currentChanged, m_lesson, &Lesson::look);
@@ -249,7 +249,7 @@ class FirstLessonWords
 
 constexpr auto aWhile = std::chrono::milliseconds(300);
 
-/// The time line stands elsewhere than at the beginning of the step.
+/// The time line was moved since the step began.
 LessonStep::IsDone timeMoved(const ProjectPages &pages, bool playing)
 {
     const Timeline &timeline = pages.review().timeline();

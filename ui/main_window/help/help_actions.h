@@ -36,7 +36,7 @@ public:
     void beginLesson();
 
 Q_SIGNALS:
-    /// A lesson is wanted, and no project is open: it begins when the demo project is.
+    /// The user asked for a lesson, but no project is open: it starts when the demo project is.
     void demoWanted();
 
 private:
@@ -50,15 +50,14 @@ private:
     QAction *m_help, *m_learn, *m_showKeys, *m_about;
 };
 
-/// Stands beside a page and tells what is on it and what to do there.
+/// Help beside a page: what it shows and what to do there.
 class HelpPanel : public QFrame
 {
     Q_OBJECT
 public:
     explicit HelpPanel(QWidget *parent = nullptr);
 
-    /// The name of a text in the resources: "welcome", or that of a mode.
-    /// It is read and laid out once it is seen.
+    /// The name of a text in the resources: "welcome", or that of a mode. Loaded when first shown.
     void showPage(const QString &name);
 
 Q_SIGNALS:
@@ -70,7 +69,7 @@ protected:
 private:
     void layOut();
 
-    QString m_wanted; ///< is not laid out yet; empty: nothing
+    QString m_wanted; ///< not loaded yet; empty: nothing
     QTextBrowser *m_text;
 };
 
@@ -84,7 +83,7 @@ struct LessonStep
     std::function<IsDone()> begin; ///< remembers how things are now; empty: there is nothing to do but read
 };
 
-/// A guided tour: steps in their order, each of which tells by itself when it was done. GUI thread.
+/// A guided tour: steps in order, each of which notices when it is done. GUI thread.
 class Lesson : public QObject
 {
     Q_OBJECT

@@ -38,7 +38,7 @@
 
 namespace odo {
 
-/// What was changed in the project and when, to be looked through; it cannot be altered.
+/// Read-only list of the changes of the project with their times.
 class ChangesDialog : public QDialog
 {
     Q_OBJECT

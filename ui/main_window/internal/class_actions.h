@@ -45,8 +45,8 @@ private:
 struct BinContent;
 class TrialBatch;
 
-/// What is done with a class and with many trials at once: import a roster, look through the changes, export,
-/// measure again. Owns the actions, asks, and starts the jobs.
+/// Actions on a class and on many trials at once: import a roster, show the changes, export, reanalyse. Owns
+/// the actions, asks, and starts the jobs.
 class HistoryActions : public QObject
 {
     Q_OBJECT
@@ -86,8 +86,8 @@ private:
 class Job;
 class Project;
 
-/// The same work on many trials, one after the other, with progress and cancel where every job has them. A
-/// trial that fails is told at the end, and the next one begins; what was done before a cancel stays. GUI
+/// The same work on many trials, one after the other, with progress and cancel where every job has them. If a
+/// trial fails, the next one starts and the failure is reported at the end; a cancel keeps what is done. GUI
 /// thread.
 class TrialBatch : public QObject
 {

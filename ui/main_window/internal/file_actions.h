@@ -35,7 +35,7 @@ public:
     QAction *demo() const { return m_demo; }
     /// Begins to open, and remembers it among the recent ones when it is open.
     void beginOpening(const std::filesystem::path &file);
-    /// As beginOpening, of the newest sound backup, which takes the damaged project's place.
+    /// Like beginOpening, with the newest intact backup, which replaces the damaged project.
     void beginRestoring(const std::filesystem::path &file);
     /// As beginOpening, but waits.
     Result<void> open(const std::filesystem::path &file);
@@ -90,7 +90,7 @@ Q_SIGNALS:
 
 class FileActions;
 
-/// What stands in the window while no project is open: the ways in.
+/// Shown while no project is open: the ways in.
 class WelcomePage : public QWidget
 {
     Q_OBJECT

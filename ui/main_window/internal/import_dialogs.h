@@ -24,8 +24,8 @@ class CheckList;
 class PathField;
 class ViewSteps;
 
-/// Asks what belongs to a trial: its name, team, task and robots, the video of each camera, and how each gets
-/// in step with the first.
+/// Asks what belongs to a trial: its name, team, task and robots, the video of each camera, and how to
+/// synchronise each with the first.
 class ImportTrialDialog : public QDialog
 {
     Q_OBJECT
@@ -81,8 +81,8 @@ private:
 
 class ElidedLabel;
 
-/// One row for each view but the first: how it gets in step with the first one, and by hand how much later it
-/// began.
+/// One row for each view but the first: how to synchronise it with the first, and the time offset if set by
+/// hand.
 class ViewSteps : public QWidget
 {
     Q_OBJECT

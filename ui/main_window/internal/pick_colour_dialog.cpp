@@ -230,7 +230,7 @@ QList<PickableVideo> newestRecordings(Project &project)
 namespace {
 
 const QColor boxColour(240, 228, 66);
-constexpr int leastSidePx = 3; // of the picture; less is a click
+constexpr int leastSidePx = 3; // in image pixels; less is a click
 constexpr int stepsAcross = 160, leapsAcross = 20, boxesAcross = 8;
 
 } // namespace

@@ -35,8 +35,8 @@ class Project;
 /// The recordings of the newest trials, each with its view.
 QList<PickableVideo> newestRecordings(Project &project);
 
-/// Takes a robot's colour from a picture: a frame of a recording is chosen, a box drawn round the robot, and
-/// what was found in it shown, or said why nothing was. Decodes and looks on other threads.
+/// Picks a robot's colour from a recording: the user chooses a frame and draws a box round the robot; the
+/// dialog shows the colour, or why it found none. Decodes and analyses on other threads.
 class PickColourDialog : public QDialog
 {
     Q_OBJECT
@@ -62,25 +62,25 @@ private:
     QDialogButtonBox *m_buttons;
     FrameFetcher m_fetcher;
     BackgroundTask m_looking, m_opening;
-    bool m_lookAgain = false; ///< the box was changed while it was being looked at
+    bool m_lookAgain = false; ///< the box changed during the analysis
     std::optional<RgbColour> m_colour;
 };
 
-/// A picture on which one box is drawn, with the mouse; or by keys: the arrows move it, with Shift they move
-/// its lower right corner, with Ctrl either by larger steps. The first of them puts a box in the middle.
+/// An image on which one box is drawn, with the mouse or by keys: the arrows move it, with Shift they move
+/// its lower right corner, with Ctrl either by larger steps. The first key press puts a box in the middle.
 class BoxCanvas : public QWidget
 {
     Q_OBJECT
 public:
     explicit BoxCanvas(QWidget *parent = nullptr);
-    /// size: of the picture whose pixels count. Another size forgets the box.
+    /// size: of the image in whose pixels the box is given. Another size clears the box.
     void setSourceSize(QSize size);
     QSize sourceSize() const { return m_size; }
     void setPicture(const QImage &picture);
     void setEmptyText(const QString &text);
-    /// In pixels of the picture; empty: none yet.
+    /// In image pixels; empty: none yet.
     QRect box() const { return m_box; }
-    /// Where the picture is shown, in the widget.
+    /// Where the image is shown, in the widget.
     QRectF pictureRect() const;
 
     QSize sizeHint() const override { return {800, 450}; }

@@ -56,7 +56,7 @@ void ProjectWatch::noteState()
 {
     const auto state = m_project.state();
     if (!state)
-        return; // busy, or the disk fails: whoever reads next is told
+        return; // busy, or the disk fails: the next reader gets the error
     const bool byOthers = m_state && state->byOthers != m_state->byOthers;
     const bool here = m_state && state->here != m_state->here;
     const bool wasSaved = isSaved();
@@ -65,8 +65,8 @@ void ProjectWatch::noteState()
     m_state = *state;
     if (isSaved() != wasSaved)
         Q_EMIT savedChanged();
-    // Other threads of this program tell by themselves what they did; what else came in between is told when
-    // they rest.
+    // Other threads of this program report their own changes. A change from outside in between is reported
+    // once they are idle.
     const bool isOutside = (byOthers || m_isUnsure) && !here;
     m_isUnsure = (byOthers || m_isUnsure) && here;
     if (isOutside)

@@ -22,8 +22,8 @@ namespace odo {
 
 class Project;
 
-/// The robots of a project: added, changed, deleted, each as one change that can be undone, here too (Ctrl+Z
-/// takes back what was done here). On the project's thread; the project must outlive it.
+/// The robots of a project: add, edit, delete, each as one change that can be undone, here too (Ctrl+Z undoes
+/// changes made here). On the project's thread; the project must outlive it.
 class RobotsDialog : public QDialog
 {
     Q_OBJECT

@@ -17,9 +17,8 @@ class FindStraysJob;
 class Workspace;
 struct ChosenOutput;
 
-/// Taking a project elsewhere: packing it into one file with its videos, unpacking such a file, finding
-/// videos that were lost on the way, and files in its media folder that belong to nothing. Owns the actions
-/// and asks for the files.
+/// Moves a project: packs it into one file with its videos, unpacks such a file, finds lost videos, and files
+/// in its media folder that belong to nothing. Owns the actions and asks for the files.
 class TransferActions : public QObject
 {
     Q_OBJECT

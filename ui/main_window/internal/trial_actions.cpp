@@ -47,8 +47,8 @@ class TrackDialog : public QDialog
 {
     Q_OBJECT
 public:
-    /// expected: those that are ticked; none: all are. doubts: whole sentences on what will make the figures
-    /// doubtful.
+    /// expected: those that are ticked; none: all are. doubts: sentences on what will make the results
+    /// uncertain.
     TrackDialog(const QString &trial, const QStringList &robots, const QStringList &expected,
                 const QStringList &doubts, QWidget *parent = nullptr);
     TrackSettings settings() const;
@@ -282,7 +282,7 @@ void TrialActions::askTrack(const QString &trial)
 {
     Project &project = *m_workspace.project();
     QStringList robots = namesOf(project.robots().all());
-    if (robots.isEmpty()) { // there is nothing to look for: ask for the first one on the way
+    if (robots.isEmpty()) { // no robot to track yet: ask for the first one now
         if (!askRobot())
             return;
         robots = namesOf(project.robots().all());

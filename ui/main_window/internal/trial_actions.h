@@ -31,7 +31,7 @@ public:
     /// Of tracks that another program measured.
     void askImportTracks(const QStringList &files = {});
     void askTrack(const QString &trial);
-    /// Stores a person's word on a sample and analyses the trial again.
+    /// Stores a manual override of a sample and reanalyses the trial.
     void overrule(const OverruleRequest &word);
     /// Stores where a person says that a robot is, and tracks the trial again.
     void pointOut(const QString &trial, const RobotPointer &pointer);

@@ -305,7 +305,7 @@ QString windowTitleOf(const Project *project, const TrialScenePtr &trial)
         parts << words.join(QStringLiteral(", "));
     }
     parts << WindowTitleWords::tr("Odograph");
-    // An asterisk in brackets would be taken as the place of the "changed" mark.
+    // Qt would replace "[*]" by its mark for changed windows.
     return parts.join(QStringLiteral(" — ")).replace(QLatin1String("[*]"), QLatin1String("[ *]"));
 }
 

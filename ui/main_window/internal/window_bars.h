@@ -49,7 +49,7 @@ class MessageBar : public QFrame
     Q_OBJECT
 public:
     explicit MessageBar(QWidget *parent = nullptr);
-    /// What was cancelled is no error: it is told as what was done.
+    /// A cancelled job is no error: it is shown as a notice.
     void showError(const Error &error);
     void showDone(const QString &text);
     /// What somebody should know who was not asked; stays until it is closed.

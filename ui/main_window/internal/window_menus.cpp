@@ -155,7 +155,7 @@ void ViewActions::followDesktop()
 
 namespace {
 
-/// So that words with an ampersand in them are shown, not taken as a key.
+/// An ampersand in the text must be shown, not become a mnemonic.
 QString inMenu(QString words)
 {
     constexpr int longest = 60;

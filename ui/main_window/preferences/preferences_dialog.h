@@ -34,14 +34,14 @@ public:
 
 Q_SIGNALS:
     void themeChosen(odo::Theme theme);
-    void lookChanged(); ///< what is on the screen must be made anew
+    void lookChanged(); ///< the pages must be rebuilt
 
 private:
     QTabWidget *m_tabs;
 };
 
-/// How everything looks and is told: language, units, theme, colours of maps. What is chosen is in force, and
-/// kept in the settings, at once.
+/// Appearance: language, units, theme, colours of maps. A choice takes effect, and is stored in the settings,
+/// at once.
 class GeneralPage : public QWidget
 {
     Q_OBJECT
@@ -53,7 +53,7 @@ public:
 
 Q_SIGNALS:
     void themeChosen(odo::Theme theme);
-    void lookChanged(); ///< what is on the screen must be made anew
+    void lookChanged(); ///< the pages must be rebuilt
 
 private:
     QComboBox *makeLanguages();

@@ -28,8 +28,7 @@ class QDoubleSpinBox;
 
 namespace odo {
 
-/// A planned camera in numbers: where it stands, how high, what it looks at, its lens and the size of its
-/// pictures.
+/// A planned camera in numbers: position, height, aim point, field of view and image size.
 class PlannedCameraForm : public QWidget
 {
     Q_OBJECT
@@ -157,7 +156,7 @@ constexpr int mapSideWidth = 400;
 constexpr double nearestPlannedM = 1, farthestPlannedM = 6; // from the floor, to begin with
 enum Show { Together, Alone };
 
-/// The same, where it stands as a sketch shows it.
+/// The same, with its position as the sketch shows it.
 SketchedCamera sketched(const QString &name, const MappedCamera &camera)
 {
     if (const auto *planned = std::get_if<PlannedCamera>(&camera)) {

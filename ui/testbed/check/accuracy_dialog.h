@@ -21,8 +21,8 @@ namespace odo {
 class FloorSketch;
 class PlannedCameraForm;
 
-/// How well places of the floor will be known: with the registered cameras, one alone, or cameras that are
-/// only planned, which are put by mouse or in numbers, or where they serve best. Stores nothing.
+/// The expected accuracy of floor positions: with the registered cameras, one alone, or planned cameras,
+/// which the user moves by mouse or numbers, or to the best position. Stores nothing.
 class AccuracyDialog : public QDialog
 {
     Q_OBJECT

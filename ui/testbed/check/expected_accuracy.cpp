@@ -70,7 +70,7 @@ QImage imageOf(const SketchedAccuracy &accuracy, const Range &range)
     for (int row = 0; row < grid.rows; ++row) {
         for (int column = 0; column < grid.columns; ++column) {
             const double sigma = accuracy.sigmaM[grid.index(column, row)];
-            if (sigma > 0) // rows of the picture go down as Y does
+            if (sigma > 0) // image rows go down as Y does
                 image.setPixelColor(column, grid.rows - 1 - row, scaleColour(range.fraction(sigma)));
         }
     }

@@ -20,7 +20,7 @@ class QPainter;
 
 namespace odo {
 
-/// σ over the floor as it is painted: one value a place of the grid, NaN where it is not seen. Metres.
+/// σ over the floor as it is painted: one value a grid cell, NaN where no camera sees it. Metres.
 struct SketchedAccuracy
 {
     FloorGrid grid;
@@ -53,7 +53,7 @@ struct AccuracyRequest
 {
     MarkerLayout layout;
     std::vector<MappedCamera> cameras;
-    std::optional<std::size_t> alone; ///< the map of this one; nullopt: of all together
+    std::optional<std::size_t> alone; ///< the map of this camera; nullopt: of all (joint)
     double robotHeightM = 0;
 };
 

@@ -17,12 +17,12 @@ struct SketchedCamera
 {
     QString name;
     Eigen::Vector3d pointInWorld;  ///< metres
-    Eigen::Vector2d lookAtInWorld; ///< where the middle of its picture meets the floor
+    Eigen::Vector2d lookAtInWorld; ///< where the middle of its image meets the floor
     bool isPlanned = false;        ///< drawn dashed, and can be dragged, as can where it looks at
 };
 
-/// The testbed from above: markers, world axes, a grid of half a metre, where the cameras stand and look, and
-/// how well places are expected to be known.
+/// The testbed from above: markers, world axes, a grid of half a metre, camera positions and directions, and
+/// the expected accuracy.
 class FloorSketch : public QWidget
 {
     Q_OBJECT

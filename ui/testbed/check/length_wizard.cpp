@@ -144,7 +144,7 @@ QString labelOf(int end)
     return QString::number(end + 1);
 }
 
-/// In mm. Two of them stand beside one another: 3,666, 548 could be read as three; and 0 has no sign.
+/// In mm, without grouping: two numbers such as "3,666, 548" could be read as three. 0 has no sign.
 QString tenths(double metres)
 {
     QLocale locale;

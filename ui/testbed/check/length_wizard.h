@@ -26,8 +26,8 @@ class LengthPage;
 class LiveCameras;
 class PictureChoice;
 
-/// Checks a registered camera by a length that is known: which camera and picture, then both ends in it.
-/// Stores nothing.
+/// Checks a registered camera by a known length: camera and image first, then both ends in the image. Stores
+/// nothing.
 class LengthWizard : public StepDialog
 {
     Q_OBJECT
@@ -64,15 +64,15 @@ private:
 
 class MarkerCanvas;
 
-/// Second page of the length wizard: both ends of a known length in the picture, what it truly is, and at
-/// once how well the camera measures it.
+/// Second page of the length wizard: both ends of a known length in the image, its true length, and at once
+/// how well the camera measures it.
 class LengthPage : public QWidget
 {
     Q_OBJECT
 public:
     explicit LengthPage(QWidget *parent = nullptr);
 
-    /// While the picture is being got.
+    /// While the image is loading.
     void wait(const QString &words);
     void showFailure(const Error &error);
     void begin(std::shared_ptr<const StillPicture> picture, const CheckCamera &camera);

@@ -241,7 +241,7 @@ void MovedDialog::finishOne(const std::shared_ptr<Job> &job, const std::optional
                 keepNotTold(m_project, row.camera.name.toStdString(), *error).has_value() || m_hasChecked;
     }
     showRow(m_waiting.front());
-    // To what is wrong, so that nobody has to look for it.
+    // Selects the first problem, so nobody has to search for it.
     if (row.badge.state != BadgeState::Good)
         m_table->selectRow(m_waiting.front());
     m_waiting.pop_front();

@@ -20,9 +20,8 @@ namespace odo {
 class LiveCameras;
 struct CameraDescription;
 
-/// Before a trial: looks in a new picture of each registered camera whether it still stands where it was
-/// registered. What is found is kept with the registrations as soon as it is found; a check that is given up
-/// keeps nothing.
+/// Before a trial: checks in a new image of each registered camera whether it has moved. Each result is
+/// stored with its registration at once; a cancelled check stores nothing.
 class MovedDialog : public QDialog
 {
     Q_OBJECT
@@ -33,7 +32,7 @@ public:
                 QWidget *parent = nullptr);
     ~MovedDialog() override;
 
-    /// Where the new picture of a camera comes from; both empty: it is not checked.
+    /// The source of a camera's new image; both empty: the camera is not checked.
     void setPicture(int row, const PictureOrigin &origin);
     bool isRunning() const { return m_runner.isRunning(); }
     /// Something was found out and kept.

@@ -31,8 +31,8 @@
 
 namespace odo {
 
-/// The picture that a calibration or registration was made from, with its markers; read on a thread of its
-/// own. Hidden where none was kept.
+/// The image that a calibration or registration was made from, with its markers; loaded on a thread of its
+/// own. Hidden if none was stored.
 class RevisionPicture : public MarkerCanvas
 {
     Q_OBJECT
@@ -306,7 +306,7 @@ QString figure(const std::optional<double> &value, const MetricChange &metric)
                  : QStringLiteral("–");
 }
 
-/// With its sign; no more digits than the figures have, and a word where none of them changes.
+/// With its sign; no more digits than the values have, and a word if none of them changes.
 QString difference(const MetricChange &metric)
 {
     if (!metric.before || !metric.after)

@@ -21,8 +21,7 @@ class Project;
 class RevisionPicture;
 
 /// Every calibration and registration of a camera: when, by which version, from what, how good, and which
-/// trials were measured with it. An older one can be put in force again, and trials measured anew with what
-/// is in force.
+/// trials use it. The user can make an older one current and reanalyse trials with the current ones.
 class RevisionsDialog : public QDialog
 {
     Q_OBJECT
@@ -54,8 +53,8 @@ private:
     QPushButton *m_choose, *m_register, *m_reprocess;
 };
 
-/// Measures a trial again with the registrations in force and shows what that changes, figure by figure,
-/// before it is kept. What is not kept leaves nothing behind.
+/// Reanalyses a trial with the current registrations and shows the change of each metric before the user
+/// keeps it. A rejected analysis leaves nothing behind.
 class ReprocessDialog : public QDialog
 {
     Q_OBJECT

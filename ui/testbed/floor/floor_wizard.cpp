@@ -141,7 +141,7 @@ FloorSourcePage::FloorSourcePage(const std::vector<FloorCamera> &cameras, const 
       m_picture(new PictureChoice(live, tr("Image or video of the markers"))), m_lens(new QLabel),
       m_badge(new BadgeLabel({}))
 {
-    m_camera->setEditable(true); // one whose lens was never measured may be new here
+    m_camera->setEditable(true); // a camera that was never calibrated may be new here
     for (const FloorCamera &camera : m_cameras)
         m_camera->addItem(camera.name);
     m_camera->setCurrentText(current);

@@ -23,9 +23,9 @@ class FloorSourcePage;
 class LiveCameras;
 class MarkerPage;
 
-/// Leads from a picture of the markers to a camera's place over the floor: which camera, layout and picture;
-/// the markers, found or put by hand, with the result at once. The project is up to whoever opened it, once
-/// it is accepted. Closing it at any page leaves nothing behind.
+/// Registers a camera from an image of the markers: choose camera, layout and image, then detect or click the
+/// markers, with the result at once. The caller stores it once it is accepted. Closing it at any page leaves
+/// nothing behind.
 class FloorWizard : public StepDialog
 {
     Q_OBJECT
@@ -37,7 +37,7 @@ public:
     FloorSourcePage &source() { return *m_source; }
     MarkerPage &markers() { return *m_markers; }
     QString camera() const;
-    /// Once accepted: everything but the camera's number, the date, and where the picture is.
+    /// Once accepted: everything but the camera's number, the date, and the path of the image.
     RegistrationRecord result() const;
 
     void done(int result) override;
@@ -64,7 +64,7 @@ private:
 class BadgeLabel;
 class PictureChoice;
 
-/// First page of the floor wizard: which camera, which layout, and the picture in which its markers are seen.
+/// First page of the floor wizard: camera, layout, and the image that shows the markers.
 class FloorSourcePage : public QWidget
 {
     Q_OBJECT
@@ -75,7 +75,7 @@ public:
                     QWidget *parent = nullptr);
 
     QString camera() const;
-    int layout() const; ///< its place in the list
+    int layout() const; ///< its row in the list
     PictureOrigin origin() const;
     void setFile(const QString &file);
     bool isComplete() const;
@@ -97,20 +97,20 @@ private:
 class MarkerCanvas;
 class RegistrationVerdict;
 
-/// Second page of the floor wizard: the markers in the picture, found or put by hand, and at once where the
-/// camera stands, how well each marker fits, and what is wrong.
+/// Second page of the floor wizard: the markers in the image, detected or clicked, and at once the camera
+/// position, how well each marker fits, and any problem.
 class MarkerPage : public QWidget
 {
     Q_OBJECT
 public:
     explicit MarkerPage(QWidget *parent = nullptr);
 
-    /// While the picture is being got.
+    /// While the image is loading.
     void wait(const QString &words);
     void begin(std::shared_ptr<const StillPicture> picture, const MarkerLayout &layout,
                const std::optional<Intrinsics> &lens);
     void showFailure(const Error &error);
-    /// What was found stands: it can be tried again.
+    /// Keeps the markers: the user can try again.
     void showNotSaved(const Error &error);
 
     /// What the markers say now; none where they do not determine it.
@@ -135,7 +135,7 @@ private:
     MarkerLayout m_layout;
     std::optional<Intrinsics> m_lens;
     std::vector<MarkerPixel> m_pixels;
-    std::vector<std::pair<std::string, QString>> m_kinds; ///< label and what it was taken for
+    std::vector<std::pair<std::string, QString>> m_kinds; ///< label and the kind of feature it snapped to
     std::vector<std::vector<MarkerPixel>> m_before;       ///< for undo
     std::optional<FloorRegistration> m_registration;
     MarkerCanvas *m_canvas;
@@ -144,8 +144,7 @@ private:
     QAction *m_remove, *m_undo;
 };
 
-/// Says where a camera stands by the registration in the making, or why that is not known and what to do. GUI
-/// thread.
+/// Describes the camera position by the current fit, or why it is unknown and what to do. GUI thread.
 class RegistrationVerdict : public Card
 {
     Q_OBJECT

@@ -30,11 +30,11 @@ public:
     LayoutDialog(const MarkerLayout &start, const QStringList &taken, QWidget *parent = nullptr);
 
     MarkerLayout layout() const { return m_layout; }
-    /// What is wrong with it as it stands, in a sentence; empty: nothing.
+    /// Its first problem, in a sentence; empty: none.
     QString problem() const;
     Result<void> importCsv(const QString &file);
     Result<void> exportCsv(const OutputTarget &target) const;
-    /// Told in the dialog where it is refused.
+    /// Shows in the dialog why a file is refused.
     void changeAxes(const AxesChange &change);
 
 private:

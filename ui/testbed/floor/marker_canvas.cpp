@@ -196,7 +196,7 @@ void MarkerCanvas::paintMarkers(QPainter &painter) const
     }
 }
 
-/// What lies about the marker that is dragged, in the corner of the picture that is farther away.
+/// Magnifier round the dragged marker, in the farther corner of the image.
 void MarkerCanvas::paintMagnifier(QPainter &painter) const
 {
     const auto found = std::ranges::find(m_markers, m_current.toStdString(), &MarkerPixel::label);

@@ -13,15 +13,15 @@
 
 namespace odo {
 
-/// A picture of the floor on which markers are put and dragged, with a magnifier while one is moved. A click
+/// An image of the floor on which the user puts and drags markers, with a magnifier while one moves. A click
 /// puts the current marker there; the arrow keys move it by a tenth of a pixel, with Shift by a whole one,
-/// with Ctrl by twenty; Space asks to snap it to what lies near.
+/// with Ctrl by twenty; Space asks to snap it to a nearby feature.
 class MarkerCanvas : public QWidget
 {
     Q_OBJECT
 public:
     explicit MarkerCanvas(QWidget *parent = nullptr);
-    /// size: of the picture in which pixels count.
+    /// size: of the image in whose pixels markers are given.
     void setPicture(const QImage &image, QSize size);
     void setMarkers(std::vector<MarkerPixel> markers);
     void setCurrent(const QString &label);
@@ -67,7 +67,7 @@ private:
     bool m_dragging = false, m_movedByKeys = false, m_joined = false;
 };
 
-/// What a click was taken for, in a word or two: "tape crossing"; "by hand" where nothing was near.
+/// The kind of feature that a click snapped to: "tape crossing"; "by hand" if nothing was near.
 QString snappedWords(SnappedMarker::Kind kind);
 
 } // namespace odo

@@ -15,7 +15,7 @@ class QRadioButton;
 
 namespace odo {
 
-/// A picture of the floor and the markers found in it.
+/// An image of the floor and the markers detected in it.
 struct StillPicture
 {
     Frame frame;
@@ -24,31 +24,30 @@ struct StillPicture
     std::optional<Error> notFound; ///< why no markers are there
 };
 
-/// Keeps a camera's picture beside the project, before its registration is stored. On a thread of the
+/// Writes a camera's image beside the project, before its registration is stored. On a thread of the
 /// wizard's.
 using KeepPicture = std::function<Result<void>(const QString &camera, const Frame &picture)>;
 
-/// Where a picture comes from: a file (picture or video), or the address of a camera.
+/// The source of an image: a file (image or video), or the address of a camera.
 struct PictureOrigin
 {
     QString file, liveUri;
 };
 
-/// Takes the picture and looks for the layout's markers in it; of a video the first picture in which the most
-/// are seen. A layout without markers: the picture alone, of a video the first. Any thread; long. Errors:
-/// unreadable, lost camera, Cancelled, and another size than the lens was measured at.
+/// Takes the image and detects the layout's markers in it; in a video, the first frame that shows the most. A
+/// layout without markers: the image alone, of a video the first frame. Any thread; long. Errors: unreadable,
+/// lost camera, Cancelled, and a size other than the calibrated one.
 Result<StillPicture> takeStillPicture(const PictureOrigin &origin, const MarkerLayout &layout,
                                       const std::optional<Intrinsics> &lens, const JobControl &control);
 
-/// The camera that a picture of this size was taken with.
+/// The camera model for an image of this size.
 CameraModel cameraOf(const std::optional<Intrinsics> &lens, int widthPx, int heightPx);
 
 class LiveCameraBox;
 class LiveCameras;
 class PathField;
 
-/// Asks where a picture of the floor comes from: the camera's newest recording, a camera that is connected,
-/// or a file.
+/// Asks for the source of a floor image: the camera's newest recording, a connected camera, or a file.
 class PictureChoice : public QWidget
 {
     Q_OBJECT

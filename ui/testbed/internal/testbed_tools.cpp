@@ -35,7 +35,7 @@ class QObject;
 
 namespace odo {
 
-/// An action that stands in the menu by its long words, and on a button beneath a table by its short ones.
+/// An action with a long text for the menu and a short one for its button beneath a table.
 QAction *toolAction(const QString &icon, const QString &text, const QString &shortText, const QString &tip,
                     QObject *parent)
 {
@@ -55,8 +55,8 @@ Result<std::shared_ptr<CameraSource>> openWithBoard(const QString &uri)
     return std::shared_ptr<CameraSource>(std::move(camera));
 }
 
-/// The picture of a registration on its way into the project: written by the wizard's thread, read by this
-/// one once the wizard is closed. Unless it is committed, its destructor leaves nothing behind.
+/// The image of a registration on its way into the project: written by the wizard's thread, read by this one
+/// once the wizard is closed. Unless it is committed, its destructor deletes it.
 class FloorPicture
 {
 public:
@@ -86,8 +86,7 @@ TestbedTools::TestbedTools(Project &project, LiveCameras &live, QWidget &window)
         tr("Calibrate a camera with images of a board"), &TestbedTools::calibrate);
     add(Register, QStringLiteral("register"), tr("&Register camera…"), tr("Register…"),
         tr("Determine a camera's position from the floor markers"), &TestbedTools::registerCamera);
-    add(RegisterThrough, QStringLiteral("register"), tr("Register via anot&her camera…"),
-        tr("Via another…"),
+    add(RegisterThrough, QStringLiteral("register"), tr("Register via anot&her camera…"), tr("Via another…"),
         tr("Determine the position of a camera that sees no markers, from floor points that another camera "
            "also sees"),
         &TestbedTools::registerThroughCamera);
@@ -308,7 +307,7 @@ void TestbedTools::importLayout()
         Q_EMIT failed(layout.error());
         return;
     }
-    // Looked over before it is stored: a table of another unit shows at once.
+    // Shown before it is stored: a table in another unit is obvious at once.
     layout->name = QFileInfo(file).completeBaseName().toStdString();
     LayoutDialog dialog(*layout, layoutNames(), &m_window);
     if (dialog.exec() == QDialog::Accepted)
@@ -400,7 +399,7 @@ void CheckTools::showAccuracy()
     }
     std::erase_if(*cameras,
                   [this](const CheckCamera &camera) { return camera.layout.name != m_layout->layout.name; });
-    double heightM = 0; // of a robot that was told; the figures hardly depend on it
+    double heightM = 0; // of a given robot; the result hardly depends on it
     for (const RobotRecord &robot : *robots)
         heightM = std::max(heightM, robot.heightM.value_or(0));
     AccuracyDialog(m_layout->layout, *cameras, heightM, &m_window).exec();

@@ -35,7 +35,7 @@ public:
         ToolCount
     };
 
-    /// live: looked up anew before a dialog asks for one; must outlive it. window: parent of the dialogs.
+    /// live: refreshed before a dialog asks for a camera; must outlive it. window: parent of the dialogs.
     TestbedTools(Project &project, LiveCameras &live, QWidget &window);
 
     QAction *action(Tool tool) const { return m_actions.at(tool); }
@@ -81,7 +81,7 @@ class CheckTools : public QObject
 public:
     enum Tool { Moved, Length, Accuracy, Revisions, ToolCount };
 
-    /// live: looked up anew before a dialog asks for one; must outlive it. window: parent of the dialogs.
+    /// live: refreshed before a dialog asks for a camera; must outlive it. window: parent of the dialogs.
     CheckTools(Project &project, LiveCameras &live, QWidget &window);
 
     QAction *action(Tool tool) const { return m_actions.at(tool); }

@@ -32,8 +32,8 @@ struct MeasuredLens
     std::vector<BoardPicture> pictures; ///< of the calibration
 };
 
-/// Leads from a board to a camera's intrinsics: which board and camera, its pictures, the result. The project
-/// is up to whoever opened it, once it is accepted. Closing it at any page leaves nothing behind.
+/// Computes a camera's intrinsics with a board: choose board and camera, collect images, check the result.
+/// The caller stores it once it is accepted. Closing it at any page leaves nothing behind.
 class LensWizard : public StepDialog
 {
     Q_OBJECT
@@ -80,7 +80,7 @@ private:
 
 class LiveCameraBox;
 
-/// First page of the lens wizard: which camera, which board, and where its pictures come from.
+/// First page of the lens wizard: camera, board, and the source of the images.
 class LensSourcePage : public QWidget
 {
     Q_OBJECT

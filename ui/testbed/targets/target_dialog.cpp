@@ -217,7 +217,7 @@ TargetSpec TargetDialog::spec() const
     return spec;
 }
 
-/// A larger sheet is wanted for larger squares.
+/// Larger squares need a larger sheet.
 void TargetDialog::suggestSizes()
 {
     const bool large = m_paper->currentData().toInt() == QPageSize::A3;

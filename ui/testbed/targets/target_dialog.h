@@ -27,7 +27,7 @@ public:
     explicit TargetDialog(TargetKind kind, const QStringList &labels, QWidget *parent = nullptr);
 
     TargetSpec spec() const;
-    /// As Save as PDF does once the file is chosen; what went wrong is told in the dialog.
+    /// What Save as PDF does once the file is chosen; the dialog shows any error.
     bool savePdf(const ChosenOutput &output);
 
 private:

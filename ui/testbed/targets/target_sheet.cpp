@@ -114,7 +114,7 @@ Result<void> checkDrawable(const TargetSpec &spec)
     return {};
 }
 
-/// How much larger a figure could be made on a paper of this size.
+/// How much larger the target could be on a paper of this size.
 double roomFor(QSizeF paperMm, QSizeF figureMm)
 {
     return std::min((paperMm.width() - 2 * targetMarginMm) / figureMm.width(),
@@ -257,7 +257,7 @@ void paintMarker(QPainter &painter, const TargetSheet &sheet)
     painter.drawLine(QPointF(right - tickMm, middle.y()), QPointF(right, middle.y()));
     painter.drawLine(QPointF(middle.x(), targetMarginMm), QPointF(middle.x(), targetMarginMm + tickMm));
     painter.drawLine(QPointF(middle.x(), bottom - tickMm), QPointF(middle.x(), bottom));
-    // Above the figure and its white rim, and as large as there is room: it is read standing.
+    // Above the target and its white rim, and as large as fits: it is read from standing height.
     const double rim = sheet.figureMm.height() / 6;
     const double letter =
         std::clamp(sheet.figureMm.top() - rim - targetMarginMm, smallestLetterMm, largestLetterMm);

@@ -29,7 +29,7 @@ struct TargetSpec
     int columns = 9, rows = 6; ///< of a board: inner corners
     double squareM = 0.025;    ///< of a board
     double markerM = 0.15;     ///< side of a tag's black square, outer diameter of a ring
-    /// One sheet a marker, in the order of the layout: a tag's number is the place of its label.
+    /// One sheet a marker, in the order of the layout: a tag's number is the index of its label.
     QStringList labels{QStringLiteral("O"), QStringLiteral("U"), QStringLiteral("V"), QStringLiteral("D")};
 };
 
@@ -43,8 +43,8 @@ struct TargetSheet
     int tag = -1;  ///< number of a tag
 };
 
-/// Room that is left free at each edge of the paper, where printers cannot print, and beneath the figure for
-/// the ruler and the words.
+/// Margin at each edge of the paper, where printers cannot print, and space beneath the target for the ruler
+/// and the text.
 inline constexpr double targetMarginMm = 8, targetFootMm = 18;
 
 /// A board's squares or a marker, in the middle of the paper, which is turned where it fits better. Refuses
@@ -53,16 +53,15 @@ inline constexpr double targetMarginMm = 8, targetFootMm = 18;
 /// large it may be.
 Result<std::vector<TargetSheet>> layOutTarget(const TargetSpec &spec);
 
-/// Paints one sheet, black on whatever ground there is; the painter's unit must be the millimetre, its origin
-/// the sheet's top left corner. Beneath the figure: a ruler of 100 mm to check the print by, and what to do
-/// with it.
+/// Paints one sheet, black on any background; the painter's unit must be the millimetre, its origin the
+/// sheet's top left corner. Beneath the target: a ruler of 100 mm to check the print, and instructions.
 void paintTarget(QPainter &painter, const TargetSpec &spec, const TargetSheet &sheet);
 
 /// Sets the paper and paints the sheets to scale, one a page. Error Io when the device takes no painting.
 Result<void> printTarget(QPagedPaintDevice &device, const TargetSpec &spec,
                          const std::vector<TargetSheet> &sheets);
 
-/// Lays out and writes a PDF. Errors: those of layOutTarget and OutputFile.
+/// Arranges and writes a PDF. Errors: those of layOutTarget and OutputFile.
 Result<void> writeTargetPdf(const TargetSpec &spec, const OutputTarget &target);
 
 } // namespace odo

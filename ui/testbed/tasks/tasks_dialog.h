@@ -24,10 +24,9 @@ class Project;
 class TaskCanvas;
 struct TaskDraft;
 
-/// The tasks of a project: made from templates, changed, copied, renamed, archived, deleted, each as one
-/// change that can be undone, here too (Ctrl+Z takes back what was done here). Says what depends on each, and
-/// offers to measure trials again that were measured by another course. On the project's thread; the project
-/// must outlive it.
+/// The tasks of a project: create from templates, change, copy, rename, archive, delete, each as one change
+/// that can be undone, here too (Ctrl+Z undoes changes made here). Shows what depends on each, and offers to
+/// reanalyse trials that used another course. On the project's thread; the project must outlive it.
 class TasksDialog : public QDialog
 {
     Q_OBJECT
@@ -39,7 +38,7 @@ public:
 
 Q_SIGNALS:
     void changed(); ///< the project
-    /// The dialog is closed, and these are to be measured again.
+    /// Sent when the dialog has closed: reanalyse these trials.
     void reprocessRequested(const QStringList &trials);
 
 private:

@@ -29,7 +29,7 @@ class JointDialog : public QDialog
 {
     Q_OBJECT
 public:
-    /// A job for this σ of the markers' measured places, prepared. Called on the dialog's thread.
+    /// A prepared job for this σ of the markers' measured positions. Called on the dialog's thread.
     using Prepare = std::function<Result<std::shared_ptr<RegisterJointJob>>(double tapeSigmaM)>;
 
     JointDialog(const QString &layout, Prepare prepare, QWidget *parent = nullptr);
@@ -60,7 +60,7 @@ private:
 class LiveCameras;
 class PictureChoice;
 
-/// First page of registering a camera through another one: which two, and where a picture of each comes from.
+/// First page of registering a camera via another one: which two, and the source of an image of each.
 class ThroughSourcePage : public QWidget
 {
     Q_OBJECT
@@ -89,9 +89,8 @@ private:
     QLabel *m_same; ///< shown when both are the same camera
 };
 
-/// Registers a camera that sees no markers through another one that sees the same floor: which two and their
-/// pictures, then the same points in both. Stores nothing: that is up to whoever opened it, once it is
-/// accepted.
+/// Registers a camera that sees no markers via another one that sees the same floor: which two and their
+/// images, then the same points in both. Stores nothing: the caller does, once it is accepted.
 class ThroughWizard : public StepDialog
 {
     Q_OBJECT

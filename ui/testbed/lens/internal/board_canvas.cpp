@@ -13,11 +13,11 @@
 namespace odo {
 namespace {
 
-// Okabe and Ito's blue, orange and sky blue: told apart by everyone, and by shape besides.
+// Okabe and Ito's blue, orange and sky blue: everyone can distinguish them, and the shapes differ too.
 const QColor keptColour(0, 158, 115), seenColour(230, 159, 0), wantedColour(86, 180, 233),
     coveredColour(0, 114, 178);
 constexpr int mostShade = 90, fullAtCorners = 60;
-constexpr double longestArrow = 0.08; // of the picture's width
+constexpr double longestArrow = 0.08; // of the image width
 
 } // namespace
 
@@ -122,7 +122,7 @@ void BoardCanvas::paintCorners(QPainter &painter, const QRectF &place) const
     }
 }
 
-/// Magnified so that the longest can be seen; how much stands beside.
+/// Magnified until the longest is visible; the factor is shown.
 void BoardCanvas::paintResiduals(QPainter &painter, const QRectF &place) const
 {
     double longest = 0;

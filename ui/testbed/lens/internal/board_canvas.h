@@ -10,8 +10,8 @@
 
 namespace odo {
 
-/// A picture of the board with what is known of it: the corners that were found, where boards have been
-/// (shaded fields), where the board should go next (a dashed outline), and the corners' residuals as arrows.
+/// An image of the board with its detected corners, the fields that earlier boards covered (shaded), where
+/// the board should go next (a dashed outline), and the corners' residuals as arrows.
 class BoardCanvas : public QWidget
 {
     Q_OBJECT
@@ -19,19 +19,19 @@ public:
     struct Content
     {
         QImage image;
-        QSize size; ///< of the picture in which the pixels below count
+        QSize size; ///< of the image in which the pixels below count
         std::vector<Eigen::Vector2d> corners;
-        bool counts = false; ///< the corners' picture was kept
+        bool counts = false; ///< this image was accepted
         std::optional<BoardCoverage> coverage;
         std::optional<BoardPlacement> wanted;
         std::vector<Eigen::Vector2d> residuals; ///< px, one a corner: seen minus computed
-        QString label;                          ///< in the picture's upper left
+        QString label;                          ///< in the image's upper left
     };
 
     explicit BoardCanvas(QWidget *parent = nullptr);
     void setContent(Content content);
     const Content &content() const { return m_content; }
-    /// What stands there as long as there is no picture.
+    /// The text shown while there is no image.
     void setEmptyText(const QString &text);
 
     QSize sizeHint() const override { return {720, 405}; }

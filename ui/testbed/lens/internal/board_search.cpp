@@ -22,7 +22,7 @@
 
 namespace odo {
 
-/// A camera that one thread opens and takes pictures from while another may put an end to it at any moment.
+/// A camera that one thread opens and reads while another may stop it at any moment.
 class WatchedCamera
 {
 public:
@@ -74,8 +74,7 @@ void WatchedCamera::stop()
 
 class VideoReader;
 
-/// The part of BoardSearch that lives on its thread. It does one picture at a time and then lets orders come
-/// through.
+/// The part of BoardSearch that lives on its thread. It handles one image, then pending orders.
 class BoardSearchWorker : public QObject
 {
     Q_OBJECT
@@ -176,7 +175,7 @@ void BoardSearchWorker::stop()
     tellState();
 }
 
-/// One picture, then the orders that have come meanwhile, then the next.
+/// One image, then the pending orders, then the next image.
 void BoardSearchWorker::goOn()
 {
     if (std::exchange(m_going, true))
@@ -247,7 +246,7 @@ void BoardSearchWorker::lookAtVideo()
         tellState();
         return;
     }
-    if (!frame || (*frame)->index % videoStep != 0) // one damaged picture must not cost the others
+    if (!frame || (*frame)->index % videoStep != 0) // one damaged image must not cost the others
         return;
     const QString name = QStringLiteral("%1@%2").arg(m_videoName).arg((*frame)->index);
     const PictureAnswer answer = m_collector.watch(**frame, name.toStdString());
@@ -259,7 +258,7 @@ void BoardSearchWorker::lookAtVideo()
 void BoardSearchWorker::took(const Frame &frame, const QString &name, const PictureAnswer &answer,
                              bool chosen)
 {
-    // The screen may miss pictures that change nothing; it must not fall behind.
+    // The screen may skip images that change nothing; it must not fall behind.
     if (answer.kept || chosen || m_onTheirWay < mostOnTheirWay) {
         SearchedPicture searchedPicture{
             name, forScreen(frame), {frame.format.width, frame.format.height}, answer, {}};
@@ -384,7 +383,7 @@ void BoardSearch::undoRemove()
 void BoardSearch::stop()
 {
     if (m_camera)
-        m_camera->stop(); // wakes the worker where it waits for a picture
+        m_camera->stop(); // wakes the worker where it waits for an image
     m_camera.reset();
     ask([](BoardSearchWorker &worker) { worker.stop(); });
 }

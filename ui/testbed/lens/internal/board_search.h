@@ -20,17 +20,17 @@ class WatchedCamera;
 /// Opens the camera whose board is to be seen.
 using OpenCamera = std::function<Result<std::shared_ptr<CameraSource>>()>;
 
-/// A picture in which the board was looked for, small enough for the screen.
+/// A searched image, small enough for the screen.
 struct SearchedPicture
 {
     QString name;
     QImage image;
-    QSize size; ///< of the picture as taken
+    QSize size; ///< of the original image
     PictureAnswer answer;
     std::optional<WantedPose> wanted; ///< what would add most now; once the board is known
 };
 
-/// A picture that counts.
+/// An accepted image.
 struct KeptPicture
 {
     QString name;
@@ -43,16 +43,17 @@ struct KeptPicture
 struct SearchState
 {
     std::vector<KeptPicture> kept;
-    std::vector<std::pair<QString, QString>> refused; ///< name and reason of pictures that a person chose
+    std::vector<std::pair<QString, QString>>
+        refused; ///< name and reason of rejected images that the user chose
     BoardCoverage coverage;
     int columns = 0, rows = 0; ///< of the board; 0: not found out yet
-    QSize size;                ///< of the pictures
+    QSize size;                ///< of the images
     bool canUndo = false;
-    int waiting = 0; ///< files not looked at yet
+    int waiting = 0; ///< files not searched yet
 };
 
-/// Looks for a board in pictures, videos or before a camera, on a thread of its own; gathers what counts.
-/// Signals come on the object's thread. The destructor stops and waits.
+/// Searches for a board in images, videos or a live camera, on a thread of its own; collects the accepted
+/// images. Signals come on the object's thread. The destructor stops and waits.
 class BoardSearch : public QObject
 {
     Q_OBJECT
@@ -60,18 +61,17 @@ public:
     explicit BoardSearch(QObject *parent = nullptr);
     ~BoardSearch() override;
 
-    /// Begins anew with this board.
+    /// Restarts with this board.
     void begin(const BoardSpec &spec);
-    /// Pictures and videos, one after the other.
+    /// Images and videos, one after the other.
     void addFiles(const QStringList &files);
-    /// Until stop(): pictures are taken by themselves. open: called on the search's thread, for it may take
-    /// long.
+    /// Takes images automatically until stop(). open: called on the search's thread, for it may take long.
     void watch(OpenCamera open);
-    /// The next picture of the camera is taken as if a person had chosen it.
+    /// Treats the camera's next image as chosen by the user.
     void takeNow();
     void remove(int index);
     void undoRemove();
-    /// Ends watching and forgets the files not looked at yet.
+    /// Stops watching and drops the files not searched yet.
     void stop();
 
     const SearchState &state() const { return m_state; }
@@ -79,7 +79,7 @@ public:
 Q_SIGNALS:
     void searched(const odo::SearchedPicture &picture);
     void changed();                        ///< state() is new
-    void troubled(const QString &message); ///< the camera is lost, or gives no picture for the moment
+    void troubled(const QString &message); ///< the camera is lost, or delivers no image for the moment
 
 private:
     void ask(std::function<void(BoardSearchWorker &)> what);

@@ -30,7 +30,7 @@ class QProgressBar;
 
 namespace odo {
 
-/// The four bars that tell what the pictures still lack, and how many there are.
+/// The four coverage bars and the number of images.
 class CoveragePanel : public QWidget
 {
     Q_OBJECT
@@ -349,7 +349,7 @@ void FilmStrip::setState(const SearchState &state)
         m_remove->setEnabled(row >= 0);
         return;
     }
-    // While a camera runs, pictures are added at the end: those that are there stay as they are.
+    // While a camera runs, images are only added at the end.
     const auto common =
         std::mismatch(there.begin(), there.end(), wanted.begin(), wanted.end()).first - there.begin();
     while (count() > common)

@@ -17,8 +17,8 @@ class BoardCanvas;
 class CoveragePanel;
 class FilmStrip;
 
-/// Second page of the lens wizard: the picture with the board found in it, what the pictures still lack,
-/// where to hold the board next, those that count in a row, and those that do not with the reason.
+/// Second page of the lens wizard: the image with the detected board, the coverage that is still missing,
+/// where to hold the board next, the accepted images in a row, and the rejected ones with the reason.
 class LensPicturesPage : public QWidget
 {
     Q_OBJECT
@@ -55,7 +55,7 @@ private:
 /// What a hint says to a person.
 QString wordsOf(BoardHint hint);
 
-/// The pictures that count, in a row. Delete takes the chosen one out, Undo puts it back.
+/// The accepted images, in a row. Delete removes the selected one, Undo restores it.
 class FilmStrip : public QListWidget
 {
     Q_OBJECT

@@ -280,8 +280,8 @@ void LensResultPage::showAnswer(const LensAnswer &answer)
     std::vector<double> errors;
     for (int i = 0; i < int(m_pictures.kept.size()); ++i) {
         names << m_pictures.kept[std::size_t(i)].name;
-        // The threshold is laid over the errors of the lens that all pictures gave: it must not run away
-        // while dragged.
+        // The bars keep the errors of the calibration from all images: the threshold must not move its own
+        // bars while it is dragged.
         const std::string &source = m_pictures.kept[std::size_t(i)].board.view.source;
         const auto found = std::ranges::find(
             m_all->pictures, source, [](const CalibrationPicture &picture) { return picture.view.source; });

@@ -21,13 +21,13 @@ class QTabWidget;
 
 namespace odo {
 
-/// What is to be solved, and a picture that is shown straightened by the answer.
+/// The calibration to solve, and an image to straighten with the result.
 struct LensQuestion
 {
     std::vector<BoardView> views;
-    QSize size;                     ///< of the pictures
-    std::optional<LensModel> model; ///< nullopt: chosen by how well it foretells
-    /// set: again from the chosen of its pictures, instead of the views
+    QSize size;                     ///< of the images
+    std::optional<LensModel> model; ///< nullopt: chosen by held-out error
+    /// set: solve again from the chosen ones of its images, instead of the views
     std::optional<IntrinsicCalibration> reference;
     std::vector<std::size_t> chosen;
     QImage example;
@@ -65,7 +65,7 @@ private:
     bool m_wanted = false;              ///< the answer to the one being solved
 };
 
-/// The picture as a camera of the same focal length without distortion would show it. Any thread.
+/// The image as a camera of the same focal length without distortion would show it. Any thread.
 QImage straightened(const QImage &picture, const Intrinsics &lens);
 
 class BoardCanvas;
@@ -73,21 +73,21 @@ class Card;
 class FactList;
 class PictureBars;
 
-/// Third page of the lens wizard: the lens in words and millimetres, how well each picture fits, what leaving
-/// some out changes, and a picture straightened by it.
+/// Third page of the lens wizard: the calibration in words and millimetres, how well each image fits, the
+/// effect of leaving some out, and a straightened image.
 class LensResultPage : public QWidget
 {
     Q_OBJECT
 public:
     explicit LensResultPage(QWidget *parent = nullptr);
 
-    /// Solves for these pictures from the start.
+    /// Solves for these images from the start.
     void begin(const SearchState &pictures);
     void cancel() { m_solver.cancel(); }
-    /// While the lens is being stored, and when that failed: it still stands here.
+    /// While the calibration is being stored, and if that failed: it is still shown.
     void showSaving();
     void showNotSaved(const Error &error);
-    /// The lens that stands there; none while it is being solved, or where it could not.
+    /// The calibration on the page; none while it is being solved, or if that failed.
     const std::optional<IntrinsicCalibration> &calibration() const { return m_calibration; }
     const std::vector<KeptPicture> &pictures() const { return m_pictures.kept; }
 
@@ -106,7 +106,7 @@ private:
     void showPicture(int index);
 
     SearchState m_pictures;
-    std::optional<IntrinsicCalibration> m_all; ///< from all pictures: what a threshold starts from
+    std::optional<IntrinsicCalibration> m_all; ///< from all images: where a threshold starts
     std::optional<IntrinsicCalibration> m_calibration;
     LensSolver m_solver;
     QLabel *m_verdict;

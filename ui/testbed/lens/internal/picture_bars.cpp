@@ -17,7 +17,7 @@ namespace odo {
 namespace {
 
 constexpr double grabPx = 7, keyStep = 1.05;
-constexpr double looseFactor = 1.5; // the threshold begins so far above the worst picture
+constexpr double looseFactor = 1.5; // the threshold starts this far above the worst image
 
 QString pixels(double px)
 {
@@ -107,7 +107,7 @@ void PictureBars::paintOver(QPainter &painter)
 
 void PictureBars::setThreshold(double px)
 {
-    // Three pictures at least must stay: fewer tell nothing.
+    // Three images at least must stay: fewer give no result.
     std::vector<double> sorted = m_errors;
     std::ranges::sort(sorted);
     m_threshold = std::max(px, sorted.size() >= 3 ? sorted[2] : px);

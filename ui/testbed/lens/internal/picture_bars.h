@@ -8,8 +8,8 @@
 
 namespace odo {
 
-/// How well each picture fits, as bars, with a threshold to drag (mouse, or the keys Up and Down); Left and
-/// Right choose a picture. Bars above the threshold are hatched: they do not count.
+/// How well each image fits, as bars, with a threshold to drag (mouse, or the keys Up and Down); Left and
+/// Right select an image. Bars above the threshold are hatched: they are rejected.
 class PictureBars : public ChartView
 {
     Q_OBJECT

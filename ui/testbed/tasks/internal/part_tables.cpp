@@ -117,8 +117,8 @@ void PartTable::removeCurrent()
     Q_EMIT currentChanged(m_table->currentRow());
 }
 
-/// Places on the floor as a person writes them in tables: millimetres, without a grouping that could be read
-/// as a decimal sign. A place that is no number is empty.
+/// Positions on the floor as typed in tables: millimetres, without a grouping that could be read as a decimal
+/// sign. A position that is no number is empty.
 QString placeText(double metres)
 {
     if (!std::isfinite(metres))

@@ -40,7 +40,7 @@ protected:
                         const std::vector<std::pair<QString, int>> &choices);
     /// The button works while there is a part.
     void enableWithParts(QPushButton *button) { m_ofParts.push_back(button); }
-    /// A row of buttons, beside which nothing stands.
+    /// A row of buttons, aligned at the start.
     QLayout *rowOf(const std::vector<QPushButton *> &buttons) const;
 
 private:
@@ -106,8 +106,8 @@ private:
 
 /// "stay inside"
 QString zoneRuleName(ZoneRule rule);
-/// Corners as a person writes them, millimetres: "0 0; 3000 0; 3000 2200", with decimals in the manner of the
-/// locale. A number that is none is read as NaN, which checkZone tells.
+/// Corners as typed, millimetres: "0 0; 3000 0; 3000 2200", with decimals in the manner of the locale. An
+/// invalid number is read as NaN, which checkZone reports.
 QString cornersText(const std::vector<Eigen::Vector2d> &corners);
 std::vector<Eigen::Vector2d> cornersOf(const QString &text);
 

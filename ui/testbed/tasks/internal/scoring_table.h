@@ -13,13 +13,12 @@ class QTableWidget;
 
 namespace odo {
 
-/// The rubric of a task: a line for each figure that counts, with what it is worth, and what the lines mean
-/// in words.
+/// The rubric of a task: a line for each scored metric, with its points, and an explanation of the lines.
 class ScoringTable : public QWidget
 {
     Q_OBJECT
 public:
-    /// metrics: identifiers of the figures that can be chosen.
+    /// metrics: identifiers of the metrics to choose from.
     explicit ScoringTable(const std::vector<std::string> &metrics, QWidget *parent = nullptr);
     void setCriteria(const std::vector<Criterion> &criteria);
     const std::vector<Criterion> &criteria() const { return m_criteria; }

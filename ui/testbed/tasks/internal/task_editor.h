@@ -32,7 +32,7 @@ class ZoneTable;
 /// What a task editor begins with.
 struct TaskDraft
 {
-    TaskRecord task; ///< a name; an empty course of a new one is made from the template that it tells
+    TaskRecord task; ///< a name; a new task with an empty course gets one from its template
     std::vector<Criterion> scoring;
     QStringList taken;                  ///< names of other tasks
     std::vector<std::string> metrics;   ///< that a rubric can use
@@ -50,7 +50,7 @@ public:
 
     TaskRecord task() const;
     std::vector<Criterion> scoring() const;
-    /// What is wrong with it as it stands, in a sentence; empty: nothing.
+    /// Its first problem, in a sentence; empty: none.
     QString problem() const;
 
 private:
@@ -68,7 +68,7 @@ private:
 
     const QStringList m_taken;
     TaskRecord m_task;
-    QString m_templateProblem; ///< why the course could not be made anew
+    QString m_templateProblem; ///< why the course could not be rebuilt
     QLineEdit *m_name;
     TemplateForm *m_template;
     GateTable *m_gates;
@@ -94,7 +94,7 @@ public:
     TemplateSizes sizes() const;
 
 Q_SIGNALS:
-    /// A person chose another template or size: the course is to be made anew.
+    /// The user chose another template or size: rebuild the course.
     void changed();
 
 private:

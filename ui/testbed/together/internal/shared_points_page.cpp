@@ -203,7 +203,7 @@ void SharedPointsPage::place(std::optional<Eigen::Vector2d> Point::*where, const
         goOnFrom(row);
 }
 
-/// So that a person clicks in one picture, then in the other, then at the next point.
+/// The user clicks in one image, then in the other, then at the next point.
 void SharedPointsPage::goOnFrom(int row)
 {
     const Point &point = m_points[std::size_t(row)];

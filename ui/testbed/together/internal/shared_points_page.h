@@ -19,31 +19,31 @@ namespace odo {
 class MarkerCanvas;
 class RegistrationVerdict;
 
-/// The pictures of two cameras between which points of the floor are told to be the same.
+/// The images of two cameras in which the user marks the same floor points.
 struct PicturePair
 {
     StillPicture camera, through;
 };
 
-/// Second page of registering a camera through another one: the same points in both pictures, and at once
-/// where the camera stands. Markers of the registered camera's layout that both see are there from the start.
+/// Second page of registering a camera via another one: the same points in both images, and at once the
+/// camera position. Markers of the registered camera's layout that both see are set from the start.
 class SharedPointsPage : public QWidget
 {
     Q_OBJECT
 public:
     explicit SharedPointsPage(QWidget *parent = nullptr);
 
-    /// While the pictures are being got.
+    /// While the images are loading.
     void wait(const QString &words);
     void showFailure(const Error &error);
-    /// What was found stands: it can be tried again.
+    /// Keeps the points: the user can try again.
     void showNotSaved(const Error &error);
     void begin(std::shared_ptr<const PicturePair> pictures, const FloorCamera &camera,
                const CheckCamera &through);
 
     MarkerCanvas &canvas() { return *m_canvas; }
     MarkerCanvas &throughCanvas() { return *m_throughCanvas; }
-    /// Those that are put in both pictures.
+    /// The points that are set in both images.
     std::vector<SharedPoint> points() const;
     /// What they say now; none where they do not determine it.
     const std::optional<ChainedRegistration> &registration() const { return m_registration; }
