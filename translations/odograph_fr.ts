@@ -2977,7 +2977,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>base.no_memory</name>
     <message>
-        <source>this computer has not enough free memory for it</source>
+        <source>this computer does not have enough free memory for it</source>
         <translation>cet ordinateur n&apos;a pas assez de mémoire libre pour cela</translation>
     </message>
 </context>
@@ -2991,7 +2991,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>base.no_thread</name>
     <message>
-        <source>this computer gives no further thread</source>
+        <source>this computer cannot start another thread</source>
         <translation>cet ordinateur n&apos;accorde plus de fil d&apos;exécution</translation>
     </message>
 </context>
@@ -3110,7 +3110,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>base.wordless_exception</name>
     <message>
-        <source>an exception without words</source>
+        <source>an unknown exception</source>
         <translation>une exception sans message</translation>
     </message>
 </context>
@@ -5413,14 +5413,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>capture.all_pictures_damaged</name>
     <message>
-        <source>all its pictures come damaged</source>
+        <source>all its frames arrive damaged</source>
         <translation>toutes ses images arrivent endommagées</translation>
     </message>
 </context>
 <context>
     <name>capture.answers_but_silent</name>
     <message>
-        <source>it answers, but sends no pictures</source>
+        <source>it answers but sends no frames</source>
         <translation>elle répond, mais n’envoie pas d’images</translation>
     </message>
 </context>
@@ -5434,49 +5434,49 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>capture.aravis_place_missing</name>
     <message>
-        <source>it says neither an address nor a serial number</source>
+        <source>it contains neither an address nor a serial number</source>
         <translation>elle ne donne ni adresse ni numéro de série</translation>
     </message>
 </context>
 <context>
     <name>capture.aravis_wishes</name>
     <message>
-        <source>take rate, exposure_ms, gain, format, size, trigger=software, packet_size or packet_delay_us, as in ?rate=30&amp;size=640x480</source>
+        <source>use rate, exposure_ms, gain, format, size, trigger=software, packet_size or packet_delay_us, as in ?rate=30&amp;size=640x480</source>
         <translation>prenez rate, exposure_ms, gain, format, size, trigger=software, packet_size ou packet_delay_us, comme dans&#xa0;?rate=30&amp;size=640x480</translation>
     </message>
 </context>
 <context>
     <name>capture.ask_for_less</name>
     <message>
-        <source>ask for a smaller size or rate</source>
+        <source>choose a smaller size or a lower rate</source>
         <translation>demandez une taille ou une cadence plus faible</translation>
     </message>
 </context>
 <context>
     <name>capture.ask_for_other_mode</name>
     <message>
-        <source>ask for another size or format</source>
+        <source>choose another size or format</source>
         <translation>demandez une autre taille ou un autre format</translation>
     </message>
 </context>
 <context>
     <name>capture.ask_for_something_else</name>
     <message>
-        <source>ask it for something else, or leave that to the camera</source>
+        <source>use another value, or leave the choice to the camera</source>
         <translation>demandez autre chose, ou laissez faire la caméra</translation>
     </message>
 </context>
 <context>
     <name>capture.ask_for_usable_format</name>
     <message>
-        <source>ask it for one of %1</source>
+        <source>choose one of %1</source>
         <translation>demandez-en un parmi %1</translation>
     </message>
 </context>
 <context>
     <name>capture.ask_within_sensor</name>
     <message>
-        <source>ask it for a size within that</source>
+        <source>choose a size within that</source>
         <translation>demandez une taille qui y tient</translation>
     </message>
 </context>
@@ -5490,7 +5490,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>capture.automatics_of_camera</name>
     <message>
-        <source>Automatics, camera %1</source>
+        <source>Automatic settings, camera %1</source>
         <translation>Automatismes, caméra %1</translation>
     </message>
 </context>
@@ -5504,7 +5504,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>capture.buffer_not_known</name>
     <message>
-        <source>the system does not say how large it may be (net.core.rmem_max)</source>
+        <source>the system does not report its maximum size (net.core.rmem_max)</source>
         <translation>le système ne dit pas quelle taille il peut avoir (net.core.rmem_max)</translation>
     </message>
 </context>
@@ -5518,7 +5518,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>capture.buffer_without_use</name>
     <message>
-        <source>%1, which only network cameras would find too small</source>
+        <source>%1, too small only for network cameras</source>
         <translation>%1, trop peu seulement pour des caméras réseau</translation>
     </message>
 </context>
@@ -5539,7 +5539,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>capture.came_back_changed</name>
     <message>
-        <source>it came back with pictures of another size or format</source>
+        <source>it came back with another frame size or format</source>
         <translation>elle est revenue avec des images d’une autre taille ou d’un autre format</translation>
     </message>
 </context>
@@ -5553,7 +5553,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>capture.camera_does_not_deliver</name>
     <message>
-        <source>a camera does not deliver</source>
+        <source>a camera sends no frames</source>
         <translation>une caméra ne livre pas d’images</translation>
     </message>
 </context>
@@ -5567,7 +5567,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>capture.cameras_will_lose</name>
     <message>
-        <source>%1 will lose pictures</source>
+        <source>%1 will lose frames</source>
         <translation>%1 perdra des images</translation>
     </message>
 </context>
@@ -5630,14 +5630,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>capture.choose_listed</name>
     <message>
-        <source>choose one of those that odograph cameras lists</source>
+        <source>choose a camera that odograph cameras lists</source>
         <translation>choisissez-en une de celles que liste odograph cameras</translation>
     </message>
 </context>
 <context>
     <name>capture.choose_of_offer</name>
     <message>
-        <source>choose of what it offers</source>
+        <source>choose one that it offers</source>
         <translation>choisissez dans ce qu’elle offre</translation>
     </message>
 </context>
@@ -5658,7 +5658,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>capture.connect_right_camera</name>
     <message>
-        <source>connect the one that belongs there, or begin anew with this one</source>
+        <source>reconnect the original camera, or start over with this one</source>
         <translation>branchez celle qui convient, ou recommencez avec celle-ci</translation>
     </message>
 </context>
@@ -5672,42 +5672,42 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>capture.control_goes</name>
     <message>
-        <source>%1 goes from %2 to %3</source>
+        <source>%1 ranges from %2 to %3</source>
         <translation>%1 va de %2 à %3</translation>
     </message>
 </context>
 <context>
     <name>capture.control_inactive</name>
     <message>
-        <source>%1 cannot be set as the camera stands now</source>
+        <source>%1 cannot be set in the camera&apos;s current mode</source>
         <translation>%1 ne peut pas être réglé dans l’état actuel de la caméra</translation>
     </message>
 </context>
 <context>
     <name>capture.control_not_taken</name>
     <message>
-        <source>it does not take this for %1 (%2)</source>
+        <source>it rejects this value for %1 (%2)</source>
         <translation>elle n’accepte pas cela pour %1 (%2)</translation>
     </message>
 </context>
 <context>
     <name>capture.control_value_refused</name>
     <message>
-        <source>it refuses this value of %1</source>
+        <source>it rejects this value of %1</source>
         <translation>elle refuse cette valeur de %1</translation>
     </message>
 </context>
 <context>
     <name>capture.damaged_advice</name>
     <message>
-        <source>try another cable or port, or ask for fewer or smaller pictures</source>
+        <source>try another cable or port, or choose a lower rate or a smaller frame size</source>
         <translation>essayez un autre câble ou port, ou demandez moins d’images ou de plus petites</translation>
     </message>
 </context>
 <context>
     <name>capture.dim_light_halves_rate</name>
     <message>
-        <source>in dim light a camera halves its rate by itself, unless its automatic exposure is off</source>
+        <source>in dim light a camera halves its rate unless its automatic exposure is off</source>
         <translation>par faible lumière, une caméra divise d’elle-même sa cadence par deux, sauf si l’exposition automatique est désactivée</translation>
     </message>
 </context>
@@ -5756,14 +5756,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>capture.end_other_writers</name>
     <message>
-        <source>end what else writes to it</source>
+        <source>stop other programs that write to it</source>
         <translation>arrêtez ce qui y écrit par ailleurs</translation>
     </message>
 </context>
 <context>
     <name>capture.enlarge_buffer</name>
     <message>
-        <source>sudo sysctl -w net.core.rmem_max=%1, and put the same into /etc/sysctl.d/ to keep it</source>
+        <source>sudo sysctl -w net.core.rmem_max=%1, and add the same line to /etc/sysctl.d/ to keep it</source>
         <translation>sudo sysctl -w net.core.rmem_max=%1, et mettez-le aussi dans /etc/sysctl.d/ pour le garder</translation>
     </message>
 </context>
@@ -5791,14 +5791,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>capture.exposure_not_taken</name>
     <message>
-        <source>it does not take this exposure (%1)</source>
+        <source>it rejects this exposure (%1)</source>
         <translation>elle n’accepte pas cette pose (%1)</translation>
     </message>
 </context>
 <context>
     <name>capture.exposure_not_told</name>
     <message>
-        <source>it does not tell its exposure</source>
+        <source>it does not report its exposure</source>
         <translation>elle n’indique pas son exposition</translation>
     </message>
 </context>
@@ -5819,7 +5819,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>capture.failed_advice</name>
     <message>
-        <source>unplug it and plug it in again if that lasts</source>
+        <source>if this continues, unplug it and plug it in again</source>
         <translation>débranchez-la et rebranchez-la si cela dure</translation>
     </message>
 </context>
@@ -5840,7 +5840,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>capture.flicker_of_camera</name>
     <message>
-        <source>Lamps&apos; flicker, camera %1</source>
+        <source>Lamp flicker, camera %1</source>
         <translation>Scintillement des lampes, caméra %1</translation>
     </message>
 </context>
@@ -5868,14 +5868,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>capture.format_not_told</name>
     <message>
-        <source>it does not tell its pixel format (%1)</source>
+        <source>it does not report its pixel format (%1)</source>
         <translation>elle ne dit pas son format de pixel (%1)</translation>
     </message>
 </context>
 <context>
     <name>capture.format_not_understood</name>
     <message>
-        <source>its pixel format is not understood</source>
+        <source>its pixel format is not supported</source>
         <translation>son format de pixel n’est pas compris</translation>
     </message>
 </context>
@@ -5889,7 +5889,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>capture.gain_not_taken</name>
     <message>
-        <source>it does not take this gain (%1)</source>
+        <source>it rejects this gain (%1)</source>
         <translation>elle n’accepte pas ce gain (%1)</translation>
     </message>
 </context>
@@ -5910,14 +5910,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>capture.gives_no_pictures</name>
     <message>
-        <source>%1 gives no pictures</source>
+        <source>%1 sends no frames</source>
         <translation>%1 ne donne pas d’images</translation>
     </message>
 </context>
 <context>
     <name>capture.has_been_away</name>
     <message>
-        <source>it has been away</source>
+        <source>the connection was lost</source>
         <translation>elle était partie</translation>
     </message>
 </context>
@@ -5931,7 +5931,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>capture.in_step</name>
     <message>
-        <source>in step to %1</source>
+        <source>synchronised to %1</source>
         <translation>synchronisé à %1 près</translation>
     </message>
 </context>
@@ -5959,7 +5959,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>capture.kept_before_sleep</name>
     <message>
-        <source>what came before is kept</source>
+        <source>the recording up to then is kept</source>
         <translation>ce qui précède est gardé</translation>
     </message>
 </context>
@@ -5973,7 +5973,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>capture.largest_picture</name>
     <message>
-        <source>its pictures have %1 pixels at most</source>
+        <source>its frames have at most %1 pixels</source>
         <translation>ses images ont %1 pixels au plus</translation>
     </message>
 </context>
@@ -5987,14 +5987,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>capture.look_again</name>
     <message>
-        <source>wait a few seconds, and look again</source>
+        <source>wait a few seconds, then check again</source>
         <translation>attendez quelques secondes et regardez à nouveau</translation>
     </message>
 </context>
 <context>
     <name>capture.look_at_cable</name>
     <message>
-        <source>look at its cable</source>
+        <source>check its cable</source>
         <translation>regardez son câble</translation>
     </message>
 </context>
@@ -6029,21 +6029,21 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>capture.machine_slept</name>
     <message>
-        <source>it slept for %1, and nothing was recorded meanwhile</source>
+        <source>it slept for %1 and recorded nothing meanwhile</source>
         <translation>il a été en veille pendant %1, et rien n’a été enregistré entre-temps</translation>
     </message>
 </context>
 <context>
     <name>capture.make_room</name>
     <message>
-        <source>make room, or move the project to another disk</source>
+        <source>free some disk space, or move the project to another disk</source>
         <translation>libérez de la place, ou déplacez le projet sur un autre disque</translation>
     </message>
 </context>
 <context>
     <name>capture.mode_not_taken</name>
     <message>
-        <source>it does not take %1</source>
+        <source>it rejects %1</source>
         <translation>elle n’accepte pas %1</translation>
     </message>
 </context>
@@ -6064,7 +6064,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>capture.no_node</name>
     <message>
-        <source>this machine shows no USB or built-in camera (/dev/video*)</source>
+        <source>this computer has no USB or built-in camera (/dev/video*)</source>
         <translation>cet ordinateur ne montre aucune caméra USB ou intégrée (/dev/video*)</translation>
     </message>
 </context>
@@ -6078,35 +6078,35 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>capture.no_pair_yet</name>
     <message>
-        <source>no two pictures have been taken together yet</source>
+        <source>no frames of the cameras have been paired yet</source>
         <translation>aucune paire d’images n’a encore été prise ensemble</translation>
     </message>
 </context>
 <context>
     <name>capture.no_picture_came</name>
     <message>
-        <source>no picture came for half a second</source>
+        <source>no frame arrived for half a second</source>
         <translation>aucune image n’est venue pendant une demi-seconde</translation>
     </message>
 </context>
 <context>
     <name>capture.no_picture_for</name>
     <message>
-        <source>no picture has come for %1</source>
+        <source>no frame has arrived for %1</source>
         <translation>aucune image n’est venue depuis %1</translation>
     </message>
 </context>
 <context>
     <name>capture.no_readable_format</name>
     <message>
-        <source>it has no format that can be read</source>
+        <source>it offers no supported format</source>
         <translation>elle n’a aucun format lisible</translation>
     </message>
 </context>
 <context>
     <name>capture.no_simulated_camera</name>
     <message>
-        <source>there is no simulated camera %1</source>
+        <source>simulated camera %1 does not exist</source>
         <translation>il n’y a pas de caméra simulée %1</translation>
     </message>
 </context>
@@ -6120,14 +6120,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>capture.no_such_address</name>
     <message>
-        <source>no camera has such an address</source>
+        <source>no kind of camera has an address like this</source>
         <translation>aucune caméra n’a cette adresse</translation>
     </message>
 </context>
 <context>
     <name>capture.no_such_control</name>
     <message>
-        <source>it has nothing named &apos;%1&apos; that could be set</source>
+        <source>it has no setting &apos;%1&apos;</source>
         <translation>elle n’a rien nommé &apos;%1&apos; qui puisse être réglé</translation>
     </message>
 </context>
@@ -6141,7 +6141,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>capture.no_usable_format</name>
     <message>
-        <source>it has no pixel format that is understood</source>
+        <source>it offers no supported pixel format</source>
         <translation>elle n’a aucun format de pixel compris</translation>
     </message>
 </context>
@@ -6176,7 +6176,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>capture.not_offered</name>
     <message>
-        <source>it does not offer what was asked for</source>
+        <source>it does not offer the requested mode</source>
         <translation>elle n’offre pas ce qui était demandé</translation>
     </message>
 </context>
@@ -6190,7 +6190,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>capture.not_there</name>
     <message>
-        <source>it is not there</source>
+        <source>it is not connected</source>
         <translation>elle n’est pas là</translation>
     </message>
 </context>
@@ -6204,14 +6204,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>capture.one_camera_in_step</name>
     <message>
-        <source>one camera is always in step</source>
+        <source>a single camera needs no synchronisation</source>
         <translation>une seule caméra est toujours synchronisée</translation>
     </message>
 </context>
 <context>
     <name>capture.one_not_held</name>
     <message>
-        <source>%1 goes on changing by itself</source>
+        <source>%1 still adjusts automatically</source>
         <translation>%1 continue de changer de lui-même</translation>
     </message>
 </context>
@@ -6225,28 +6225,28 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>capture.other_camera_in_place</name>
     <message>
-        <source>another camera (%1) is in its place</source>
+        <source>another camera (%1) has replaced it</source>
         <translation>une autre caméra (%1) est à sa place</translation>
     </message>
 </context>
 <context>
     <name>capture.other_serial_in_place</name>
     <message>
-        <source>another camera (%1) is in the place of camera %2</source>
+        <source>another camera (%1) has replaced camera %2</source>
         <translation>une autre caméra (%1) est à la place de la caméra %2</translation>
     </message>
 </context>
 <context>
     <name>capture.own_usb_buses</name>
     <message>
-        <source>each USB camera has a bus of its own</source>
+        <source>each USB camera has its own bus</source>
         <translation>chaque caméra USB a son propre bus</translation>
     </message>
 </context>
 <context>
     <name>capture.packet_delay_not_taken</name>
     <message>
-        <source>it does not take this packet delay (%1)</source>
+        <source>it rejects this packet delay (%1)</source>
         <translation>elle n’accepte pas ce délai de paquet (%1)</translation>
     </message>
 </context>
@@ -6260,70 +6260,70 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>capture.packet_size_not_taken</name>
     <message>
-        <source>it does not take this packet size (%1)</source>
+        <source>it rejects this packet size (%1)</source>
         <translation>elle n’accepte pas cette taille de paquet (%1)</translation>
     </message>
 </context>
 <context>
     <name>capture.part_not_understood</name>
     <message>
-        <source>&apos;%1&apos; is not understood</source>
+        <source>&apos;%1&apos; is not valid</source>
         <translation>&apos;%1&apos; n’est pas compris</translation>
     </message>
 </context>
 <context>
     <name>capture.payload_not_told</name>
     <message>
-        <source>it does not tell how large its pictures are (%1)</source>
+        <source>it does not report how many bytes a frame has (%1)</source>
         <translation>elle ne dit pas quelle taille ont ses images (%1)</translation>
     </message>
 </context>
 <context>
     <name>capture.picture_of_camera</name>
     <message>
-        <source>a picture of camera %1</source>
+        <source>a frame of camera %1</source>
         <translation>une image de la caméra %1</translation>
     </message>
 </context>
 <context>
     <name>capture.picture_size_of_camera</name>
     <message>
-        <source>Picture size, camera %1</source>
+        <source>Frame size, camera %1</source>
         <translation>Taille d’image, caméra %1</translation>
     </message>
 </context>
 <context>
     <name>capture.picture_waits_for_disk</name>
     <message>
-        <source>a picture has waited %1 for it, and %2 of the room to wait in is taken</source>
+        <source>a frame has waited %1; the write buffer is %2 full</source>
         <translation>une image l’a attendu %1, et %2 de la place d’attente est prise</translation>
     </message>
 </context>
 <context>
     <name>capture.pictures_being_lost</name>
     <message>
-        <source>pictures are being lost</source>
+        <source>frames are being lost</source>
         <translation>des images se perdent</translation>
     </message>
 </context>
 <context>
     <name>capture.pictures_incomplete</name>
     <message>
-        <source>its pictures come incomplete</source>
+        <source>its frames arrive incomplete</source>
         <translation>ses images arrivent incomplètes</translation>
     </message>
 </context>
 <context>
     <name>capture.pictures_may_pulse</name>
     <message>
-        <source>pictures may pulse under lamps</source>
+        <source>brightness may pulse under lamps</source>
         <translation>les images peuvent pulser sous les lampes</translation>
     </message>
 </context>
 <context>
     <name>capture.pictures_without_size</name>
     <message>
-        <source>its pictures have no size</source>
+        <source>its frames have no size</source>
         <translation>ses images n’ont pas de taille</translation>
     </message>
 </context>
@@ -6344,21 +6344,21 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>capture.plug_in_or_choose</name>
     <message>
-        <source>plug it in, or choose one of those that odograph cameras lists</source>
+        <source>plug it in, or choose a camera that odograph cameras lists</source>
         <translation>branchez-la, ou choisissez-en une de celles que liste odograph cameras</translation>
     </message>
 </context>
 <context>
     <name>capture.put_disk_back</name>
     <message>
-        <source>put its disk or folder back where it was</source>
+        <source>reconnect its disk, or move its folder back</source>
         <translation>remettez son disque ou son dossier où il était</translation>
     </message>
 </context>
 <context>
     <name>capture.rate_not_taken</name>
     <message>
-        <source>it does not take this rate (%1)</source>
+        <source>it rejects this rate (%1)</source>
         <translation>elle n’accepte pas cette cadence (%1)</translation>
     </message>
 </context>
@@ -6393,7 +6393,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>capture.record_elsewhere</name>
     <message>
-        <source>record to another disk, or fewer cameras</source>
+        <source>record to another disk, or use fewer cameras</source>
         <translation>filmez sur un autre disque, ou avec moins de caméras</translation>
     </message>
 </context>
@@ -6407,7 +6407,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>capture.recorded_is_there</name>
     <message>
-        <source>what was recorded so far is there</source>
+        <source>it holds what was recorded so far</source>
         <translation>ce qui a été enregistré jusqu’ici s’y trouve</translation>
     </message>
 </context>
@@ -6421,42 +6421,42 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>capture.register_in_testbed</name>
     <message>
-        <source>register it in Testbed, or its pictures cannot tell where a robot is</source>
+        <source>register it in Testbed; Odograph needs this to measure where a robot is</source>
         <translation>localisez-la dans Banc, sinon ses images ne peuvent dire où est un robot</translation>
     </message>
 </context>
 <context>
     <name>capture.room_for</name>
     <message>
-        <source>room for %1</source>
-        <translation>place pour %1</translation>
+        <source>remaining recording time %1</source>
+        <translation>temps d’enregistrement restant %1</translation>
     </message>
 </context>
 <context>
     <name>capture.see_own_line</name>
     <message>
-        <source>see its own line</source>
+        <source>see the line of that camera</source>
         <translation>voir sa propre ligne</translation>
     </message>
 </context>
 <context>
     <name>capture.send_less</name>
     <message>
-        <source>or let both send MJPEG, or smaller pictures</source>
+        <source>or set both to MJPEG or to a smaller frame size</source>
         <translation>ou faites envoyer aux deux du MJPEG, ou des images plus petites</translation>
     </message>
 </context>
 <context>
     <name>capture.send_registered_size</name>
     <message>
-        <source>let it send the size it was registered at, or calibrate and register it anew</source>
+        <source>set it to the size it was registered at, or calibrate and register it again</source>
         <translation>faites-lui envoyer la taille de sa localisation, ou étalonnez-la et localisez-la à nouveau</translation>
     </message>
 </context>
 <context>
     <name>capture.sends_no_pictures</name>
     <message>
-        <source>it sends no pictures</source>
+        <source>it sends no frames</source>
         <translation>elle n’envoie pas d’images</translation>
     </message>
 </context>
@@ -6477,7 +6477,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>capture.set_as_before</name>
     <message>
-        <source>set it as before, or begin anew with size and format in its address</source>
+        <source>restore its settings, or start over with size and format in its address</source>
         <translation>réglez-la comme avant, ou recommencez avec taille et format dans son adresse</translation>
     </message>
 </context>
@@ -6491,7 +6491,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>capture.set_rate_or_trigger</name>
     <message>
-        <source>set both to one rate, or trigger them together</source>
+        <source>set both to the same rate, or trigger them together</source>
         <translation>réglez les deux à la même cadence, ou déclenchez-les ensemble</translation>
     </message>
 </context>
@@ -6505,21 +6505,21 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>capture.set_to_mains</name>
     <message>
-        <source>set &apos;%1&apos; to your mains</source>
+        <source>set &apos;%1&apos; to your mains frequency</source>
         <translation>réglez &apos;%1&apos; sur votre secteur</translation>
     </message>
 </context>
 <context>
     <name>capture.set_to_one_rate</name>
     <message>
-        <source>set both to one rate</source>
+        <source>set both to the same rate</source>
         <translation>réglez les deux à la même cadence</translation>
     </message>
 </context>
 <context>
     <name>capture.set_to_something_else</name>
     <message>
-        <source>set it to something else</source>
+        <source>set another value</source>
         <translation>réglez sur autre chose</translation>
     </message>
 </context>
@@ -6533,7 +6533,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>capture.several_not_held</name>
     <message>
-        <source>%1 go on changing by themselves</source>
+        <source>%1 still adjust automatically</source>
         <translation>%1 continuent de changer d’eux-mêmes</translation>
     </message>
 </context>
@@ -6561,21 +6561,21 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>capture.size_not_taken</name>
     <message>
-        <source>it does not take this size (%1)</source>
+        <source>it rejects this size (%1)</source>
         <translation>elle n’accepte pas cette taille (%1)</translation>
     </message>
 </context>
 <context>
     <name>capture.size_not_told</name>
     <message>
-        <source>it does not tell its size (%1)</source>
+        <source>it does not report its width and height (%1)</source>
         <translation>elle ne dit pas sa taille (%1)</translation>
     </message>
 </context>
 <context>
     <name>capture.slow_camera</name>
     <message>
-        <source>it takes only %1 pictures a second of the %2 it was asked for</source>
+        <source>it delivers only %1 frames per second instead of the requested %2</source>
         <translation>elle ne prend que %1 images par seconde sur les %2 demandées</translation>
     </message>
 </context>
@@ -6596,56 +6596,56 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>capture.small_packets_advice</name>
     <message>
-        <source>give the port that the camera is on an MTU of 9000 (sudo ip link set dev NAME mtu 9000), if camera and switch can take it</source>
+        <source>set the MTU of the camera&apos;s network port to 9000 (sudo ip link set dev NAME mtu 9000), if camera and switch support it</source>
         <translation>donnez au port de la caméra une MTU de 9000 (sudo ip link set dev NAME mtu 9000), si la caméra et le commutateur l’acceptent</translation>
     </message>
 </context>
 <context>
     <name>capture.step</name>
     <message>
-        <source>Step</source>
+        <source>Synchronisation</source>
         <translation>Synchronisation</translation>
     </message>
 </context>
 <context>
     <name>capture.take_another_camera</name>
     <message>
-        <source>take another camera</source>
+        <source>use another camera</source>
         <translation>prenez une autre caméra</translation>
     </message>
 </context>
 <context>
     <name>capture.take_camera_with_format</name>
     <message>
-        <source>take a camera that has one of %1</source>
+        <source>use a camera that offers one of %1</source>
         <translation>prenez une caméra qui en a un parmi %1</translation>
     </message>
 </context>
 <context>
     <name>capture.take_off_and_on</name>
     <message>
-        <source>take it off and put it on again if it stays so</source>
+        <source>unplug it and plug it in again if this continues</source>
         <translation>débranchez-la et rebranchez-la si cela continue</translation>
     </message>
 </context>
 <context>
     <name>capture.take_simulated_camera</name>
     <message>
-        <source>take sim:A or sim:B</source>
+        <source>use sim:A or sim:B</source>
         <translation>prenez sim:A ou sim:B</translation>
     </message>
 </context>
 <context>
     <name>capture.taken_up_by_itself</name>
     <message>
-        <source>it is taken up again by itself</source>
+        <source>Odograph reconnects automatically</source>
         <translation>elle est reprise d’elle-même</translation>
     </message>
 </context>
 <context>
     <name>capture.the_picture</name>
     <message>
-        <source>the picture</source>
+        <source>the frame</source>
         <translation>l’image</translation>
     </message>
 </context>
@@ -6659,14 +6659,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>capture.there_but_silent</name>
     <message>
-        <source>it is there but sends no pictures</source>
+        <source>it is connected but sends no frames</source>
         <translation>elle est là mais n’envoie pas d’images</translation>
     </message>
 </context>
 <context>
     <name>capture.there_but_silent_advice</name>
     <message>
-        <source>look at its cable, or plug it in again if that lasts</source>
+        <source>check its cable; if this continues, plug it in again</source>
         <translation>regardez son câble, ou rebranchez-la si cela dure</translation>
     </message>
 </context>
@@ -6687,7 +6687,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>capture.turn_automatic_off</name>
     <message>
-        <source>turn the automatic off</source>
+        <source>turn automatic mode off</source>
         <translation>désactivez l’automatisme</translation>
     </message>
 </context>
@@ -6701,7 +6701,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>capture.turn_off_automatic_first</name>
     <message>
-        <source>turn off the automatic that moves it first</source>
+        <source>first turn off the automatic mode that controls it</source>
         <translation>désactivez d’abord l’automatisme qui le déplace</translation>
     </message>
 </context>
@@ -6715,14 +6715,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>capture.usb_bus_full</name>
     <message>
-        <source>its USB bus has no room left for its pictures (the bus is full, not the disk)</source>
+        <source>its USB bus has no bandwidth left for its frames (the bus is full, not the disk)</source>
         <translation>son bus USB n’a plus de place pour ses images (c’est le bus qui est plein, pas le disque)</translation>
     </message>
 </context>
 <context>
     <name>capture.usb_bus_full_advice</name>
     <message>
-        <source>plug it in where it shares no bus with another camera, or choose MJPEG, a smaller picture or a lower rate (?format=MJPG&amp;size=640x480&amp;rate=30)</source>
+        <source>plug it into a port whose bus no other camera uses, or choose MJPEG, a smaller frame size or a lower rate (?format=MJPG&amp;size=640x480&amp;rate=30)</source>
         <translation>branchez-la là où elle ne partage pas de bus, ou choisissez MJPEG, une image plus petite ou une cadence plus basse (?format=MJPG&amp;size=640x480&amp;rate=30)</translation>
     </message>
 </context>
@@ -6743,7 +6743,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>capture.use_other_port</name>
     <message>
-        <source>plug one into a port on the other side of the computer, or a card of its own</source>
+        <source>plug one into a port on the other side of the computer, or into its own USB card</source>
         <translation>branchez-en une sur un port de l’autre côté de l’ordinateur, ou sur sa propre carte</translation>
     </message>
 </context>
@@ -6771,7 +6771,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>capture.v4l2_address_example</name>
     <message>
-        <source>write for instance v4l2:/dev/video0?size=1280x720&amp;rate=30&amp;format=MJPG</source>
+        <source>write it like v4l2:/dev/video0?size=1280x720&amp;rate=30&amp;format=MJPG</source>
         <translation>écrivez par exemple v4l2:/dev/video0?size=1280x720&amp;rate=30&amp;format=MJPG</translation>
     </message>
 </context>
@@ -6785,7 +6785,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>capture.wait_for_it</name>
     <message>
-        <source>wait: it is taken up again</source>
+        <source>wait: Odograph is reconnecting</source>
         <translation>attendez&#xa0;: elle est reprise</translation>
     </message>
 </context>
@@ -6799,21 +6799,21 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>capture.waiting_for_first_picture</name>
     <message>
-        <source>waiting for the first picture</source>
+        <source>waiting for the first frame</source>
         <translation>attend la première image</translation>
     </message>
 </context>
 <context>
     <name>exchange.and_lines_more</name>
     <message>
-        <source>and %1 lines more</source>
+        <source>and %1 more lines</source>
         <translation>et %1 autres lignes</translation>
     </message>
 </context>
 <context>
     <name>exchange.archive_library_refused</name>
     <message>
-        <source>the archive library refused</source>
+        <source>the archive library failed</source>
         <translation>la bibliothèque d’archives a refusé</translation>
     </message>
 </context>
@@ -6869,7 +6869,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>exchange.check_it_is_there</name>
     <message>
-        <source>check that it is there and may be read</source>
+        <source>check that it exists and that you may read it</source>
         <translation>vérifiez qu’il est là et peut être lu</translation>
     </message>
 </context>
@@ -6890,7 +6890,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>exchange.check_unit_of_places</name>
     <message>
-        <source>check the unit of the places: m, cm or mm</source>
+        <source>check the unit of the positions: m, cm or mm</source>
         <translation>vérifiez l’unité des places&#xa0;: m, cm ou mm</translation>
     </message>
 </context>
@@ -6911,14 +6911,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>exchange.choose_new_folder</name>
     <message>
-        <source>choose a folder that is not there yet</source>
+        <source>choose a folder that does not exist yet</source>
         <translation>choisissez un dossier qui n’existe pas encore</translation>
     </message>
 </context>
 <context>
     <name>exchange.choose_packed_file</name>
     <message>
-        <source>choose a file that Odograph has packed, and copy it anew if it is damaged</source>
+        <source>choose a file that Odograph has packed; if it is damaged, copy it again</source>
         <translation>choisissez un fichier empaqueté par Odograph, et recopiez-le s’il est endommagé</translation>
     </message>
 </context>
@@ -6960,7 +6960,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>exchange.does_not_belong</name>
     <message>
-        <source>&apos;%1&apos; does not belong into a packed project</source>
+        <source>&apos;%1&apos; does not belong in a packed project</source>
         <translation>&apos;%1&apos; n’a pas sa place dans un projet empaqueté</translation>
     </message>
 </context>
@@ -6995,7 +6995,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>exchange.give_known_units</name>
     <message>
-        <source>give times in s or ms and places in m, cm or mm</source>
+        <source>give times in s or ms and positions in m, cm or mm</source>
         <translation>donnez les temps en s ou ms et les lieux en m, cm ou mm</translation>
     </message>
 </context>
@@ -7016,7 +7016,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>exchange.give_one_zone</name>
     <message>
-        <source>give corners_mm, all the way round, or two opposite corners as rectangle_mm</source>
+        <source>give all corners in order as corners_mm, or two opposite corners as rectangle_mm</source>
         <translation>donnez corners_mm, tout autour, ou deux coins opposés avec rectangle_mm</translation>
     </message>
 </context>
@@ -7037,14 +7037,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>exchange.has_become_shorter</name>
     <message>
-        <source>it has become shorter meanwhile</source>
+        <source>it has become shorter during packing</source>
         <translation>la taille a diminué entre-temps</translation>
     </message>
 </context>
 <context>
     <name>exchange.is_in_it_twice</name>
     <message>
-        <source>&apos;%1&apos; is in it twice</source>
+        <source>it contains &apos;%1&apos; twice</source>
         <translation>&apos;%1&apos; s’y trouve deux fois</translation>
     </message>
 </context>
@@ -7065,14 +7065,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>exchange.key_is_no_text</name>
     <message>
-        <source>a key is no text, or a bracket is not closed</source>
+        <source>a key is not text, or a bracket is not closed</source>
         <translation>une clé n&apos;est pas un texte, ou une parenthèse n&apos;est pas fermée</translation>
     </message>
 </context>
 <context>
     <name>exchange.key_is_there_twice</name>
     <message>
-        <source>the key &apos;%1&apos; is there twice</source>
+        <source>the key &apos;%1&apos; appears twice</source>
         <translation>la clé &apos;%1&apos; y est deux fois</translation>
     </message>
 </context>
@@ -7093,7 +7093,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>exchange.label_is_there</name>
     <message>
-        <source>the label &apos;%1&apos; is in line %2 already</source>
+        <source>line %2 already has the label &apos;%1&apos;</source>
         <translation>le libellé &apos;%1&apos; est déjà à la ligne %2</translation>
     </message>
 </context>
@@ -7114,7 +7114,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>exchange.lens_model_not_known</name>
     <message>
-        <source>the lens model &apos;%1&apos; is not known (plumb_bob, rational_polynomial, equidistant are)</source>
+        <source>the lens model &apos;%1&apos; is unknown (known models: plumb_bob, rational_polynomial, equidistant)</source>
         <translation>le modèle d’objectif &apos;%1&apos; n’est pas connu (plumb_bob, rational_polynomial, equidistant le sont)</translation>
     </message>
 </context>
@@ -7163,7 +7163,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>exchange.mend_lines</name>
     <message>
-        <source>mend these lines</source>
+        <source>correct these lines</source>
         <translation>corrigez ces lignes</translation>
     </message>
 </context>
@@ -7184,7 +7184,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>exchange.neither_header_nor_tum</name>
     <message>
-        <source>it has no header with a time, x and y, and is no TUM either</source>
+        <source>it has no header with a time, x and y, and it is not a TUM file</source>
         <translation>il n’a pas d’en-tête avec un temps, x et y, et n’est pas non plus du TUM</translation>
     </message>
 </context>
@@ -7198,28 +7198,28 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>exchange.no_anchors</name>
     <message>
-        <source>anchors and aliases are not understood</source>
+        <source>anchors and aliases are not supported</source>
         <translation>les ancres et les alias ne sont pas compris</translation>
     </message>
 </context>
 <context>
     <name>exchange.no_markers</name>
     <message>
-        <source>there are no markers below the header</source>
+        <source>no markers follow the header</source>
         <translation>il n’y a pas de marqueurs sous l’en-tête</translation>
     </message>
 </context>
 <context>
     <name>exchange.no_project_inside</name>
     <message>
-        <source>there is no project in it</source>
+        <source>it contains no project</source>
         <translation>il ne contient pas de projet</translation>
     </message>
 </context>
 <context>
     <name>exchange.no_such_style</name>
     <message>
-        <source>there is no such style</source>
+        <source>this style does not exist</source>
         <translation>ce style n’existe pas</translation>
     </message>
 </context>
@@ -7240,7 +7240,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>exchange.no_valid_yaml</name>
     <message>
-        <source>it is no valid YAML (%1)</source>
+        <source>it is not valid YAML (%1)</source>
         <translation>ce n&apos;est pas du YAML valide (%1)</translation>
     </message>
 </context>
@@ -7310,28 +7310,28 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>exchange.object_expected</name>
     <message>
-        <source>an object in braces is expected here</source>
+        <source>it must be an object in braces</source>
         <translation>un objet entre accolades est attendu ici</translation>
     </message>
 </context>
 <context>
     <name>exchange.one_error_blank</name>
     <message>
-        <source>one of its two errors is blank</source>
+        <source>one of its two uncertainties is blank</source>
         <translation>une de ses deux erreurs est vide</translation>
     </message>
 </context>
 <context>
     <name>exchange.one_place_blank</name>
     <message>
-        <source>one of its two places is blank</source>
+        <source>one of its two coordinates is blank</source>
         <translation>une de ses deux places est vide</translation>
     </message>
 </context>
 <context>
     <name>exchange.order_lines</name>
     <message>
-        <source>put the lines in the order of time, each time once</source>
+        <source>sort the lines by time, with each time only once</source>
         <translation>mettez les lignes dans l’ordre du temps, chaque temps une fois</translation>
     </message>
 </context>
@@ -7352,21 +7352,21 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>exchange.path_given_twice</name>
     <message>
-        <source>the reference path is given twice</source>
+        <source>the reference path has more than one shape</source>
         <translation>le tracé de référence est donné deux fois</translation>
     </message>
 </context>
 <context>
     <name>exchange.path_not_given</name>
     <message>
-        <source>the reference path is given by nothing</source>
+        <source>the reference path has no shape</source>
         <translation>le tracé de référence n’est donné par rien</translation>
     </message>
 </context>
 <context>
     <name>exchange.place_too_far</name>
     <message>
-        <source>its place is more than 100 km away</source>
+        <source>its position is more than 100 km away</source>
         <translation>sa place est à plus de 100 km</translation>
     </message>
 </context>
@@ -7457,14 +7457,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>exchange.time_goes_back</name>
     <message>
-        <source>its time is before that of the line before</source>
+        <source>its time is earlier than in the line before</source>
         <translation>son temps précède celui de la ligne précédente</translation>
     </message>
 </context>
 <context>
     <name>exchange.time_repeated</name>
     <message>
-        <source>its time is that of the line before</source>
+        <source>its time is the same as in the line before</source>
         <translation>son temps est celui de la ligne précédente</translation>
     </message>
 </context>
@@ -7478,7 +7478,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>exchange.too_many_places</name>
     <message>
-        <source>the file has more than 1.5 million places</source>
+        <source>the file has more than 1.5 million positions</source>
         <translation>le fichier a plus de 1,5 million de positions</translation>
     </message>
 </context>
@@ -7569,7 +7569,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>exchange.wait_for_writers</name>
     <message>
-        <source>wait until nobody writes to it, and try again</source>
+        <source>wait until no program writes to it, and try again</source>
         <translation>attendez que personne n’y écrive, et réessayez</translation>
     </message>
 </context>
@@ -7590,7 +7590,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>exchange.write_digits_or_blank</name>
     <message>
-        <source>write it with digits, like 12.5, or leave the place blank</source>
+        <source>write it with digits, like 12.5, or leave the cell blank</source>
         <translation>écrivez-le avec des chiffres, comme 12.5, ou laissez la place vide</translation>
     </message>
 </context>
@@ -7653,21 +7653,21 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>exchange.zone_given_twice</name>
     <message>
-        <source>the zone is given twice</source>
+        <source>the zone has more than one shape</source>
         <translation>la zone est donnée deux fois</translation>
     </message>
 </context>
 <context>
     <name>exchange.zone_not_given</name>
     <message>
-        <source>the zone is given by nothing</source>
+        <source>the zone has no shape</source>
         <translation>la zone n’est donnée par rien</translation>
     </message>
 </context>
 <context>
     <name>files.cannot_be_looked_at</name>
     <message>
-        <source>it cannot be looked at (%1)</source>
+        <source>it cannot be accessed (%1)</source>
         <translation>accès impossible (%1)</translation>
     </message>
 </context>
@@ -7695,14 +7695,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>files.check_file_is_there</name>
     <message>
-        <source>check that the file is there and may be read</source>
+        <source>check that the file exists and that you may read it</source>
         <translation>vérifiez que le fichier est là et peut être lu</translation>
     </message>
 </context>
 <context>
     <name>files.check_its_folder</name>
     <message>
-        <source>check the free space and the rights of its folder</source>
+        <source>check the free space and the permissions of its folder</source>
         <translation>vérifiez la place libre et les droits de son dossier</translation>
     </message>
 </context>
@@ -7744,7 +7744,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>files.choose_folder_with_room</name>
     <message>
-        <source>choose a folder that you may write to and that has room</source>
+        <source>choose a folder that you may write to and that has free space</source>
         <translation>choisissez un dossier où vous pouvez écrire et qui a de la place</translation>
     </message>
 </context>
@@ -7842,7 +7842,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>files.is_input</name>
     <message>
-        <source>it is an input of the same call</source>
+        <source>it is an input of the same command</source>
         <translation>c’est une entrée du même appel</translation>
     </message>
 </context>
@@ -7877,7 +7877,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>files.is_there_already</name>
     <message>
-        <source>it is there already</source>
+        <source>it already exists</source>
         <translation>existe déjà</translation>
     </message>
 </context>
@@ -7891,14 +7891,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>files.make_folder_first</name>
     <message>
-        <source>make the folder first, or choose another one</source>
+        <source>create the folder first, or choose another one</source>
         <translation>créez d’abord le dossier, ou choisissez-en un autre</translation>
     </message>
 </context>
 <context>
     <name>files.make_room</name>
     <message>
-        <source>make room on the disk and try again</source>
+        <source>free some disk space and try again</source>
         <translation>libérez de la place sur le disque et réessayez</translation>
     </message>
 </context>
@@ -7912,7 +7912,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>files.name_a_file</name>
     <message>
-        <source>name a file</source>
+        <source>give a file name</source>
         <translation>nommez un fichier</translation>
     </message>
 </context>
@@ -7926,21 +7926,21 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>files.names_a_project</name>
     <message>
-        <source>a name ending in .odo is for a project</source>
+        <source>only projects have a name ending in .odo</source>
         <translation>un nom qui se termine par .odo est réservé à un projet</translation>
     </message>
 </context>
 <context>
     <name>files.no_such_file</name>
     <message>
-        <source>there is no such file</source>
+        <source>the file does not exist</source>
         <translation>ce fichier n’existe pas</translation>
     </message>
 </context>
 <context>
     <name>files.no_such_folder</name>
     <message>
-        <source>there is no folder &apos;%1&apos;</source>
+        <source>folder &apos;%1&apos; does not exist</source>
         <translation>il n’y a pas de dossier &apos;%1&apos;</translation>
     </message>
 </context>
@@ -14584,7 +14584,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.analyse_again</name>
     <message>
-        <source>analyse the trial again</source>
+        <source>reanalyse the trial</source>
         <translation>réanalysez l’essai</translation>
     </message>
 </context>
@@ -14633,7 +14633,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.calibration_picture_of</name>
     <message>
-        <source>the calibration picture &apos;%1&apos; of camera &apos;%2&apos;</source>
+        <source>the calibration image &apos;%1&apos; of camera &apos;%2&apos;</source>
         <translation>la photo d’étalonnage &apos;%1&apos; de la caméra &apos;%2&apos;</translation>
     </message>
 </context>
@@ -14682,7 +14682,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.change_not_noted</name>
     <message>
-        <source>the change could not be noted (%1)</source>
+        <source>the change could not be logged (%1)</source>
         <translation>la modification n’a pas pu être notée (%1)</translation>
     </message>
 </context>
@@ -14696,14 +14696,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.change_words</name>
     <message>
-        <source>words of a change</source>
+        <source>description of a change</source>
         <translation>libellé d’une modification</translation>
     </message>
 </context>
 <context>
     <name>project.changed_since</name>
     <message>
-        <source>what it concerns has been changed or used since</source>
+        <source>something it concerns has been changed or used since</source>
         <translation>ce que cela concerne a été changé ou utilisé depuis</translation>
     </message>
 </context>
@@ -14731,7 +14731,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.check_folder_is_there</name>
     <message>
-        <source>check that the folder is there and may be read</source>
+        <source>check that the folder exists and that you may read it</source>
         <translation>vérifiez que le dossier est là et peut être lu</translation>
     </message>
 </context>
@@ -14745,21 +14745,21 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.check_name_or_make</name>
     <message>
-        <source>check the name, or make a new project</source>
+        <source>check the name, or create a new project</source>
         <translation>vérifiez le nom, ou créez un nouveau projet</translation>
     </message>
 </context>
 <context>
     <name>project.check_project_folder</name>
     <message>
-        <source>check the free space and the rights of the project&apos;s folder</source>
+        <source>check the free space and the permissions of the project&apos;s folder</source>
         <translation>vérifiez la place libre et les droits du dossier du projet</translation>
     </message>
 </context>
 <context>
     <name>project.check_rights</name>
     <message>
-        <source>check the rights of the project&apos;s folder</source>
+        <source>check the permissions of the project&apos;s folder</source>
         <translation>vérifiez les droits du dossier du projet</translation>
     </message>
 </context>
@@ -14794,7 +14794,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.choose_writable_folder</name>
     <message>
-        <source>choose a folder that can be written to and has room</source>
+        <source>choose a folder that can be written to and has free space</source>
         <translation>choisissez un dossier modifiable et qui a de la place</translation>
     </message>
 </context>
@@ -14829,7 +14829,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.complete_recording</name>
     <message>
-        <source>open the project to write, which completes it: odograph record P.odo --recover</source>
+        <source>to complete it, open the project for writing: odograph record P.odo --recover</source>
         <translation>ouvrez le projet en écriture, ce qui complète l’enregistrement&#xa0;: odograph record P.odo --recover</translation>
     </message>
 </context>
@@ -14843,7 +14843,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.copy_again</name>
     <message>
-        <source>copy it again from where it came, or restore a backup copy</source>
+        <source>copy it again from its source, or restore a backup copy</source>
         <translation>recopiez-le depuis sa source, ou restaurez une copie de sauvegarde</translation>
     </message>
 </context>
@@ -14857,7 +14857,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.copy_file_beside</name>
     <message>
-        <source>copy the file beside the project</source>
+        <source>copy the file to the project&apos;s folder</source>
         <translation>copiez le fichier à côté du projet</translation>
     </message>
 </context>
@@ -14871,7 +14871,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.copy_sound_backup</name>
     <message>
-        <source>copy &apos;%1&apos;, which is sound, to a new name and open that, and keep the damaged file</source>
+        <source>copy &apos;%1&apos;, which is intact, to a new name, open that copy and keep the damaged file</source>
         <translation>copiez « %1 », qui est intact, sous un nouveau nom et ouvrez cette copie, et gardez le fichier endommagé</translation>
     </message>
 </context>
@@ -14920,21 +14920,21 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.database_refused</name>
     <message>
-        <source>the database refused</source>
+        <source>the database reported an error</source>
         <translation>la base de données a refusé</translation>
     </message>
 </context>
 <context>
     <name>project.database_refused_because</name>
     <message>
-        <source>the database refused (%1)</source>
+        <source>the database reported an error (%1)</source>
         <translation>la base de données a refusé (%1)</translation>
     </message>
 </context>
 <context>
     <name>project.delete_its_trials</name>
     <message>
-        <source>delete them for good first, or archive its class</source>
+        <source>delete its trials permanently first, or archive its class</source>
         <translation>supprimez-les d’abord définitivement, ou archivez sa classe</translation>
     </message>
 </context>
@@ -14962,7 +14962,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.disk_unreadable</name>
     <message>
-        <source>the disk could not be read, and nothing was changed</source>
+        <source>the disk could not be read; nothing was changed</source>
         <translation>le disque n’a pas pu être lu, et rien n’a été modifié</translation>
     </message>
 </context>
@@ -14997,21 +14997,21 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.figures_without_task</name>
     <message>
-        <source>their figures would not say any more what they were measured by</source>
+        <source>without it, their metrics would not show which rules applied</source>
         <translation>leurs valeurs ne diraient plus avec quoi elles ont été mesurées</translation>
     </message>
 </context>
 <context>
     <name>project.file_changed</name>
     <message>
-        <source>%1 was changed since it was made</source>
+        <source>%1 has changed since it was created</source>
         <translation>%1 a changé depuis sa création</translation>
     </message>
 </context>
 <context>
     <name>project.file_cut_off</name>
     <message>
-        <source>the file is cut off</source>
+        <source>the file is incomplete</source>
         <translation>le fichier est tronqué</translation>
     </message>
 </context>
@@ -15032,7 +15032,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.file_there_already</name>
     <message>
-        <source>a file of that name is there already</source>
+        <source>a file of that name already exists</source>
         <translation>un fichier de ce nom existe déjà</translation>
     </message>
 </context>
@@ -15074,7 +15074,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.format_10</name>
     <message>
-        <source>what a school year needs: stars, tags, archive, bin, pseudonyms, scoring and the list of changes</source>
+        <source>for a school year: stars, tags, archive, bin, pseudonyms, scoring and the list of changes</source>
         <translation>ce qu’il faut à une année scolaire&#xa0;: étoiles, étiquettes, archive, corbeille, pseudonymes, barème et liste des modifications</translation>
     </message>
 </context>
@@ -15095,42 +15095,42 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.format_13</name>
     <message>
-        <source>the point of a robot that is measured</source>
+        <source>reference points of robots</source>
         <translation>le point d’un robot qui est mesuré</translation>
     </message>
 </context>
 <context>
     <name>project.format_14</name>
     <message>
-        <source>when robots of one look could not be told apart</source>
+        <source>periods with ambiguous robot names</source>
         <translation>les moments où des robots de même apparence ne se distinguaient pas</translation>
     </message>
 </context>
 <context>
     <name>project.format_15</name>
     <message>
-        <source>robots that a person pointed out in a picture</source>
+        <source>robots marked by hand in a frame</source>
         <translation>robots montrés par une personne dans une image</translation>
     </message>
 </context>
 <context>
     <name>project.format_16</name>
     <message>
-        <source>sentences as codes with their arguments</source>
+        <source>messages as codes with their arguments</source>
         <translation>phrases sous forme de codes avec leurs arguments</translation>
     </message>
 </context>
 <context>
     <name>project.format_2</name>
     <message>
-        <source>samples overruled by hand</source>
+        <source>manual overrides of samples</source>
         <translation>échantillons jugés à la main</translation>
     </message>
 </context>
 <context>
     <name>project.format_3</name>
     <message>
-        <source>rates of the cameras&apos; clocks</source>
+        <source>clock rates of the cameras</source>
         <translation>dérives des horloges des caméras</translation>
     </message>
 </context>
@@ -15144,35 +15144,35 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.format_5</name>
     <message>
-        <source>how each view was put in step</source>
+        <source>synchronisation of each view</source>
         <translation>comment chaque vue a été synchronisée</translation>
     </message>
 </context>
 <context>
     <name>project.format_6</name>
     <message>
-        <source>calibrations with their boards, corners and pictures</source>
+        <source>calibrations with their boards, corners and images</source>
         <translation>étalonnages avec leurs mires, coins et photos</translation>
     </message>
 </context>
 <context>
     <name>project.format_7</name>
     <message>
-        <source>revisions that are chosen, and checks of registrations</source>
+        <source>chosen revisions and registration checks</source>
         <translation>révisions choisies, et contrôles des localisations</translation>
     </message>
 </context>
 <context>
     <name>project.format_8</name>
     <message>
-        <source>trials while they are being recorded, and the raw times of their pictures</source>
+        <source>trials during recording, and the raw times of their frames</source>
         <translation>essais en cours d’enregistrement, et temps bruts de leurs images</translation>
     </message>
 </context>
 <context>
     <name>project.format_9</name>
     <message>
-        <source>pictures of registrations</source>
+        <source>images of registrations</source>
         <translation>photos des localisations</translation>
     </message>
 </context>
@@ -15186,7 +15186,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.give_a_height</name>
     <message>
-        <source>give a height, or let it be estimated</source>
+        <source>enter a height, or have it estimated</source>
         <translation>donnez une hauteur, ou laissez-la estimer</translation>
     </message>
 </context>
@@ -15305,7 +15305,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.height_not_given</name>
     <message>
-        <source>its height is to be told, but none is given</source>
+        <source>it needs a fixed height, but none is given</source>
         <translation>sa hauteur doit être indiquée, mais aucune ne l’est</translation>
     </message>
 </context>
@@ -15333,14 +15333,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.impossible_format</name>
     <message>
-        <source>it says of itself to have the format %1</source>
+        <source>it claims to have format %1</source>
         <translation>il déclare avoir le format %1</translation>
     </message>
 </context>
 <context>
     <name>project.in_synced_folder</name>
     <message>
-        <source>it lies in a folder that %1 copies while it changes, so that a copy may have half a change</source>
+        <source>it is in a folder that %1 copies while it changes: a copy may contain half a change</source>
         <translation>il se trouve dans un dossier que %1 copie pendant qu’il change, si bien qu’une copie peut avoir une demi-modification</translation>
     </message>
 </context>
@@ -15403,7 +15403,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.kind_figure</name>
     <message>
-        <source>figure</source>
+        <source>metric</source>
         <translation>grandeur</translation>
     </message>
 </context>
@@ -15424,7 +15424,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.kind_lens</name>
     <message>
-        <source>lens</source>
+        <source>lens calibration</source>
         <translation>objectif</translation>
     </message>
 </context>
@@ -15508,7 +15508,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.label_twice</name>
     <message>
-        <source>the label &apos;%1&apos; is there twice</source>
+        <source>the label &apos;%1&apos; appears twice</source>
         <translation>le libellé &apos;%1&apos; y est deux fois</translation>
     </message>
 </context>
@@ -15522,14 +15522,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.leave_one_out</name>
     <message>
-        <source>leave out one of the two</source>
+        <source>use only one of the two</source>
         <translation>omettez l’un des deux</translation>
     </message>
 </context>
 <context>
     <name>project.leave_out_unseen_markers</name>
     <message>
-        <source>leave out those that no camera sees</source>
+        <source>remove those that no camera sees</source>
         <translation>omettez ceux qu’aucune caméra ne voit</translation>
     </message>
 </context>
@@ -15543,21 +15543,21 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.lens_kept</name>
     <message>
-        <source>the lens is kept without it</source>
+        <source>the lens calibration remains valid without it</source>
         <translation>l’étalonnage de l’objectif est gardé sans lui</translation>
     </message>
 </context>
 <context>
     <name>project.lens_of_project</name>
     <message>
-        <source>lens %1 of the project</source>
+        <source>lens calibration %1 of the project</source>
         <translation>objectif %1 du projet</translation>
     </message>
 </context>
 <context>
     <name>project.lies_in_media</name>
     <message>
-        <source>a project lies in the media folder of another one</source>
+        <source>a project is in the media folder of another one</source>
         <translation>un projet se trouve dans le dossier des médias d’un autre</translation>
     </message>
 </context>
@@ -15571,28 +15571,28 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.look_for_strays</name>
     <message>
-        <source>look for stray files</source>
+        <source>find stray files</source>
         <translation>chercher les fichiers orphelins</translation>
     </message>
 </context>
 <context>
     <name>project.look_in</name>
     <message>
-        <source>look in &apos;%1&apos;</source>
+        <source>search &apos;%1&apos;</source>
         <translation>recherche dans &apos;%1&apos;</translation>
     </message>
 </context>
 <context>
     <name>project.marker_errors_differ</name>
     <message>
-        <source>the marker errors of registration %1 are not those that its markers give</source>
+        <source>the stored marker errors of registration %1 differ from those of its markers</source>
         <translation>les erreurs des marqueurs de la localisation %1 ne sont pas celles que donnent ses marqueurs</translation>
     </message>
 </context>
 <context>
     <name>project.marker_off_floor</name>
     <message>
-        <source>marker &apos;%1&apos; is not on a floor of 1 km</source>
+        <source>marker &apos;%1&apos; is not within a floor of 1 km</source>
         <translation>le repère &apos;%1&apos; n’est pas sur un sol de 1 km</translation>
     </message>
 </context>
@@ -15613,7 +15613,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.measured_by_task</name>
     <message>
-        <source>trials were measured by it</source>
+        <source>its rules were used to measure trials</source>
         <translation>des essais ont été mesurés avec elle</translation>
     </message>
 </context>
@@ -15676,7 +15676,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.move_log_away</name>
     <message>
-        <source>move the log to another folder to open the file without it, or put the file back that the log belongs to</source>
+        <source>move the log to another folder to open the file without it, or restore the file that the log belongs to</source>
         <translation>déplacez le journal dans un autre dossier pour ouvrir le fichier sans lui, ou remettez en place le fichier auquel il appartient</translation>
     </message>
 </context>
@@ -15711,14 +15711,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.name_robots_once</name>
     <message>
-        <source>name each of its robots once</source>
+        <source>list each of its robots once</source>
         <translation>nommez chaque robot une fois</translation>
     </message>
 </context>
 <context>
     <name>project.name_taken</name>
     <message>
-        <source>the project has a %1 of that name already</source>
+        <source>the project already has a %1 of that name</source>
         <translation>le projet a déjà un élément « %1&#xa0;» de ce nom</translation>
     </message>
 </context>
@@ -15753,14 +15753,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.no_ordinary_number</name>
     <message>
-        <source>a value to be stored is not a number of ordinary size</source>
+        <source>a value to store is too large or not a number</source>
         <translation>une valeur à enregistrer n’est pas un nombre de taille ordinaire</translation>
     </message>
 </context>
 <context>
     <name>project.no_place_to_rescue_to</name>
     <message>
-        <source>its folder is gone, and there is no home folder to rescue it to</source>
+        <source>its folder is gone, and no home folder exists to rescue it to</source>
         <translation>son dossier a disparu, et il n&apos;y a pas de dossier personnel où le récupérer</translation>
     </message>
 </context>
@@ -15774,14 +15774,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.no_sound_backup</name>
     <message>
-        <source>no sound backup lies beside it</source>
+        <source>no intact backup was found beside it</source>
         <translation>aucune copie de sauvegarde intacte ne se trouve à côté</translation>
     </message>
 </context>
 <context>
     <name>project.no_such_name</name>
     <message>
-        <source>there is no such %1 in the project</source>
+        <source>the project has no such %1</source>
         <translation>absent du projet&#xa0;: %1</translation>
     </message>
 </context>
@@ -15802,7 +15802,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.not_brought_to_format</name>
     <message>
-        <source>it could not be brought to format %1 (%2)</source>
+        <source>it could not be converted to format %1 (%2)</source>
         <translation>il n’a pas pu être porté au format %1 (%2)</translation>
     </message>
 </context>
@@ -15879,21 +15879,21 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.older_format</name>
     <message>
-        <source>it has the older format %1 and must be brought up to date before it can be read, but %2</source>
+        <source>it has the older format %1 and must be updated before Odograph can read it, but %2</source>
         <translation>il a l’ancien format %1 et doit être mis à jour avant d’être lu, mais %2</translation>
     </message>
 </context>
 <context>
     <name>project.on_network_disk</name>
     <message>
-        <source>it lies on a network disk (%1), where a recording can stall and two computers can damage it</source>
+        <source>it is on a network disk (%1): a recording can stall there, and two computers can damage it</source>
         <translation>il se trouve sur un disque réseau (%1), où un enregistrement peut se bloquer et deux ordinateurs peuvent l’endommager</translation>
     </message>
 </context>
 <context>
     <name>project.open_again</name>
     <message>
-        <source>open it again; if you were recording, look for stray files (odograph check --adopt)</source>
+        <source>open it again; if you were recording, find stray files (odograph check --adopt)</source>
         <translation>ouvrez-le à nouveau ; si vous étiez en train d’enregistrer, cherchez les fichiers orphelins (odograph check --adopt)</translation>
     </message>
 </context>
@@ -15928,7 +15928,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.open_with_that_odograph</name>
     <message>
-        <source>open it with that Odograph, or update this one</source>
+        <source>open it with that version, or update this one</source>
         <translation>ouvrez-le avec cet Odograph-là, ou mettez celui-ci à jour</translation>
     </message>
 </context>
@@ -15942,7 +15942,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.other_labels</name>
     <message>
-        <source>the labels are not those that it has</source>
+        <source>the labels differ from those of the layout</source>
         <translation>les libellés ne sont pas les siens</translation>
     </message>
 </context>
@@ -15956,14 +15956,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.others_calibration_chosen</name>
     <message>
-        <source>calibration %1 was chosen for it, which is camera &apos;%2&apos;s; its newest own one is used</source>
+        <source>calibration %1 was chosen for it but belongs to camera &apos;%2&apos;; its own newest one is used</source>
         <translation>l’étalonnage %1 a été choisi pour elle, mais il est à la caméra &apos;%2&apos;&#xa0;; le plus récent des siens est utilisé</translation>
     </message>
 </context>
 <context>
     <name>project.others_registration_chosen</name>
     <message>
-        <source>registration %1 was chosen for it, which is camera &apos;%2&apos;s; its newest own one is used</source>
+        <source>registration %1 was chosen for it but belongs to camera &apos;%2&apos;; its own newest one is used</source>
         <translation>la localisation %1 a été choisie pour elle, mais elle est à la caméra &apos;%2&apos;&#xa0;; la plus récente des siennes est utilisée</translation>
     </message>
 </context>
@@ -15984,35 +15984,35 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.path_leaves_folder</name>
     <message>
-        <source>its relative path leaves the project&apos;s folder</source>
+        <source>its relative path points outside the project&apos;s folder</source>
         <translation>son chemin relatif sort du dossier du projet</translation>
     </message>
 </context>
 <context>
     <name>project.picture_name</name>
     <message>
-        <source>name of a calibration picture</source>
+        <source>name of a calibration image</source>
         <translation>nom d’une photo d’étalonnage</translation>
     </message>
 </context>
 <context>
     <name>project.picture_path</name>
     <message>
-        <source>path of a calibration picture</source>
+        <source>path of a calibration image</source>
         <translation>chemin d’une photo d’étalonnage</translation>
     </message>
 </context>
 <context>
     <name>project.position_no_number</name>
     <message>
-        <source>a position or its covariance is no number</source>
+        <source>a position or its covariance is not a number</source>
         <translation>une position ou sa covariance n’est pas un nombre</translation>
     </message>
 </context>
 <context>
     <name>project.positions_changed</name>
     <message>
-        <source>the positions of robot &apos;%1&apos; are not those that its analysis gave</source>
+        <source>the stored positions of robot &apos;%1&apos; differ from those of its analysis</source>
         <translation>les positions du robot &apos;%1&apos; ne sont pas celles que son analyse a données</translation>
     </message>
 </context>
@@ -16040,7 +16040,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.put_back_and_retry</name>
     <message>
-        <source>put it back in its place and try again</source>
+        <source>move it back to its place and try again</source>
         <translation>remettez-le à sa place et réessayez</translation>
     </message>
 </context>
@@ -16061,7 +16061,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.put_into_bin_first</name>
     <message>
-        <source>put it into the bin first</source>
+        <source>move it to the bin first</source>
         <translation>mettez-le d’abord dans la corbeille</translation>
     </message>
 </context>
@@ -16103,7 +16103,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.recorded_into_now</name>
     <message>
-        <source>a trial is being recorded into it just now</source>
+        <source>a trial is being recorded into it now</source>
         <translation>un essai y est en cours d’enregistrement</translation>
     </message>
 </context>
@@ -16187,28 +16187,28 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.reference_too_far</name>
     <message>
-        <source>its reference point is farther from its centre than %1</source>
+        <source>its reference point is more than %1 from its centre</source>
         <translation>son point de référence est à plus de %1 de son centre</translation>
     </message>
 </context>
 <context>
     <name>project.reference_without_heading</name>
     <message>
-        <source>a reference point beside its centre takes a heading, which is not known where the height changes</source>
+        <source>a reference point off its centre needs a heading, but a robot of changing height has none</source>
         <translation>un point de référence hors du centre demande un cap, qui n’est pas connu là où la hauteur change</translation>
     </message>
 </context>
 <context>
     <name>project.refers_to_nothing</name>
     <message>
-        <source>it refers to something that is not in the project, or a value is missing</source>
+        <source>it refers to something missing from the project, or a value is missing</source>
         <translation>il renvoie à quelque chose d’absent du projet, ou une valeur manque</translation>
     </message>
 </context>
 <context>
     <name>project.registration_kept</name>
     <message>
-        <source>the registration is kept without it</source>
+        <source>the registration remains valid without it</source>
         <translation>la localisation est gardée sans lui</translation>
     </message>
 </context>
@@ -16222,14 +16222,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.registration_picture_of</name>
     <message>
-        <source>the picture of registration %1 of camera &apos;%2&apos;</source>
+        <source>the image of registration %1 of camera &apos;%2&apos;</source>
         <translation>la photo de la localisation %1 de la caméra &apos;%2&apos;</translation>
     </message>
 </context>
 <context>
     <name>project.registration_picture_path</name>
     <message>
-        <source>path of a registration&apos;s picture</source>
+        <source>path of a registration&apos;s image</source>
         <translation>chemin de la photo d’une localisation</translation>
     </message>
 </context>
@@ -16250,7 +16250,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.rest_not_read</name>
     <message>
-        <source>the rest is not read; change it here, or where the file comes from</source>
+        <source>Odograph does not read the rest; shorten it here, or in the program that wrote the file</source>
         <translation>le reste n’est pas lu ; changez-le ici ou là d’où vient le fichier</translation>
     </message>
 </context>
@@ -16285,21 +16285,21 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.results_changed</name>
     <message>
-        <source>the metrics, spikes or settings of robot &apos;%1&apos; are not those that its analysis gave</source>
+        <source>the stored metrics, spikes or settings of robot &apos;%1&apos; differ from those of its analysis</source>
         <translation>les grandeurs, pics aberrants ou réglages du robot &apos;%1&apos; ne sont pas ceux que son analyse a donnés</translation>
     </message>
 </context>
 <context>
     <name>project.robot_can_be_renamed</name>
     <message>
-        <source>it can be given another name</source>
+        <source>you can rename it</source>
         <translation>on peut lui donner un autre nom</translation>
     </message>
 </context>
 <context>
     <name>project.robot_drove</name>
     <message>
-        <source>it drove in a trial</source>
+        <source>a trial uses it</source>
         <translation>il a roulé dans un essai</translation>
     </message>
 </context>
@@ -16313,14 +16313,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.robot_twice</name>
     <message>
-        <source>a robot belongs to it twice</source>
+        <source>it has a robot twice</source>
         <translation>un robot lui appartient deux fois</translation>
     </message>
 </context>
 <context>
     <name>project.row_refers_to_nothing</name>
     <message>
-        <source>row %1 of &apos;%2&apos; refers to a row of &apos;%3&apos; that is not there</source>
+        <source>row %1 of &apos;%2&apos; refers to a missing row of &apos;%3&apos;</source>
         <translation>la ligne %1 de &apos;%2&apos; renvoie à une ligne de &apos;%3&apos; qui n’existe pas</translation>
     </message>
 </context>
@@ -16369,7 +16369,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.spike_without_sample</name>
     <message>
-        <source>a spike refers to a sample that is not there</source>
+        <source>a spike refers to a missing sample</source>
         <translation>un pic aberrant renvoie à un échantillon absent</translation>
     </message>
 </context>
@@ -16383,14 +16383,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.strays_unknown</name>
     <message>
-        <source>it cannot be told which files belong to no trial</source>
+        <source>cannot determine which files belong to no trial</source>
         <translation>impossible de savoir quels fichiers n’appartiennent à aucun essai</translation>
     </message>
 </context>
 <context>
     <name>project.synchronisation_differs</name>
     <message>
-        <source>its stored synchronisation is not that of its second view</source>
+        <source>its stored synchronisation differs from that of its second view</source>
         <translation>sa synchronisation enregistrée n’est pas celle de sa deuxième vue</translation>
     </message>
 </context>
@@ -16404,7 +16404,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.take_later_back</name>
     <message>
-        <source>take the later change back first, or leave it</source>
+        <source>undo the later change first, or leave this one</source>
         <translation>annulez d’abord la modification plus récente, ou laissez</translation>
     </message>
 </context>
@@ -16418,28 +16418,28 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.task_has_trial</name>
     <message>
-        <source>a trial has it</source>
+        <source>a trial uses it</source>
         <translation>un essai l’utilise</translation>
     </message>
 </context>
 <context>
     <name>project.task_has_trials</name>
     <message>
-        <source>%1 trials have it</source>
+        <source>%1 trials use it</source>
         <translation>%1 essais l’utilisent</translation>
     </message>
 </context>
 <context>
     <name>project.team_has_trial</name>
     <message>
-        <source>a trial is its</source>
+        <source>it has a trial</source>
         <translation>un essai est le sien</translation>
     </message>
 </context>
 <context>
     <name>project.team_has_trials</name>
     <message>
-        <source>%1 trials are its</source>
+        <source>it has %1 trials</source>
         <translation>%1 essais sont les siens</translation>
     </message>
 </context>
@@ -16453,7 +16453,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.times_do_not_rise</name>
     <message>
-        <source>its times do not rise</source>
+        <source>its times do not increase</source>
         <translation>ses temps ne croissent pas</translation>
     </message>
 </context>
@@ -16502,7 +16502,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.track_kept</name>
     <message>
-        <source>the measured track is kept without it</source>
+        <source>the measured track remains valid without it</source>
         <translation>la trajectoire mesurée est gardée sans lui</translation>
     </message>
 </context>
@@ -16544,7 +16544,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.try_again</name>
     <message>
-        <source>try it again</source>
+        <source>try again</source>
         <translation>réessayez</translation>
     </message>
 </context>
@@ -16558,14 +16558,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.type_name_anew</name>
     <message>
-        <source>type the name anew</source>
+        <source>type the name again</source>
         <translation>retapez le nom</translation>
     </message>
 </context>
 <context>
     <name>project.type_text_anew</name>
     <message>
-        <source>type the text anew</source>
+        <source>type the text again</source>
         <translation>retapez le texte</translation>
     </message>
 </context>
@@ -16621,7 +16621,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>project.value_too_large</name>
     <message>
-        <source>a value is too large to be stored</source>
+        <source>a value is too large to store</source>
         <translation>une valeur est trop grande pour être enregistrée</translation>
     </message>
 </context>
@@ -16677,7 +16677,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>simulation.no_frame</name>
     <message>
-        <source>camera %1 takes no frame while the scene lasts</source>
+        <source>camera %1 takes no frame during the scene</source>
         <translation>la caméra %1 ne prend aucune image tant que dure la scène</translation>
     </message>
 </context>
@@ -18357,7 +18357,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>video.cannot_read_picture</name>
     <message>
-        <source>cannot read the picture %1</source>
+        <source>cannot read the image %1</source>
         <translation>l&apos;image %1 ne peut pas être lue</translation>
     </message>
 </context>
@@ -18392,7 +18392,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>video.check_its_folder</name>
     <message>
-        <source>check that its folder may be written to and has room</source>
+        <source>check that its folder may be written to and has free space</source>
         <translation>vérifiez que son dossier peut être modifié et a de la place</translation>
     </message>
 </context>
@@ -18406,21 +18406,21 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>video.check_room</name>
     <message>
-        <source>check that there is room on the disk</source>
+        <source>check the free disk space</source>
         <translation>vérifiez qu’il y a de la place sur le disque</translation>
     </message>
 </context>
 <context>
     <name>video.check_the_folder</name>
     <message>
-        <source>check that the folder exists, may be written to and has room</source>
+        <source>check that the folder exists, may be written to and has free space</source>
         <translation>vérifiez que le dossier existe, peut être modifié et a de la place</translation>
     </message>
 </context>
 <context>
     <name>video.check_what_was_asked</name>
     <message>
-        <source>check the size, the frame rate and the quality that were asked for</source>
+        <source>check the requested size, frame rate and quality</source>
         <translation>vérifiez la taille, la cadence et la qualité demandées</translation>
     </message>
 </context>
@@ -18490,21 +18490,21 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>video.decoder_not_started</name>
     <message>
-        <source>its decoder would not start (%1)</source>
+        <source>its decoder did not start (%1)</source>
         <translation>son décodeur n’a pas démarré (%1)</translation>
     </message>
 </context>
 <context>
     <name>video.each_at_its_time</name>
     <message>
-        <source>each counts at its own time</source>
+        <source>each frame keeps its own time</source>
         <translation>chacune compte à son propre instant</translation>
     </message>
 </context>
 <context>
     <name>video.encoder_not_started</name>
     <message>
-        <source>the encoder would not start (%1)</source>
+        <source>the encoder did not start (%1)</source>
         <translation>l’encodeur n’a pas démarré (%1)</translation>
     </message>
 </context>
@@ -18525,7 +18525,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>video.failed_before</name>
     <message>
-        <source>writing has failed before</source>
+        <source>writing failed earlier</source>
         <translation>l’écriture avait déjà échoué</translation>
     </message>
 </context>
@@ -18574,7 +18574,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>video.give_another_format</name>
     <message>
-        <source>let the camera give another format</source>
+        <source>set the camera to another format</source>
         <translation>faites donner un autre format à la caméra</translation>
     </message>
 </context>
@@ -18651,7 +18651,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>video.largest_picture</name>
     <message>
-        <source>more than 50 megapixels or 32000 pixels a side are not read</source>
+        <source>the limit is 50 megapixels and 32000 pixels a side</source>
         <translation>plus de 50 mégapixels ou 32000 pixels de côté ne sont pas lus</translation>
     </message>
 </context>
@@ -18665,7 +18665,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>video.name_a_picture</name>
     <message>
-        <source>name a picture</source>
+        <source>choose an image</source>
         <translation>nommez une image</translation>
     </message>
 </context>
@@ -18686,7 +18686,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>video.no_ffv1_in_mp4</name>
     <message>
-        <source>FFV1 does not go into MP4</source>
+        <source>MP4 cannot contain FFV1</source>
         <translation>FFV1 ne va pas dans du MP4</translation>
     </message>
 </context>
@@ -18700,7 +18700,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>video.no_jpeg_layout</name>
     <message>
-        <source>JPEG does not have its layout of colours</source>
+        <source>JPEG does not support its colour layout</source>
         <translation>JPEG n’a pas sa disposition de couleurs</translation>
     </message>
 </context>
@@ -18714,14 +18714,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>video.no_picture_format</name>
     <message>
-        <source>it is no PNG, JPEG, BMP, TIFF or PNM picture</source>
+        <source>it is not a PNG, JPEG, BMP, TIFF or PNM image</source>
         <translation>ce n’est pas une image PNG, JPEG, BMP, TIFF ou PNM</translation>
     </message>
 </context>
 <context>
     <name>video.no_stream</name>
     <message>
-        <source>it holds no video stream that can be read</source>
+        <source>it contains no readable video stream</source>
         <translation>aucun flux vidéo lisible</translation>
     </message>
 </context>
@@ -18742,35 +18742,35 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>video.no_video_kind</name>
     <message>
-        <source>it is not a video of a kind that is read, or its header is damaged or missing (%1)</source>
+        <source>it is not a supported kind of video, or its header is damaged or missing (%1)</source>
         <translation>ce n’est pas une vidéo d’un type lisible, ou son en-tête est abîmé ou manquant (%1)</translation>
     </message>
 </context>
 <context>
     <name>video.no_whole_frame</name>
     <message>
-        <source>not one whole frame is in it</source>
+        <source>it contains no complete frame</source>
         <translation>aucune image entière n’y est</translation>
     </message>
 </context>
 <context>
     <name>video.packet_damaged</name>
     <message>
-        <source>a packet there is damaged</source>
+        <source>a packet is damaged</source>
         <translation>un paquet y est endommagé</translation>
     </message>
 </context>
 <context>
     <name>video.picture</name>
     <message>
-        <source>picture</source>
+        <source>image</source>
         <translation>image</translation>
     </message>
 </context>
 <context>
     <name>video.picture_claims_size</name>
     <message>
-        <source>it says that it has %1 pixels</source>
+        <source>its header says that it has %1 pixels</source>
         <translation>elle dit avoir %1 pixels</translation>
     </message>
 </context>
@@ -18791,42 +18791,42 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>video.picture_format_unknown</name>
     <message>
-        <source>its format is not known</source>
+        <source>its format is unknown</source>
         <translation>son format n’est pas connu</translation>
     </message>
 </context>
 <context>
     <name>video.picture_named</name>
     <message>
-        <source>picture &apos;%1&apos;</source>
+        <source>image &apos;%1&apos;</source>
         <translation>image &apos;%1&apos;</translation>
     </message>
 </context>
 <context>
     <name>video.picture_not_coded</name>
     <message>
-        <source>a picture cannot be coded</source>
+        <source>a frame cannot be encoded</source>
         <translation>une image ne peut pas être codée</translation>
     </message>
 </context>
 <context>
     <name>video.picture_not_packed</name>
     <message>
-        <source>it could not be packed</source>
+        <source>it could not be compressed</source>
         <translation>elle n’a pas pu être compressée</translation>
     </message>
 </context>
 <context>
     <name>video.pictures_too_large</name>
     <message>
-        <source>its pictures have more than 100 megapixels or 32000 pixels a side</source>
+        <source>its frames have more than 100 megapixels or 32000 pixels a side</source>
         <translation>ses images ont plus de 100 mégapixels ou 32000 pixels de côté</translation>
     </message>
 </context>
 <context>
     <name>video.pixel_format_not_read</name>
     <message>
-        <source>its pixel format %1 is not read</source>
+        <source>its pixel format %1 is not supported</source>
         <translation>son format de pixel %1 n’est pas lu</translation>
     </message>
 </context>
@@ -18840,7 +18840,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>video.rate_varies</name>
     <message>
-        <source>its frame rate varies, pictures are %1 to %2 apart</source>
+        <source>its frame rate varies: frames are %1 to %2 apart</source>
         <translation>sa cadence varie, les images sont espacées de %1 à %2</translation>
     </message>
 </context>
@@ -18861,21 +18861,21 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>video.size_not_found</name>
     <message>
-        <source>the size of its pictures could not be found out</source>
+        <source>its frame size could not be determined</source>
         <translation>la taille de ses images n’a pas pu être trouvée</translation>
     </message>
 </context>
 <context>
     <name>video.sound_part_used</name>
     <message>
-        <source>its sound part is used</source>
+        <source>its undamaged part is used</source>
         <translation>la partie intacte est utilisée</translation>
     </message>
 </context>
 <context>
     <name>video.stamps_repeat</name>
     <message>
-        <source>their time stamps repeat the frame before</source>
+        <source>their time stamps repeat that of the frame before</source>
         <translation>leurs horodatages répètent celui de l’image précédente</translation>
     </message>
 </context>
@@ -18903,21 +18903,21 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>video.time_not_after</name>
     <message>
-        <source>its time is not after the frame&apos;s before it</source>
+        <source>its time is not later than that of the frame before</source>
         <translation>son temps ne suit pas celui de l’image précédente</translation>
     </message>
 </context>
 <context>
     <name>video.unknown_format_not_read</name>
     <message>
-        <source>its pixel format (unknown) is not read</source>
+        <source>its pixel format (unknown) is not supported</source>
         <translation>son format de pixel (inconnu) n’est pas lu</translation>
     </message>
 </context>
 <context>
     <name>video.use_another_picture</name>
     <message>
-        <source>use another picture</source>
+        <source>use another image</source>
         <translation>utilisez une autre image</translation>
     </message>
 </context>

@@ -2971,7 +2971,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>base.no_memory</name>
     <message>
-        <source>this computer has not enough free memory for it</source>
+        <source>this computer does not have enough free memory for it</source>
         <translation>이 컴퓨터에 남은 메모리가 부족합니다</translation>
     </message>
 </context>
@@ -2985,7 +2985,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>base.no_thread</name>
     <message>
-        <source>this computer gives no further thread</source>
+        <source>this computer cannot start another thread</source>
         <translation>이 컴퓨터에서 스레드를 더 만들 수 없습니다</translation>
     </message>
 </context>
@@ -3104,7 +3104,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>base.wordless_exception</name>
     <message>
-        <source>an exception without words</source>
+        <source>an unknown exception</source>
         <translation>설명이 없는 예외</translation>
     </message>
 </context>
@@ -5407,14 +5407,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>capture.all_pictures_damaged</name>
     <message>
-        <source>all its pictures come damaged</source>
+        <source>all its frames arrive damaged</source>
         <translation>모든 영상이 손상되어 들어옵니다</translation>
     </message>
 </context>
 <context>
     <name>capture.answers_but_silent</name>
     <message>
-        <source>it answers, but sends no pictures</source>
+        <source>it answers but sends no frames</source>
         <translation>응답하지만 영상을 보내지 않습니다</translation>
     </message>
 </context>
@@ -5428,49 +5428,49 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>capture.aravis_place_missing</name>
     <message>
-        <source>it says neither an address nor a serial number</source>
+        <source>it contains neither an address nor a serial number</source>
         <translation>주소도 일련번호도 없습니다</translation>
     </message>
 </context>
 <context>
     <name>capture.aravis_wishes</name>
     <message>
-        <source>take rate, exposure_ms, gain, format, size, trigger=software, packet_size or packet_delay_us, as in ?rate=30&amp;size=640x480</source>
+        <source>use rate, exposure_ms, gain, format, size, trigger=software, packet_size or packet_delay_us, as in ?rate=30&amp;size=640x480</source>
         <translation>?rate=30&amp;size=640x480처럼 rate, exposure_ms, gain, format, size, trigger=software, packet_size, packet_delay_us를 쓰십시오</translation>
     </message>
 </context>
 <context>
     <name>capture.ask_for_less</name>
     <message>
-        <source>ask for a smaller size or rate</source>
+        <source>choose a smaller size or a lower rate</source>
         <translation>더 작은 크기나 낮은 속도를 요청하십시오</translation>
     </message>
 </context>
 <context>
     <name>capture.ask_for_other_mode</name>
     <message>
-        <source>ask for another size or format</source>
+        <source>choose another size or format</source>
         <translation>다른 크기나 형식을 요청하십시오</translation>
     </message>
 </context>
 <context>
     <name>capture.ask_for_something_else</name>
     <message>
-        <source>ask it for something else, or leave that to the camera</source>
+        <source>use another value, or leave the choice to the camera</source>
         <translation>다른 것을 요청하거나 카메라에 맡기십시오</translation>
     </message>
 </context>
 <context>
     <name>capture.ask_for_usable_format</name>
     <message>
-        <source>ask it for one of %1</source>
+        <source>choose one of %1</source>
         <translation>%1 중 하나를 요청하십시오</translation>
     </message>
 </context>
 <context>
     <name>capture.ask_within_sensor</name>
     <message>
-        <source>ask it for a size within that</source>
+        <source>choose a size within that</source>
         <translation>그 안의 크기를 요청하십시오</translation>
     </message>
 </context>
@@ -5484,7 +5484,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>capture.automatics_of_camera</name>
     <message>
-        <source>Automatics, camera %1</source>
+        <source>Automatic settings, camera %1</source>
         <translation>자동 조절, 카메라 %1</translation>
     </message>
 </context>
@@ -5498,7 +5498,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>capture.buffer_not_known</name>
     <message>
-        <source>the system does not say how large it may be (net.core.rmem_max)</source>
+        <source>the system does not report its maximum size (net.core.rmem_max)</source>
         <translation>시스템이 허용 크기를 알려 주지 않습니다 (net.core.rmem_max)</translation>
     </message>
 </context>
@@ -5512,7 +5512,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>capture.buffer_without_use</name>
     <message>
-        <source>%1, which only network cameras would find too small</source>
+        <source>%1, too small only for network cameras</source>
         <translation>%1, 네트워크 카메라에만 부족</translation>
     </message>
 </context>
@@ -5533,7 +5533,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>capture.came_back_changed</name>
     <message>
-        <source>it came back with pictures of another size or format</source>
+        <source>it came back with another frame size or format</source>
         <translation>다른 크기나 형식의 영상으로 돌아왔습니다</translation>
     </message>
 </context>
@@ -5547,7 +5547,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>capture.camera_does_not_deliver</name>
     <message>
-        <source>a camera does not deliver</source>
+        <source>a camera sends no frames</source>
         <translation>영상을 보내지 않는 카메라가 있습니다</translation>
     </message>
 </context>
@@ -5561,7 +5561,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>capture.cameras_will_lose</name>
     <message>
-        <source>%1 will lose pictures</source>
+        <source>%1 will lose frames</source>
         <translation>%1에서 영상이 누락됩니다</translation>
     </message>
 </context>
@@ -5624,14 +5624,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>capture.choose_listed</name>
     <message>
-        <source>choose one of those that odograph cameras lists</source>
+        <source>choose a camera that odograph cameras lists</source>
         <translation>odograph cameras가 보여 주는 것 중에서 고르십시오</translation>
     </message>
 </context>
 <context>
     <name>capture.choose_of_offer</name>
     <message>
-        <source>choose of what it offers</source>
+        <source>choose one that it offers</source>
         <translation>제공하는 것 중에서 고르십시오</translation>
     </message>
 </context>
@@ -5652,7 +5652,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>capture.connect_right_camera</name>
     <message>
-        <source>connect the one that belongs there, or begin anew with this one</source>
+        <source>reconnect the original camera, or start over with this one</source>
         <translation>맞는 카메라를 연결하거나 이 카메라로 새로 시작하십시오</translation>
     </message>
 </context>
@@ -5666,42 +5666,42 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>capture.control_goes</name>
     <message>
-        <source>%1 goes from %2 to %3</source>
+        <source>%1 ranges from %2 to %3</source>
         <translation>%1의 범위는 %2에서 %3까지입니다</translation>
     </message>
 </context>
 <context>
     <name>capture.control_inactive</name>
     <message>
-        <source>%1 cannot be set as the camera stands now</source>
+        <source>%1 cannot be set in the camera&apos;s current mode</source>
         <translation>카메라의 현재 상태에서는 %1을(를) 설정할 수 없습니다</translation>
     </message>
 </context>
 <context>
     <name>capture.control_not_taken</name>
     <message>
-        <source>it does not take this for %1 (%2)</source>
+        <source>it rejects this value for %1 (%2)</source>
         <translation>%1에 이 값을 받아들이지 않습니다 (%2)</translation>
     </message>
 </context>
 <context>
     <name>capture.control_value_refused</name>
     <message>
-        <source>it refuses this value of %1</source>
+        <source>it rejects this value of %1</source>
         <translation>%1의 이 값을 받아들이지 않습니다</translation>
     </message>
 </context>
 <context>
     <name>capture.damaged_advice</name>
     <message>
-        <source>try another cable or port, or ask for fewer or smaller pictures</source>
+        <source>try another cable or port, or choose a lower rate or a smaller frame size</source>
         <translation>다른 케이블이나 포트를 쓰거나, 영상의 수나 크기를 줄이십시오</translation>
     </message>
 </context>
 <context>
     <name>capture.dim_light_halves_rate</name>
     <message>
-        <source>in dim light a camera halves its rate by itself, unless its automatic exposure is off</source>
+        <source>in dim light a camera halves its rate unless its automatic exposure is off</source>
         <translation>어두우면 자동 노출을 끄지 않는 한 카메라가 스스로 속도를 절반으로 낮춥니다</translation>
     </message>
 </context>
@@ -5750,14 +5750,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>capture.end_other_writers</name>
     <message>
-        <source>end what else writes to it</source>
+        <source>stop other programs that write to it</source>
         <translation>그 디스크에 쓰는 다른 것을 끝내십시오</translation>
     </message>
 </context>
 <context>
     <name>capture.enlarge_buffer</name>
     <message>
-        <source>sudo sysctl -w net.core.rmem_max=%1, and put the same into /etc/sysctl.d/ to keep it</source>
+        <source>sudo sysctl -w net.core.rmem_max=%1, and add the same line to /etc/sysctl.d/ to keep it</source>
         <translation>sudo sysctl -w net.core.rmem_max=%1, 유지하려면 /etc/sysctl.d/에도 넣으십시오</translation>
     </message>
 </context>
@@ -5785,14 +5785,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>capture.exposure_not_taken</name>
     <message>
-        <source>it does not take this exposure (%1)</source>
+        <source>it rejects this exposure (%1)</source>
         <translation>이 노출을 받아들이지 않습니다 (%1)</translation>
     </message>
 </context>
 <context>
     <name>capture.exposure_not_told</name>
     <message>
-        <source>it does not tell its exposure</source>
+        <source>it does not report its exposure</source>
         <translation>노출을 알려 주지 않습니다</translation>
     </message>
 </context>
@@ -5813,7 +5813,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>capture.failed_advice</name>
     <message>
-        <source>unplug it and plug it in again if that lasts</source>
+        <source>if this continues, unplug it and plug it in again</source>
         <translation>계속되면 뽑았다가 다시 꽂으십시오</translation>
     </message>
 </context>
@@ -5834,7 +5834,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>capture.flicker_of_camera</name>
     <message>
-        <source>Lamps&apos; flicker, camera %1</source>
+        <source>Lamp flicker, camera %1</source>
         <translation>조명 깜박임, 카메라 %1</translation>
     </message>
 </context>
@@ -5862,14 +5862,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>capture.format_not_told</name>
     <message>
-        <source>it does not tell its pixel format (%1)</source>
+        <source>it does not report its pixel format (%1)</source>
         <translation>픽셀 형식을 알려 주지 않습니다 (%1)</translation>
     </message>
 </context>
 <context>
     <name>capture.format_not_understood</name>
     <message>
-        <source>its pixel format is not understood</source>
+        <source>its pixel format is not supported</source>
         <translation>픽셀 형식이 지원되지 않습니다</translation>
     </message>
 </context>
@@ -5883,7 +5883,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>capture.gain_not_taken</name>
     <message>
-        <source>it does not take this gain (%1)</source>
+        <source>it rejects this gain (%1)</source>
         <translation>이 게인을 받아들이지 않습니다 (%1)</translation>
     </message>
 </context>
@@ -5904,14 +5904,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>capture.gives_no_pictures</name>
     <message>
-        <source>%1 gives no pictures</source>
+        <source>%1 sends no frames</source>
         <translation>%1은(는) 영상을 주지 않습니다</translation>
     </message>
 </context>
 <context>
     <name>capture.has_been_away</name>
     <message>
-        <source>it has been away</source>
+        <source>the connection was lost</source>
         <translation>잠시 끊겼습니다</translation>
     </message>
 </context>
@@ -5925,7 +5925,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>capture.in_step</name>
     <message>
-        <source>in step to %1</source>
+        <source>synchronised to %1</source>
         <translation>동기 오차 %1</translation>
     </message>
 </context>
@@ -5953,7 +5953,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>capture.kept_before_sleep</name>
     <message>
-        <source>what came before is kept</source>
+        <source>the recording up to then is kept</source>
         <translation>그 이전 것은 보존됩니다</translation>
     </message>
 </context>
@@ -5967,7 +5967,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>capture.largest_picture</name>
     <message>
-        <source>its pictures have %1 pixels at most</source>
+        <source>its frames have at most %1 pixels</source>
         <translation>영상은 최대 %1픽셀입니다</translation>
     </message>
 </context>
@@ -5981,14 +5981,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>capture.look_again</name>
     <message>
-        <source>wait a few seconds, and look again</source>
+        <source>wait a few seconds, then check again</source>
         <translation>몇 초 기다렸다가 다시 보십시오</translation>
     </message>
 </context>
 <context>
     <name>capture.look_at_cable</name>
     <message>
-        <source>look at its cable</source>
+        <source>check its cable</source>
         <translation>케이블을 살펴보십시오</translation>
     </message>
 </context>
@@ -6023,21 +6023,21 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>capture.machine_slept</name>
     <message>
-        <source>it slept for %1, and nothing was recorded meanwhile</source>
+        <source>it slept for %1 and recorded nothing meanwhile</source>
         <translation>%1 동안 절전 상태여서 그동안 녹화되지 않았습니다</translation>
     </message>
 </context>
 <context>
     <name>capture.make_room</name>
     <message>
-        <source>make room, or move the project to another disk</source>
+        <source>free some disk space, or move the project to another disk</source>
         <translation>공간을 확보하거나 프로젝트를 다른 디스크로 옮기십시오</translation>
     </message>
 </context>
 <context>
     <name>capture.mode_not_taken</name>
     <message>
-        <source>it does not take %1</source>
+        <source>it rejects %1</source>
         <translation>%1을(를) 받아들이지 않습니다</translation>
     </message>
 </context>
@@ -6058,7 +6058,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>capture.no_node</name>
     <message>
-        <source>this machine shows no USB or built-in camera (/dev/video*)</source>
+        <source>this computer has no USB or built-in camera (/dev/video*)</source>
         <translation>이 컴퓨터에 USB 카메라나 내장 카메라가 보이지 않습니다 (/dev/video*)</translation>
     </message>
 </context>
@@ -6072,35 +6072,35 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>capture.no_pair_yet</name>
     <message>
-        <source>no two pictures have been taken together yet</source>
+        <source>no frames of the cameras have been paired yet</source>
         <translation>아직 함께 찍힌 두 영상이 없습니다</translation>
     </message>
 </context>
 <context>
     <name>capture.no_picture_came</name>
     <message>
-        <source>no picture came for half a second</source>
+        <source>no frame arrived for half a second</source>
         <translation>0.5초 동안 영상이 오지 않았습니다</translation>
     </message>
 </context>
 <context>
     <name>capture.no_picture_for</name>
     <message>
-        <source>no picture has come for %1</source>
+        <source>no frame has arrived for %1</source>
         <translation>%1 동안 영상이 오지 않았습니다</translation>
     </message>
 </context>
 <context>
     <name>capture.no_readable_format</name>
     <message>
-        <source>it has no format that can be read</source>
+        <source>it offers no supported format</source>
         <translation>읽을 수 있는 형식이 없습니다</translation>
     </message>
 </context>
 <context>
     <name>capture.no_simulated_camera</name>
     <message>
-        <source>there is no simulated camera %1</source>
+        <source>simulated camera %1 does not exist</source>
         <translation>시뮬레이션 카메라 %1이(가) 없습니다</translation>
     </message>
 </context>
@@ -6114,14 +6114,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>capture.no_such_address</name>
     <message>
-        <source>no camera has such an address</source>
+        <source>no kind of camera has an address like this</source>
         <translation>그런 주소의 카메라가 없습니다</translation>
     </message>
 </context>
 <context>
     <name>capture.no_such_control</name>
     <message>
-        <source>it has nothing named &apos;%1&apos; that could be set</source>
+        <source>it has no setting &apos;%1&apos;</source>
         <translation>설정할 수 있는 &apos;%1&apos;이(가) 없습니다</translation>
     </message>
 </context>
@@ -6135,7 +6135,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>capture.no_usable_format</name>
     <message>
-        <source>it has no pixel format that is understood</source>
+        <source>it offers no supported pixel format</source>
         <translation>지원되는 픽셀 형식이 없습니다</translation>
     </message>
 </context>
@@ -6170,7 +6170,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>capture.not_offered</name>
     <message>
-        <source>it does not offer what was asked for</source>
+        <source>it does not offer the requested mode</source>
         <translation>요청한 것을 제공하지 않습니다</translation>
     </message>
 </context>
@@ -6184,7 +6184,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>capture.not_there</name>
     <message>
-        <source>it is not there</source>
+        <source>it is not connected</source>
         <translation>없습니다</translation>
     </message>
 </context>
@@ -6198,14 +6198,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>capture.one_camera_in_step</name>
     <message>
-        <source>one camera is always in step</source>
+        <source>a single camera needs no synchronisation</source>
         <translation>카메라 한 대는 항상 동기 상태입니다</translation>
     </message>
 </context>
 <context>
     <name>capture.one_not_held</name>
     <message>
-        <source>%1 goes on changing by itself</source>
+        <source>%1 still adjusts automatically</source>
         <translation>%1이(가) 계속 저절로 바뀝니다</translation>
     </message>
 </context>
@@ -6219,28 +6219,28 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>capture.other_camera_in_place</name>
     <message>
-        <source>another camera (%1) is in its place</source>
+        <source>another camera (%1) has replaced it</source>
         <translation>그 자리에 다른 카메라(%1)가 있습니다</translation>
     </message>
 </context>
 <context>
     <name>capture.other_serial_in_place</name>
     <message>
-        <source>another camera (%1) is in the place of camera %2</source>
+        <source>another camera (%1) has replaced camera %2</source>
         <translation>카메라 %2 자리에 다른 카메라(%1)가 있습니다</translation>
     </message>
 </context>
 <context>
     <name>capture.own_usb_buses</name>
     <message>
-        <source>each USB camera has a bus of its own</source>
+        <source>each USB camera has its own bus</source>
         <translation>각 USB 카메라가 자기 버스를 씁니다</translation>
     </message>
 </context>
 <context>
     <name>capture.packet_delay_not_taken</name>
     <message>
-        <source>it does not take this packet delay (%1)</source>
+        <source>it rejects this packet delay (%1)</source>
         <translation>이 패킷 지연을 받아들이지 않습니다 (%1)</translation>
     </message>
 </context>
@@ -6254,70 +6254,70 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>capture.packet_size_not_taken</name>
     <message>
-        <source>it does not take this packet size (%1)</source>
+        <source>it rejects this packet size (%1)</source>
         <translation>이 패킷 크기를 받아들이지 않습니다 (%1)</translation>
     </message>
 </context>
 <context>
     <name>capture.part_not_understood</name>
     <message>
-        <source>&apos;%1&apos; is not understood</source>
+        <source>&apos;%1&apos; is not valid</source>
         <translation>&apos;%1&apos;을(를) 이해할 수 없습니다</translation>
     </message>
 </context>
 <context>
     <name>capture.payload_not_told</name>
     <message>
-        <source>it does not tell how large its pictures are (%1)</source>
+        <source>it does not report how many bytes a frame has (%1)</source>
         <translation>영상의 크기를 알려 주지 않습니다 (%1)</translation>
     </message>
 </context>
 <context>
     <name>capture.picture_of_camera</name>
     <message>
-        <source>a picture of camera %1</source>
+        <source>a frame of camera %1</source>
         <translation>카메라 %1의 그림</translation>
     </message>
 </context>
 <context>
     <name>capture.picture_size_of_camera</name>
     <message>
-        <source>Picture size, camera %1</source>
+        <source>Frame size, camera %1</source>
         <translation>영상 크기, 카메라 %1</translation>
     </message>
 </context>
 <context>
     <name>capture.picture_waits_for_disk</name>
     <message>
-        <source>a picture has waited %1 for it, and %2 of the room to wait in is taken</source>
+        <source>a frame has waited %1; the write buffer is %2 full</source>
         <translation>영상이 %1 기다렸고 대기 공간의 %2가 찼습니다</translation>
     </message>
 </context>
 <context>
     <name>capture.pictures_being_lost</name>
     <message>
-        <source>pictures are being lost</source>
+        <source>frames are being lost</source>
         <translation>영상이 누락되고 있습니다</translation>
     </message>
 </context>
 <context>
     <name>capture.pictures_incomplete</name>
     <message>
-        <source>its pictures come incomplete</source>
+        <source>its frames arrive incomplete</source>
         <translation>영상이 불완전하게 들어옵니다</translation>
     </message>
 </context>
 <context>
     <name>capture.pictures_may_pulse</name>
     <message>
-        <source>pictures may pulse under lamps</source>
+        <source>brightness may pulse under lamps</source>
         <translation>조명 아래에서 영상이 깜박일 수 있습니다</translation>
     </message>
 </context>
 <context>
     <name>capture.pictures_without_size</name>
     <message>
-        <source>its pictures have no size</source>
+        <source>its frames have no size</source>
         <translation>영상의 크기가 없습니다</translation>
     </message>
 </context>
@@ -6338,21 +6338,21 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>capture.plug_in_or_choose</name>
     <message>
-        <source>plug it in, or choose one of those that odograph cameras lists</source>
+        <source>plug it in, or choose a camera that odograph cameras lists</source>
         <translation>연결하거나 odograph cameras가 보여 주는 것 중에서 고르십시오</translation>
     </message>
 </context>
 <context>
     <name>capture.put_disk_back</name>
     <message>
-        <source>put its disk or folder back where it was</source>
+        <source>reconnect its disk, or move its folder back</source>
         <translation>디스크나 폴더를 있던 곳에 되돌려 놓으십시오</translation>
     </message>
 </context>
 <context>
     <name>capture.rate_not_taken</name>
     <message>
-        <source>it does not take this rate (%1)</source>
+        <source>it rejects this rate (%1)</source>
         <translation>이 속도를 받아들이지 않습니다 (%1)</translation>
     </message>
 </context>
@@ -6387,7 +6387,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>capture.record_elsewhere</name>
     <message>
-        <source>record to another disk, or fewer cameras</source>
+        <source>record to another disk, or use fewer cameras</source>
         <translation>다른 디스크에 녹화하거나 카메라 수를 줄이십시오</translation>
     </message>
 </context>
@@ -6401,7 +6401,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>capture.recorded_is_there</name>
     <message>
-        <source>what was recorded so far is there</source>
+        <source>it holds what was recorded so far</source>
         <translation>지금까지 녹화된 것은 거기에 있습니다</translation>
     </message>
 </context>
@@ -6415,42 +6415,42 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>capture.register_in_testbed</name>
     <message>
-        <source>register it in Testbed, or its pictures cannot tell where a robot is</source>
+        <source>register it in Testbed; Odograph needs this to measure where a robot is</source>
         <translation>테스트베드에서 정합하십시오. 그렇지 않으면 영상에서 로봇의 위치를 알 수 없습니다</translation>
     </message>
 </context>
 <context>
     <name>capture.room_for</name>
     <message>
-        <source>room for %1</source>
-        <translation>%1 녹화 가능</translation>
+        <source>remaining recording time %1</source>
+        <translation>남은 녹화 시간 %1</translation>
     </message>
 </context>
 <context>
     <name>capture.see_own_line</name>
     <message>
-        <source>see its own line</source>
+        <source>see the line of that camera</source>
         <translation>해당 줄을 보십시오</translation>
     </message>
 </context>
 <context>
     <name>capture.send_less</name>
     <message>
-        <source>or let both send MJPEG, or smaller pictures</source>
+        <source>or set both to MJPEG or to a smaller frame size</source>
         <translation>또는 둘 다 MJPEG이나 더 작은 영상을 보내게 하십시오</translation>
     </message>
 </context>
 <context>
     <name>capture.send_registered_size</name>
     <message>
-        <source>let it send the size it was registered at, or calibrate and register it anew</source>
+        <source>set it to the size it was registered at, or calibrate and register it again</source>
         <translation>정합한 크기로 보내게 하거나 새로 보정하고 정합하십시오</translation>
     </message>
 </context>
 <context>
     <name>capture.sends_no_pictures</name>
     <message>
-        <source>it sends no pictures</source>
+        <source>it sends no frames</source>
         <translation>영상을 보내지 않습니다</translation>
     </message>
 </context>
@@ -6471,7 +6471,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>capture.set_as_before</name>
     <message>
-        <source>set it as before, or begin anew with size and format in its address</source>
+        <source>restore its settings, or start over with size and format in its address</source>
         <translation>이전처럼 설정하거나 주소에 크기와 형식을 넣어 새로 시작하십시오</translation>
     </message>
 </context>
@@ -6485,7 +6485,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>capture.set_rate_or_trigger</name>
     <message>
-        <source>set both to one rate, or trigger them together</source>
+        <source>set both to the same rate, or trigger them together</source>
         <translation>둘을 같은 속도로 하거나 함께 트리거하십시오</translation>
     </message>
 </context>
@@ -6499,21 +6499,21 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>capture.set_to_mains</name>
     <message>
-        <source>set &apos;%1&apos; to your mains</source>
+        <source>set &apos;%1&apos; to your mains frequency</source>
         <translation>&apos;%1&apos;을(를) 전원 주파수에 맞추십시오</translation>
     </message>
 </context>
 <context>
     <name>capture.set_to_one_rate</name>
     <message>
-        <source>set both to one rate</source>
+        <source>set both to the same rate</source>
         <translation>둘을 같은 속도로 설정하십시오</translation>
     </message>
 </context>
 <context>
     <name>capture.set_to_something_else</name>
     <message>
-        <source>set it to something else</source>
+        <source>set another value</source>
         <translation>다른 값으로 설정하십시오</translation>
     </message>
 </context>
@@ -6527,7 +6527,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>capture.several_not_held</name>
     <message>
-        <source>%1 go on changing by themselves</source>
+        <source>%1 still adjust automatically</source>
         <translation>%1이(가) 계속 저절로 바뀝니다</translation>
     </message>
 </context>
@@ -6555,21 +6555,21 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>capture.size_not_taken</name>
     <message>
-        <source>it does not take this size (%1)</source>
+        <source>it rejects this size (%1)</source>
         <translation>이 크기를 받아들이지 않습니다 (%1)</translation>
     </message>
 </context>
 <context>
     <name>capture.size_not_told</name>
     <message>
-        <source>it does not tell its size (%1)</source>
+        <source>it does not report its width and height (%1)</source>
         <translation>크기를 알려 주지 않습니다 (%1)</translation>
     </message>
 </context>
 <context>
     <name>capture.slow_camera</name>
     <message>
-        <source>it takes only %1 pictures a second of the %2 it was asked for</source>
+        <source>it delivers only %1 frames per second instead of the requested %2</source>
         <translation>요청한 초당 %2개 중 %1개만 찍습니다</translation>
     </message>
 </context>
@@ -6590,56 +6590,56 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>capture.small_packets_advice</name>
     <message>
-        <source>give the port that the camera is on an MTU of 9000 (sudo ip link set dev NAME mtu 9000), if camera and switch can take it</source>
+        <source>set the MTU of the camera&apos;s network port to 9000 (sudo ip link set dev NAME mtu 9000), if camera and switch support it</source>
         <translation>카메라와 스위치가 지원하면 카메라 포트의 MTU를 9000으로 하십시오 (sudo ip link set dev NAME mtu 9000)</translation>
     </message>
 </context>
 <context>
     <name>capture.step</name>
     <message>
-        <source>Step</source>
+        <source>Synchronisation</source>
         <translation>동기</translation>
     </message>
 </context>
 <context>
     <name>capture.take_another_camera</name>
     <message>
-        <source>take another camera</source>
+        <source>use another camera</source>
         <translation>다른 카메라를 쓰십시오</translation>
     </message>
 </context>
 <context>
     <name>capture.take_camera_with_format</name>
     <message>
-        <source>take a camera that has one of %1</source>
+        <source>use a camera that offers one of %1</source>
         <translation>%1 중 하나가 있는 카메라를 쓰십시오</translation>
     </message>
 </context>
 <context>
     <name>capture.take_off_and_on</name>
     <message>
-        <source>take it off and put it on again if it stays so</source>
+        <source>unplug it and plug it in again if this continues</source>
         <translation>계속 그러면 뽑았다가 다시 꽂으십시오</translation>
     </message>
 </context>
 <context>
     <name>capture.take_simulated_camera</name>
     <message>
-        <source>take sim:A or sim:B</source>
+        <source>use sim:A or sim:B</source>
         <translation>sim:A나 sim:B를 쓰십시오</translation>
     </message>
 </context>
 <context>
     <name>capture.taken_up_by_itself</name>
     <message>
-        <source>it is taken up again by itself</source>
+        <source>Odograph reconnects automatically</source>
         <translation>저절로 다시 이어집니다</translation>
     </message>
 </context>
 <context>
     <name>capture.the_picture</name>
     <message>
-        <source>the picture</source>
+        <source>the frame</source>
         <translation>사진</translation>
     </message>
 </context>
@@ -6653,14 +6653,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>capture.there_but_silent</name>
     <message>
-        <source>it is there but sends no pictures</source>
+        <source>it is connected but sends no frames</source>
         <translation>연결되어 있지만 영상을 보내지 않습니다</translation>
     </message>
 </context>
 <context>
     <name>capture.there_but_silent_advice</name>
     <message>
-        <source>look at its cable, or plug it in again if that lasts</source>
+        <source>check its cable; if this continues, plug it in again</source>
         <translation>케이블을 살펴보고, 계속되면 다시 꽂으십시오</translation>
     </message>
 </context>
@@ -6681,7 +6681,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>capture.turn_automatic_off</name>
     <message>
-        <source>turn the automatic off</source>
+        <source>turn automatic mode off</source>
         <translation>자동을 끄십시오</translation>
     </message>
 </context>
@@ -6695,7 +6695,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>capture.turn_off_automatic_first</name>
     <message>
-        <source>turn off the automatic that moves it first</source>
+        <source>first turn off the automatic mode that controls it</source>
         <translation>먼저 그것을 움직이는 자동 기능을 끄십시오</translation>
     </message>
 </context>
@@ -6709,14 +6709,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>capture.usb_bus_full</name>
     <message>
-        <source>its USB bus has no room left for its pictures (the bus is full, not the disk)</source>
+        <source>its USB bus has no bandwidth left for its frames (the bus is full, not the disk)</source>
         <translation>USB 버스에 영상을 보낼 여유가 없습니다(디스크가 아니라 버스가 가득 찼습니다)</translation>
     </message>
 </context>
 <context>
     <name>capture.usb_bus_full_advice</name>
     <message>
-        <source>plug it in where it shares no bus with another camera, or choose MJPEG, a smaller picture or a lower rate (?format=MJPG&amp;size=640x480&amp;rate=30)</source>
+        <source>plug it into a port whose bus no other camera uses, or choose MJPEG, a smaller frame size or a lower rate (?format=MJPG&amp;size=640x480&amp;rate=30)</source>
         <translation>다른 카메라와 버스를 나누지 않는 곳에 연결하거나 MJPEG, 더 작은 영상, 더 낮은 속도를 고르십시오 (?format=MJPG&amp;size=640x480&amp;rate=30)</translation>
     </message>
 </context>
@@ -6737,7 +6737,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>capture.use_other_port</name>
     <message>
-        <source>plug one into a port on the other side of the computer, or a card of its own</source>
+        <source>plug one into a port on the other side of the computer, or into its own USB card</source>
         <translation>하나를 컴퓨터 반대쪽 포트나 별도 카드에 꽂으십시오</translation>
     </message>
 </context>
@@ -6765,7 +6765,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>capture.v4l2_address_example</name>
     <message>
-        <source>write for instance v4l2:/dev/video0?size=1280x720&amp;rate=30&amp;format=MJPG</source>
+        <source>write it like v4l2:/dev/video0?size=1280x720&amp;rate=30&amp;format=MJPG</source>
         <translation>v4l2:/dev/video0?size=1280x720&amp;rate=30&amp;format=MJPG처럼 쓰십시오</translation>
     </message>
 </context>
@@ -6779,7 +6779,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>capture.wait_for_it</name>
     <message>
-        <source>wait: it is taken up again</source>
+        <source>wait: Odograph is reconnecting</source>
         <translation>기다리십시오: 다시 이어집니다</translation>
     </message>
 </context>
@@ -6793,21 +6793,21 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>capture.waiting_for_first_picture</name>
     <message>
-        <source>waiting for the first picture</source>
+        <source>waiting for the first frame</source>
         <translation>첫 영상을 기다리는 중</translation>
     </message>
 </context>
 <context>
     <name>exchange.and_lines_more</name>
     <message>
-        <source>and %1 lines more</source>
+        <source>and %1 more lines</source>
         <translation>외 %1행</translation>
     </message>
 </context>
 <context>
     <name>exchange.archive_library_refused</name>
     <message>
-        <source>the archive library refused</source>
+        <source>the archive library failed</source>
         <translation>압축 라이브러리가 거부했습니다</translation>
     </message>
 </context>
@@ -6863,7 +6863,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>exchange.check_it_is_there</name>
     <message>
-        <source>check that it is there and may be read</source>
+        <source>check that it exists and that you may read it</source>
         <translation>있고 읽을 수 있는지 확인하십시오</translation>
     </message>
 </context>
@@ -6884,7 +6884,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>exchange.check_unit_of_places</name>
     <message>
-        <source>check the unit of the places: m, cm or mm</source>
+        <source>check the unit of the positions: m, cm or mm</source>
         <translation>위치의 단위를 확인하십시오: m, cm 또는 mm</translation>
     </message>
 </context>
@@ -6905,14 +6905,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>exchange.choose_new_folder</name>
     <message>
-        <source>choose a folder that is not there yet</source>
+        <source>choose a folder that does not exist yet</source>
         <translation>아직 없는 폴더를 고르십시오</translation>
     </message>
 </context>
 <context>
     <name>exchange.choose_packed_file</name>
     <message>
-        <source>choose a file that Odograph has packed, and copy it anew if it is damaged</source>
+        <source>choose a file that Odograph has packed; if it is damaged, copy it again</source>
         <translation>Odograph가 묶은 파일을 고르고, 손상되었다면 새로 복사하십시오</translation>
     </message>
 </context>
@@ -6954,7 +6954,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>exchange.does_not_belong</name>
     <message>
-        <source>&apos;%1&apos; does not belong into a packed project</source>
+        <source>&apos;%1&apos; does not belong in a packed project</source>
         <translation>&apos;%1&apos;은(는) 묶은 프로젝트에 속하지 않습니다</translation>
     </message>
 </context>
@@ -6989,7 +6989,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>exchange.give_known_units</name>
     <message>
-        <source>give times in s or ms and places in m, cm or mm</source>
+        <source>give times in s or ms and positions in m, cm or mm</source>
         <translation>시간은 s나 ms, 위치는 m, cm, mm로 주십시오</translation>
     </message>
 </context>
@@ -7010,7 +7010,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>exchange.give_one_zone</name>
     <message>
-        <source>give corners_mm, all the way round, or two opposite corners as rectangle_mm</source>
+        <source>give all corners in order as corners_mm, or two opposite corners as rectangle_mm</source>
         <translation>둘레를 따라 corners_mm를 주거나 마주 보는 두 모서리를 rectangle_mm로 주십시오</translation>
     </message>
 </context>
@@ -7031,14 +7031,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>exchange.has_become_shorter</name>
     <message>
-        <source>it has become shorter meanwhile</source>
+        <source>it has become shorter during packing</source>
         <translation>그사이 짧아졌습니다</translation>
     </message>
 </context>
 <context>
     <name>exchange.is_in_it_twice</name>
     <message>
-        <source>&apos;%1&apos; is in it twice</source>
+        <source>it contains &apos;%1&apos; twice</source>
         <translation>&apos;%1&apos;이(가) 두 번 들어 있습니다</translation>
     </message>
 </context>
@@ -7059,14 +7059,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>exchange.key_is_no_text</name>
     <message>
-        <source>a key is no text, or a bracket is not closed</source>
+        <source>a key is not text, or a bracket is not closed</source>
         <translation>키가 텍스트가 아니거나 괄호가 닫히지 않았습니다</translation>
     </message>
 </context>
 <context>
     <name>exchange.key_is_there_twice</name>
     <message>
-        <source>the key &apos;%1&apos; is there twice</source>
+        <source>the key &apos;%1&apos; appears twice</source>
         <translation>키 &apos;%1&apos;이(가) 두 번 있습니다</translation>
     </message>
 </context>
@@ -7087,7 +7087,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>exchange.label_is_there</name>
     <message>
-        <source>the label &apos;%1&apos; is in line %2 already</source>
+        <source>line %2 already has the label &apos;%1&apos;</source>
         <translation>이름표 &apos;%1&apos;은(는) 이미 %2행에 있습니다</translation>
     </message>
 </context>
@@ -7108,7 +7108,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>exchange.lens_model_not_known</name>
     <message>
-        <source>the lens model &apos;%1&apos; is not known (plumb_bob, rational_polynomial, equidistant are)</source>
+        <source>the lens model &apos;%1&apos; is unknown (known models: plumb_bob, rational_polynomial, equidistant)</source>
         <translation>렌즈 모델 &apos;%1&apos;을(를) 알 수 없습니다 (plumb_bob, rational_polynomial, equidistant는 압니다)</translation>
     </message>
 </context>
@@ -7157,7 +7157,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>exchange.mend_lines</name>
     <message>
-        <source>mend these lines</source>
+        <source>correct these lines</source>
         <translation>이 줄들을 고치십시오</translation>
     </message>
 </context>
@@ -7178,7 +7178,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>exchange.neither_header_nor_tum</name>
     <message>
-        <source>it has no header with a time, x and y, and is no TUM either</source>
+        <source>it has no header with a time, x and y, and it is not a TUM file</source>
         <translation>시간, x, y가 있는 머리글이 없고 TUM도 아닙니다</translation>
     </message>
 </context>
@@ -7192,28 +7192,28 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>exchange.no_anchors</name>
     <message>
-        <source>anchors and aliases are not understood</source>
+        <source>anchors and aliases are not supported</source>
         <translation>앵커와 별칭은 인식하지 않습니다</translation>
     </message>
 </context>
 <context>
     <name>exchange.no_markers</name>
     <message>
-        <source>there are no markers below the header</source>
+        <source>no markers follow the header</source>
         <translation>머리글 아래에 마커가 없습니다</translation>
     </message>
 </context>
 <context>
     <name>exchange.no_project_inside</name>
     <message>
-        <source>there is no project in it</source>
+        <source>it contains no project</source>
         <translation>프로젝트가 들어 있지 않습니다</translation>
     </message>
 </context>
 <context>
     <name>exchange.no_such_style</name>
     <message>
-        <source>there is no such style</source>
+        <source>this style does not exist</source>
         <translation>그런 형식이 없습니다</translation>
     </message>
 </context>
@@ -7234,7 +7234,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>exchange.no_valid_yaml</name>
     <message>
-        <source>it is no valid YAML (%1)</source>
+        <source>it is not valid YAML (%1)</source>
         <translation>올바른 YAML이 아닙니다(%1)</translation>
     </message>
 </context>
@@ -7304,28 +7304,28 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>exchange.object_expected</name>
     <message>
-        <source>an object in braces is expected here</source>
+        <source>it must be an object in braces</source>
         <translation>여기에는 중괄호로 묶은 객체가 있어야 합니다</translation>
     </message>
 </context>
 <context>
     <name>exchange.one_error_blank</name>
     <message>
-        <source>one of its two errors is blank</source>
+        <source>one of its two uncertainties is blank</source>
         <translation>두 오차 중 하나가 비어 있습니다</translation>
     </message>
 </context>
 <context>
     <name>exchange.one_place_blank</name>
     <message>
-        <source>one of its two places is blank</source>
+        <source>one of its two coordinates is blank</source>
         <translation>두 위치 중 하나가 비어 있습니다</translation>
     </message>
 </context>
 <context>
     <name>exchange.order_lines</name>
     <message>
-        <source>put the lines in the order of time, each time once</source>
+        <source>sort the lines by time, with each time only once</source>
         <translation>행을 시간 순으로, 각 시간이 한 번씩만 나오게 하십시오</translation>
     </message>
 </context>
@@ -7346,21 +7346,21 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>exchange.path_given_twice</name>
     <message>
-        <source>the reference path is given twice</source>
+        <source>the reference path has more than one shape</source>
         <translation>기준 경로가 두 번 주어졌습니다</translation>
     </message>
 </context>
 <context>
     <name>exchange.path_not_given</name>
     <message>
-        <source>the reference path is given by nothing</source>
+        <source>the reference path has no shape</source>
         <translation>기준 경로가 주어지지 않았습니다</translation>
     </message>
 </context>
 <context>
     <name>exchange.place_too_far</name>
     <message>
-        <source>its place is more than 100 km away</source>
+        <source>its position is more than 100 km away</source>
         <translation>위치가 100 km 넘게 떨어져 있습니다</translation>
     </message>
 </context>
@@ -7451,14 +7451,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>exchange.time_goes_back</name>
     <message>
-        <source>its time is before that of the line before</source>
+        <source>its time is earlier than in the line before</source>
         <translation>시간이 앞 행보다 이릅니다</translation>
     </message>
 </context>
 <context>
     <name>exchange.time_repeated</name>
     <message>
-        <source>its time is that of the line before</source>
+        <source>its time is the same as in the line before</source>
         <translation>시간이 앞 행과 같습니다</translation>
     </message>
 </context>
@@ -7472,7 +7472,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>exchange.too_many_places</name>
     <message>
-        <source>the file has more than 1.5 million places</source>
+        <source>the file has more than 1.5 million positions</source>
         <translation>파일에 위치가 150만 개보다 많습니다</translation>
     </message>
 </context>
@@ -7563,7 +7563,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>exchange.wait_for_writers</name>
     <message>
-        <source>wait until nobody writes to it, and try again</source>
+        <source>wait until no program writes to it, and try again</source>
         <translation>아무도 쓰지 않을 때까지 기다린 뒤 다시 시도하십시오</translation>
     </message>
 </context>
@@ -7584,7 +7584,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>exchange.write_digits_or_blank</name>
     <message>
-        <source>write it with digits, like 12.5, or leave the place blank</source>
+        <source>write it with digits, like 12.5, or leave the cell blank</source>
         <translation>12.5처럼 숫자로 쓰거나 비워 두십시오</translation>
     </message>
 </context>
@@ -7647,21 +7647,21 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>exchange.zone_given_twice</name>
     <message>
-        <source>the zone is given twice</source>
+        <source>the zone has more than one shape</source>
         <translation>구역이 두 번 주어졌습니다</translation>
     </message>
 </context>
 <context>
     <name>exchange.zone_not_given</name>
     <message>
-        <source>the zone is given by nothing</source>
+        <source>the zone has no shape</source>
         <translation>구역이 주어지지 않았습니다</translation>
     </message>
 </context>
 <context>
     <name>files.cannot_be_looked_at</name>
     <message>
-        <source>it cannot be looked at (%1)</source>
+        <source>it cannot be accessed (%1)</source>
         <translation>살펴볼 수 없습니다 (%1)</translation>
     </message>
 </context>
@@ -7689,14 +7689,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>files.check_file_is_there</name>
     <message>
-        <source>check that the file is there and may be read</source>
+        <source>check that the file exists and that you may read it</source>
         <translation>파일이 있고 읽을 수 있는지 확인하십시오</translation>
     </message>
 </context>
 <context>
     <name>files.check_its_folder</name>
     <message>
-        <source>check the free space and the rights of its folder</source>
+        <source>check the free space and the permissions of its folder</source>
         <translation>그 폴더의 여유 공간과 권한을 확인하십시오</translation>
     </message>
 </context>
@@ -7738,7 +7738,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>files.choose_folder_with_room</name>
     <message>
-        <source>choose a folder that you may write to and that has room</source>
+        <source>choose a folder that you may write to and that has free space</source>
         <translation>쓸 수 있고 여유가 있는 폴더를 고르십시오</translation>
     </message>
 </context>
@@ -7836,7 +7836,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>files.is_input</name>
     <message>
-        <source>it is an input of the same call</source>
+        <source>it is an input of the same command</source>
         <translation>같은 호출의 입력 파일입니다</translation>
     </message>
 </context>
@@ -7871,7 +7871,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>files.is_there_already</name>
     <message>
-        <source>it is there already</source>
+        <source>it already exists</source>
         <translation>이미 있습니다</translation>
     </message>
 </context>
@@ -7885,14 +7885,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>files.make_folder_first</name>
     <message>
-        <source>make the folder first, or choose another one</source>
+        <source>create the folder first, or choose another one</source>
         <translation>먼저 폴더를 만들거나 다른 폴더를 고르십시오</translation>
     </message>
 </context>
 <context>
     <name>files.make_room</name>
     <message>
-        <source>make room on the disk and try again</source>
+        <source>free some disk space and try again</source>
         <translation>디스크 공간을 확보하고 다시 시도하십시오</translation>
     </message>
 </context>
@@ -7906,7 +7906,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>files.name_a_file</name>
     <message>
-        <source>name a file</source>
+        <source>give a file name</source>
         <translation>파일을 지정하십시오</translation>
     </message>
 </context>
@@ -7920,21 +7920,21 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>files.names_a_project</name>
     <message>
-        <source>a name ending in .odo is for a project</source>
+        <source>only projects have a name ending in .odo</source>
         <translation>.odo로 끝나는 이름은 프로젝트용입니다</translation>
     </message>
 </context>
 <context>
     <name>files.no_such_file</name>
     <message>
-        <source>there is no such file</source>
+        <source>the file does not exist</source>
         <translation>그런 파일이 없습니다</translation>
     </message>
 </context>
 <context>
     <name>files.no_such_folder</name>
     <message>
-        <source>there is no folder &apos;%1&apos;</source>
+        <source>folder &apos;%1&apos; does not exist</source>
         <translation>폴더 &apos;%1&apos;이(가) 없습니다</translation>
     </message>
 </context>
@@ -14551,7 +14551,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.analyse_again</name>
     <message>
-        <source>analyse the trial again</source>
+        <source>reanalyse the trial</source>
         <translation>시행을 다시 분석하십시오</translation>
     </message>
 </context>
@@ -14600,7 +14600,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.calibration_picture_of</name>
     <message>
-        <source>the calibration picture &apos;%1&apos; of camera &apos;%2&apos;</source>
+        <source>the calibration image &apos;%1&apos; of camera &apos;%2&apos;</source>
         <translation>카메라 &apos;%2&apos;의 보정 사진 &apos;%1&apos;</translation>
     </message>
 </context>
@@ -14649,7 +14649,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.change_not_noted</name>
     <message>
-        <source>the change could not be noted (%1)</source>
+        <source>the change could not be logged (%1)</source>
         <translation>변경을 기록하지 못했습니다 (%1)</translation>
     </message>
 </context>
@@ -14663,14 +14663,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.change_words</name>
     <message>
-        <source>words of a change</source>
+        <source>description of a change</source>
         <translation>변경의 설명</translation>
     </message>
 </context>
 <context>
     <name>project.changed_since</name>
     <message>
-        <source>what it concerns has been changed or used since</source>
+        <source>something it concerns has been changed or used since</source>
         <translation>그 뒤 대상이 바뀌었거나 쓰였습니다</translation>
     </message>
 </context>
@@ -14698,7 +14698,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.check_folder_is_there</name>
     <message>
-        <source>check that the folder is there and may be read</source>
+        <source>check that the folder exists and that you may read it</source>
         <translation>폴더가 있고 읽을 수 있는지 확인하십시오</translation>
     </message>
 </context>
@@ -14712,21 +14712,21 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.check_name_or_make</name>
     <message>
-        <source>check the name, or make a new project</source>
+        <source>check the name, or create a new project</source>
         <translation>이름을 확인하거나 새 프로젝트를 만드십시오</translation>
     </message>
 </context>
 <context>
     <name>project.check_project_folder</name>
     <message>
-        <source>check the free space and the rights of the project&apos;s folder</source>
+        <source>check the free space and the permissions of the project&apos;s folder</source>
         <translation>프로젝트 폴더의 여유 공간과 권한을 확인하십시오</translation>
     </message>
 </context>
 <context>
     <name>project.check_rights</name>
     <message>
-        <source>check the rights of the project&apos;s folder</source>
+        <source>check the permissions of the project&apos;s folder</source>
         <translation>프로젝트 폴더의 권한을 확인하십시오</translation>
     </message>
 </context>
@@ -14761,7 +14761,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.choose_writable_folder</name>
     <message>
-        <source>choose a folder that can be written to and has room</source>
+        <source>choose a folder that can be written to and has free space</source>
         <translation>쓸 수 있고 여유가 있는 폴더를 고르십시오</translation>
     </message>
 </context>
@@ -14796,7 +14796,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.complete_recording</name>
     <message>
-        <source>open the project to write, which completes it: odograph record P.odo --recover</source>
+        <source>to complete it, open the project for writing: odograph record P.odo --recover</source>
         <translation>프로젝트를 쓰기용으로 열면 녹화가 마무리됩니다: odograph record P.odo --recover</translation>
     </message>
 </context>
@@ -14810,7 +14810,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.copy_again</name>
     <message>
-        <source>copy it again from where it came, or restore a backup copy</source>
+        <source>copy it again from its source, or restore a backup copy</source>
         <translation>원본에서 다시 복사하거나 백업을 복원하십시오</translation>
     </message>
 </context>
@@ -14824,7 +14824,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.copy_file_beside</name>
     <message>
-        <source>copy the file beside the project</source>
+        <source>copy the file to the project&apos;s folder</source>
         <translation>파일을 프로젝트 옆에 복사하십시오</translation>
     </message>
 </context>
@@ -14838,7 +14838,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.copy_sound_backup</name>
     <message>
-        <source>copy &apos;%1&apos;, which is sound, to a new name and open that, and keep the damaged file</source>
+        <source>copy &apos;%1&apos;, which is intact, to a new name, open that copy and keep the damaged file</source>
         <translation>온전한 &apos;%1&apos;을(를) 새 이름으로 복사하여 그 사본을 여시고, 손상된 파일은 보관하십시오</translation>
     </message>
 </context>
@@ -14887,21 +14887,21 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.database_refused</name>
     <message>
-        <source>the database refused</source>
+        <source>the database reported an error</source>
         <translation>데이터베이스가 거부했습니다</translation>
     </message>
 </context>
 <context>
     <name>project.database_refused_because</name>
     <message>
-        <source>the database refused (%1)</source>
+        <source>the database reported an error (%1)</source>
         <translation>데이터베이스가 거부했습니다 (%1)</translation>
     </message>
 </context>
 <context>
     <name>project.delete_its_trials</name>
     <message>
-        <source>delete them for good first, or archive its class</source>
+        <source>delete its trials permanently first, or archive its class</source>
         <translation>먼저 영구 삭제하거나 학급을 보관하십시오</translation>
     </message>
 </context>
@@ -14929,7 +14929,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.disk_unreadable</name>
     <message>
-        <source>the disk could not be read, and nothing was changed</source>
+        <source>the disk could not be read; nothing was changed</source>
         <translation>디스크를 읽을 수 없었으며 변경된 것은 없습니다</translation>
     </message>
 </context>
@@ -14964,21 +14964,21 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.figures_without_task</name>
     <message>
-        <source>their figures would not say any more what they were measured by</source>
+        <source>without it, their metrics would not show which rules applied</source>
         <translation>지표가 무엇으로 측정되었는지 알 수 없게 됩니다</translation>
     </message>
 </context>
 <context>
     <name>project.file_changed</name>
     <message>
-        <source>%1 was changed since it was made</source>
+        <source>%1 has changed since it was created</source>
         <translation>%1이(가) 만들어진 뒤 바뀌었습니다</translation>
     </message>
 </context>
 <context>
     <name>project.file_cut_off</name>
     <message>
-        <source>the file is cut off</source>
+        <source>the file is incomplete</source>
         <translation>파일이 잘렸습니다</translation>
     </message>
 </context>
@@ -14999,7 +14999,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.file_there_already</name>
     <message>
-        <source>a file of that name is there already</source>
+        <source>a file of that name already exists</source>
         <translation>같은 이름의 파일이 이미 있습니다</translation>
     </message>
 </context>
@@ -15041,7 +15041,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.format_10</name>
     <message>
-        <source>what a school year needs: stars, tags, archive, bin, pseudonyms, scoring and the list of changes</source>
+        <source>for a school year: stars, tags, archive, bin, pseudonyms, scoring and the list of changes</source>
         <translation>한 학년도에 필요한 것: 별표, 태그, 보관함, 휴지통, 가명, 채점, 변경 내역</translation>
     </message>
 </context>
@@ -15062,42 +15062,42 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.format_13</name>
     <message>
-        <source>the point of a robot that is measured</source>
+        <source>reference points of robots</source>
         <translation>로봇의 측정점</translation>
     </message>
 </context>
 <context>
     <name>project.format_14</name>
     <message>
-        <source>when robots of one look could not be told apart</source>
+        <source>periods with ambiguous robot names</source>
         <translation>겉모습이 같은 로봇을 구별할 수 없었던 때</translation>
     </message>
 </context>
 <context>
     <name>project.format_15</name>
     <message>
-        <source>robots that a person pointed out in a picture</source>
+        <source>robots marked by hand in a frame</source>
         <translation>사람이 영상에서 가리킨 로봇</translation>
     </message>
 </context>
 <context>
     <name>project.format_16</name>
     <message>
-        <source>sentences as codes with their arguments</source>
+        <source>messages as codes with their arguments</source>
         <translation>코드와 인수로 된 문장</translation>
     </message>
 </context>
 <context>
     <name>project.format_2</name>
     <message>
-        <source>samples overruled by hand</source>
+        <source>manual overrides of samples</source>
         <translation>직접 판정을 바꾼 샘플</translation>
     </message>
 </context>
 <context>
     <name>project.format_3</name>
     <message>
-        <source>rates of the cameras&apos; clocks</source>
+        <source>clock rates of the cameras</source>
         <translation>카메라 시계의 속도</translation>
     </message>
 </context>
@@ -15111,35 +15111,35 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.format_5</name>
     <message>
-        <source>how each view was put in step</source>
+        <source>synchronisation of each view</source>
         <translation>각 뷰를 동기화한 방법</translation>
     </message>
 </context>
 <context>
     <name>project.format_6</name>
     <message>
-        <source>calibrations with their boards, corners and pictures</source>
+        <source>calibrations with their boards, corners and images</source>
         <translation>보드, 모서리, 사진이 있는 보정</translation>
     </message>
 </context>
 <context>
     <name>project.format_7</name>
     <message>
-        <source>revisions that are chosen, and checks of registrations</source>
+        <source>chosen revisions and registration checks</source>
         <translation>선택한 버전과 정합 점검</translation>
     </message>
 </context>
 <context>
     <name>project.format_8</name>
     <message>
-        <source>trials while they are being recorded, and the raw times of their pictures</source>
+        <source>trials during recording, and the raw times of their frames</source>
         <translation>녹화 중인 시행과 그 영상의 원시 시간</translation>
     </message>
 </context>
 <context>
     <name>project.format_9</name>
     <message>
-        <source>pictures of registrations</source>
+        <source>images of registrations</source>
         <translation>정합 사진</translation>
     </message>
 </context>
@@ -15153,7 +15153,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.give_a_height</name>
     <message>
-        <source>give a height, or let it be estimated</source>
+        <source>enter a height, or have it estimated</source>
         <translation>높이를 주거나 추정하게 하십시오</translation>
     </message>
 </context>
@@ -15272,7 +15272,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.height_not_given</name>
     <message>
-        <source>its height is to be told, but none is given</source>
+        <source>it needs a fixed height, but none is given</source>
         <translation>높이를 지정해야 하는데 없습니다</translation>
     </message>
 </context>
@@ -15300,14 +15300,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.impossible_format</name>
     <message>
-        <source>it says of itself to have the format %1</source>
+        <source>it claims to have format %1</source>
         <translation>스스로 형식 %1이라고 합니다</translation>
     </message>
 </context>
 <context>
     <name>project.in_synced_folder</name>
     <message>
-        <source>it lies in a folder that %1 copies while it changes, so that a copy may have half a change</source>
+        <source>it is in a folder that %1 copies while it changes: a copy may contain half a change</source>
         <translation>변경 중에 %1이(가) 복사하는 폴더에 있어 사본에 변경의 절반만 담길 수 있습니다</translation>
     </message>
 </context>
@@ -15370,7 +15370,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.kind_figure</name>
     <message>
-        <source>figure</source>
+        <source>metric</source>
         <translation>지표</translation>
     </message>
 </context>
@@ -15391,7 +15391,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.kind_lens</name>
     <message>
-        <source>lens</source>
+        <source>lens calibration</source>
         <translation>렌즈</translation>
     </message>
 </context>
@@ -15475,7 +15475,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.label_twice</name>
     <message>
-        <source>the label &apos;%1&apos; is there twice</source>
+        <source>the label &apos;%1&apos; appears twice</source>
         <translation>이름표 &apos;%1&apos;이(가) 두 번 있습니다</translation>
     </message>
 </context>
@@ -15489,14 +15489,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.leave_one_out</name>
     <message>
-        <source>leave out one of the two</source>
+        <source>use only one of the two</source>
         <translation>둘 중 하나를 빼십시오</translation>
     </message>
 </context>
 <context>
     <name>project.leave_out_unseen_markers</name>
     <message>
-        <source>leave out those that no camera sees</source>
+        <source>remove those that no camera sees</source>
         <translation>어떤 카메라에도 보이지 않는 것은 빼십시오</translation>
     </message>
 </context>
@@ -15510,21 +15510,21 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.lens_kept</name>
     <message>
-        <source>the lens is kept without it</source>
+        <source>the lens calibration remains valid without it</source>
         <translation>이것이 없어도 렌즈는 유지됩니다</translation>
     </message>
 </context>
 <context>
     <name>project.lens_of_project</name>
     <message>
-        <source>lens %1 of the project</source>
+        <source>lens calibration %1 of the project</source>
         <translation>프로젝트의 렌즈 %1</translation>
     </message>
 </context>
 <context>
     <name>project.lies_in_media</name>
     <message>
-        <source>a project lies in the media folder of another one</source>
+        <source>a project is in the media folder of another one</source>
         <translation>다른 프로젝트의 미디어 폴더에 프로젝트가 있습니다</translation>
     </message>
 </context>
@@ -15538,28 +15538,28 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.look_for_strays</name>
     <message>
-        <source>look for stray files</source>
+        <source>find stray files</source>
         <translation>소속 없는 파일 찾기</translation>
     </message>
 </context>
 <context>
     <name>project.look_in</name>
     <message>
-        <source>look in &apos;%1&apos;</source>
+        <source>search &apos;%1&apos;</source>
         <translation>&apos;%1&apos;에서 찾기</translation>
     </message>
 </context>
 <context>
     <name>project.marker_errors_differ</name>
     <message>
-        <source>the marker errors of registration %1 are not those that its markers give</source>
+        <source>the stored marker errors of registration %1 differ from those of its markers</source>
         <translation>정합 %1의 마커 오차가 그 마커에서 나온 값과 다릅니다</translation>
     </message>
 </context>
 <context>
     <name>project.marker_off_floor</name>
     <message>
-        <source>marker &apos;%1&apos; is not on a floor of 1 km</source>
+        <source>marker &apos;%1&apos; is not within a floor of 1 km</source>
         <translation>마커 &apos;%1&apos;이(가) 1 km 바닥 안에 있지 않습니다</translation>
     </message>
 </context>
@@ -15580,7 +15580,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.measured_by_task</name>
     <message>
-        <source>trials were measured by it</source>
+        <source>its rules were used to measure trials</source>
         <translation>이것으로 측정한 시행이 있습니다</translation>
     </message>
 </context>
@@ -15643,7 +15643,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.move_log_away</name>
     <message>
-        <source>move the log to another folder to open the file without it, or put the file back that the log belongs to</source>
+        <source>move the log to another folder to open the file without it, or restore the file that the log belongs to</source>
         <translation>로그를 다른 폴더로 옮겨 로그 없이 파일을 여시거나, 로그가 속한 파일을 제자리에 되돌려 놓으십시오</translation>
     </message>
 </context>
@@ -15678,14 +15678,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.name_robots_once</name>
     <message>
-        <source>name each of its robots once</source>
+        <source>list each of its robots once</source>
         <translation>각 로봇을 한 번씩만 적으십시오</translation>
     </message>
 </context>
 <context>
     <name>project.name_taken</name>
     <message>
-        <source>the project has a %1 of that name already</source>
+        <source>the project already has a %1 of that name</source>
         <translation>프로젝트에 같은 이름의 %1이(가) 이미 있습니다</translation>
     </message>
 </context>
@@ -15720,14 +15720,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.no_ordinary_number</name>
     <message>
-        <source>a value to be stored is not a number of ordinary size</source>
+        <source>a value to store is too large or not a number</source>
         <translation>저장할 값이 보통 크기의 수가 아닙니다</translation>
     </message>
 </context>
 <context>
     <name>project.no_place_to_rescue_to</name>
     <message>
-        <source>its folder is gone, and there is no home folder to rescue it to</source>
+        <source>its folder is gone, and no home folder exists to rescue it to</source>
         <translation>폴더가 사라졌고 구조할 홈 폴더도 없습니다</translation>
     </message>
 </context>
@@ -15741,14 +15741,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.no_sound_backup</name>
     <message>
-        <source>no sound backup lies beside it</source>
+        <source>no intact backup was found beside it</source>
         <translation>곁에 온전한 백업 사본이 없습니다</translation>
     </message>
 </context>
 <context>
     <name>project.no_such_name</name>
     <message>
-        <source>there is no such %1 in the project</source>
+        <source>the project has no such %1</source>
         <translation>프로젝트에 그런 %1이(가) 없습니다</translation>
     </message>
 </context>
@@ -15769,7 +15769,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.not_brought_to_format</name>
     <message>
-        <source>it could not be brought to format %1 (%2)</source>
+        <source>it could not be converted to format %1 (%2)</source>
         <translation>형식 %1(으)로 갱신하지 못했습니다 (%2)</translation>
     </message>
 </context>
@@ -15846,21 +15846,21 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.older_format</name>
     <message>
-        <source>it has the older format %1 and must be brought up to date before it can be read, but %2</source>
+        <source>it has the older format %1 and must be updated before Odograph can read it, but %2</source>
         <translation>옛 형식 %1이라 읽기 전에 갱신해야 하는데, %2</translation>
     </message>
 </context>
 <context>
     <name>project.on_network_disk</name>
     <message>
-        <source>it lies on a network disk (%1), where a recording can stall and two computers can damage it</source>
+        <source>it is on a network disk (%1): a recording can stall there, and two computers can damage it</source>
         <translation>네트워크 디스크(%1)에 있어 녹화가 멈추거나 두 컴퓨터가 손상시킬 수 있습니다</translation>
     </message>
 </context>
 <context>
     <name>project.open_again</name>
     <message>
-        <source>open it again; if you were recording, look for stray files (odograph check --adopt)</source>
+        <source>open it again; if you were recording, find stray files (odograph check --adopt)</source>
         <translation>다시 여십시오. 녹화 중이었다면 소속 없는 파일을 찾아 보십시오 (odograph check --adopt)</translation>
     </message>
 </context>
@@ -15895,7 +15895,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.open_with_that_odograph</name>
     <message>
-        <source>open it with that Odograph, or update this one</source>
+        <source>open it with that version, or update this one</source>
         <translation>그 Odograph로 열거나 이 프로그램을 업데이트하십시오</translation>
     </message>
 </context>
@@ -15909,7 +15909,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.other_labels</name>
     <message>
-        <source>the labels are not those that it has</source>
+        <source>the labels differ from those of the layout</source>
         <translation>이름표가 원래의 것과 다릅니다</translation>
     </message>
 </context>
@@ -15923,14 +15923,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.others_calibration_chosen</name>
     <message>
-        <source>calibration %1 was chosen for it, which is camera &apos;%2&apos;s; its newest own one is used</source>
+        <source>calibration %1 was chosen for it but belongs to camera &apos;%2&apos;; its own newest one is used</source>
         <translation>선택된 보정 %1은(는) 카메라 &apos;%2&apos;의 것입니다. 이 카메라의 최신 보정을 씁니다</translation>
     </message>
 </context>
 <context>
     <name>project.others_registration_chosen</name>
     <message>
-        <source>registration %1 was chosen for it, which is camera &apos;%2&apos;s; its newest own one is used</source>
+        <source>registration %1 was chosen for it but belongs to camera &apos;%2&apos;; its own newest one is used</source>
         <translation>선택된 정합 %1은(는) 카메라 &apos;%2&apos;의 것입니다. 이 카메라의 최신 정합을 씁니다</translation>
     </message>
 </context>
@@ -15951,35 +15951,35 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.path_leaves_folder</name>
     <message>
-        <source>its relative path leaves the project&apos;s folder</source>
+        <source>its relative path points outside the project&apos;s folder</source>
         <translation>상대 경로가 프로젝트 폴더를 벗어납니다</translation>
     </message>
 </context>
 <context>
     <name>project.picture_name</name>
     <message>
-        <source>name of a calibration picture</source>
+        <source>name of a calibration image</source>
         <translation>보정 사진의 이름</translation>
     </message>
 </context>
 <context>
     <name>project.picture_path</name>
     <message>
-        <source>path of a calibration picture</source>
+        <source>path of a calibration image</source>
         <translation>보정 사진의 경로</translation>
     </message>
 </context>
 <context>
     <name>project.position_no_number</name>
     <message>
-        <source>a position or its covariance is no number</source>
+        <source>a position or its covariance is not a number</source>
         <translation>위치나 그 공분산이 숫자가 아닙니다</translation>
     </message>
 </context>
 <context>
     <name>project.positions_changed</name>
     <message>
-        <source>the positions of robot &apos;%1&apos; are not those that its analysis gave</source>
+        <source>the stored positions of robot &apos;%1&apos; differ from those of its analysis</source>
         <translation>로봇 &apos;%1&apos;의 위치가 분석에서 나온 값과 다릅니다</translation>
     </message>
 </context>
@@ -16007,7 +16007,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.put_back_and_retry</name>
     <message>
-        <source>put it back in its place and try again</source>
+        <source>move it back to its place and try again</source>
         <translation>파일을 제자리에 되돌려 놓고 다시 시도하십시오</translation>
     </message>
 </context>
@@ -16028,7 +16028,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.put_into_bin_first</name>
     <message>
-        <source>put it into the bin first</source>
+        <source>move it to the bin first</source>
         <translation>먼저 휴지통에 넣으십시오</translation>
     </message>
 </context>
@@ -16070,7 +16070,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.recorded_into_now</name>
     <message>
-        <source>a trial is being recorded into it just now</source>
+        <source>a trial is being recorded into it now</source>
         <translation>지금 시행을 녹화하는 중입니다</translation>
     </message>
 </context>
@@ -16154,28 +16154,28 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.reference_too_far</name>
     <message>
-        <source>its reference point is farther from its centre than %1</source>
+        <source>its reference point is more than %1 from its centre</source>
         <translation>기준점이 중심에서 %1보다 멀리 있습니다</translation>
     </message>
 </context>
 <context>
     <name>project.reference_without_heading</name>
     <message>
-        <source>a reference point beside its centre takes a heading, which is not known where the height changes</source>
+        <source>a reference point off its centre needs a heading, but a robot of changing height has none</source>
         <translation>중심을 벗어난 기준점에는 방향이 필요한데, 높이가 변하는 곳에서는 방향을 알 수 없습니다</translation>
     </message>
 </context>
 <context>
     <name>project.refers_to_nothing</name>
     <message>
-        <source>it refers to something that is not in the project, or a value is missing</source>
+        <source>it refers to something missing from the project, or a value is missing</source>
         <translation>프로젝트에 없는 것을 가리키거나 값이 빠졌습니다</translation>
     </message>
 </context>
 <context>
     <name>project.registration_kept</name>
     <message>
-        <source>the registration is kept without it</source>
+        <source>the registration remains valid without it</source>
         <translation>이것이 없어도 정합은 유지됩니다</translation>
     </message>
 </context>
@@ -16189,14 +16189,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.registration_picture_of</name>
     <message>
-        <source>the picture of registration %1 of camera &apos;%2&apos;</source>
+        <source>the image of registration %1 of camera &apos;%2&apos;</source>
         <translation>카메라 &apos;%2&apos;의 정합 %1의 사진</translation>
     </message>
 </context>
 <context>
     <name>project.registration_picture_path</name>
     <message>
-        <source>path of a registration&apos;s picture</source>
+        <source>path of a registration&apos;s image</source>
         <translation>정합 사진의 경로</translation>
     </message>
 </context>
@@ -16217,7 +16217,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.rest_not_read</name>
     <message>
-        <source>the rest is not read; change it here, or where the file comes from</source>
+        <source>Odograph does not read the rest; shorten it here, or in the program that wrote the file</source>
         <translation>나머지는 읽지 않습니다. 여기서 바꾸거나 파일을 만든 곳에서 바꾸십시오</translation>
     </message>
 </context>
@@ -16252,21 +16252,21 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.results_changed</name>
     <message>
-        <source>the metrics, spikes or settings of robot &apos;%1&apos; are not those that its analysis gave</source>
+        <source>the stored metrics, spikes or settings of robot &apos;%1&apos; differ from those of its analysis</source>
         <translation>로봇 &apos;%1&apos;의 지표, 이상점 또는 설정이 분석에서 나온 것과 다릅니다</translation>
     </message>
 </context>
 <context>
     <name>project.robot_can_be_renamed</name>
     <message>
-        <source>it can be given another name</source>
+        <source>you can rename it</source>
         <translation>다른 이름을 줄 수 있습니다</translation>
     </message>
 </context>
 <context>
     <name>project.robot_drove</name>
     <message>
-        <source>it drove in a trial</source>
+        <source>a trial uses it</source>
         <translation>시행에서 달린 적이 있습니다</translation>
     </message>
 </context>
@@ -16280,14 +16280,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.robot_twice</name>
     <message>
-        <source>a robot belongs to it twice</source>
+        <source>it has a robot twice</source>
         <translation>같은 로봇이 두 번 속해 있습니다</translation>
     </message>
 </context>
 <context>
     <name>project.row_refers_to_nothing</name>
     <message>
-        <source>row %1 of &apos;%2&apos; refers to a row of &apos;%3&apos; that is not there</source>
+        <source>row %1 of &apos;%2&apos; refers to a missing row of &apos;%3&apos;</source>
         <translation>&apos;%2&apos;의 행 %1이(가) &apos;%3&apos;에 없는 행을 가리킵니다</translation>
     </message>
 </context>
@@ -16336,7 +16336,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.spike_without_sample</name>
     <message>
-        <source>a spike refers to a sample that is not there</source>
+        <source>a spike refers to a missing sample</source>
         <translation>이상점이 없는 샘플을 가리킵니다</translation>
     </message>
 </context>
@@ -16350,14 +16350,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.strays_unknown</name>
     <message>
-        <source>it cannot be told which files belong to no trial</source>
+        <source>cannot determine which files belong to no trial</source>
         <translation>어느 파일이 시행에 속하지 않는지 알 수 없습니다</translation>
     </message>
 </context>
 <context>
     <name>project.synchronisation_differs</name>
     <message>
-        <source>its stored synchronisation is not that of its second view</source>
+        <source>its stored synchronisation differs from that of its second view</source>
         <translation>저장된 동기화가 둘째 뷰의 동기화와 다릅니다</translation>
     </message>
 </context>
@@ -16371,7 +16371,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.take_later_back</name>
     <message>
-        <source>take the later change back first, or leave it</source>
+        <source>undo the later change first, or leave this one</source>
         <translation>먼저 나중 변경을 되돌리거나 그대로 두십시오</translation>
     </message>
 </context>
@@ -16385,28 +16385,28 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.task_has_trial</name>
     <message>
-        <source>a trial has it</source>
+        <source>a trial uses it</source>
         <translation>시행 하나가 씁니다</translation>
     </message>
 </context>
 <context>
     <name>project.task_has_trials</name>
     <message>
-        <source>%1 trials have it</source>
+        <source>%1 trials use it</source>
         <translation>시행 %1개가 씁니다</translation>
     </message>
 </context>
 <context>
     <name>project.team_has_trial</name>
     <message>
-        <source>a trial is its</source>
+        <source>it has a trial</source>
         <translation>시행 하나가 이 팀의 것입니다</translation>
     </message>
 </context>
 <context>
     <name>project.team_has_trials</name>
     <message>
-        <source>%1 trials are its</source>
+        <source>it has %1 trials</source>
         <translation>시행 %1개가 이 팀의 것입니다</translation>
     </message>
 </context>
@@ -16420,7 +16420,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.times_do_not_rise</name>
     <message>
-        <source>its times do not rise</source>
+        <source>its times do not increase</source>
         <translation>시간이 증가하지 않습니다</translation>
     </message>
 </context>
@@ -16469,7 +16469,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.track_kept</name>
     <message>
-        <source>the measured track is kept without it</source>
+        <source>the measured track remains valid without it</source>
         <translation>이것이 없어도 측정한 궤적은 유지됩니다</translation>
     </message>
 </context>
@@ -16511,7 +16511,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.try_again</name>
     <message>
-        <source>try it again</source>
+        <source>try again</source>
         <translation>다시 시도하십시오</translation>
     </message>
 </context>
@@ -16525,14 +16525,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.type_name_anew</name>
     <message>
-        <source>type the name anew</source>
+        <source>type the name again</source>
         <translation>이름을 다시 입력하십시오</translation>
     </message>
 </context>
 <context>
     <name>project.type_text_anew</name>
     <message>
-        <source>type the text anew</source>
+        <source>type the text again</source>
         <translation>텍스트를 다시 입력하십시오</translation>
     </message>
 </context>
@@ -16588,7 +16588,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>project.value_too_large</name>
     <message>
-        <source>a value is too large to be stored</source>
+        <source>a value is too large to store</source>
         <translation>값이 너무 커서 저장할 수 없습니다</translation>
     </message>
 </context>
@@ -16644,7 +16644,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>simulation.no_frame</name>
     <message>
-        <source>camera %1 takes no frame while the scene lasts</source>
+        <source>camera %1 takes no frame during the scene</source>
         <translation>장면이 이어지는 동안 카메라 %1이(가) 프레임을 찍지 않습니다</translation>
     </message>
 </context>
@@ -18324,7 +18324,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>video.cannot_read_picture</name>
     <message>
-        <source>cannot read the picture %1</source>
+        <source>cannot read the image %1</source>
         <translation>그림 %1을(를) 읽을 수 없습니다</translation>
     </message>
 </context>
@@ -18359,7 +18359,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>video.check_its_folder</name>
     <message>
-        <source>check that its folder may be written to and has room</source>
+        <source>check that its folder may be written to and has free space</source>
         <translation>폴더에 쓸 수 있고 여유가 있는지 확인하십시오</translation>
     </message>
 </context>
@@ -18373,21 +18373,21 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>video.check_room</name>
     <message>
-        <source>check that there is room on the disk</source>
+        <source>check the free disk space</source>
         <translation>디스크에 여유가 있는지 확인하십시오</translation>
     </message>
 </context>
 <context>
     <name>video.check_the_folder</name>
     <message>
-        <source>check that the folder exists, may be written to and has room</source>
+        <source>check that the folder exists, may be written to and has free space</source>
         <translation>폴더가 있고 쓸 수 있으며 여유가 있는지 확인하십시오</translation>
     </message>
 </context>
 <context>
     <name>video.check_what_was_asked</name>
     <message>
-        <source>check the size, the frame rate and the quality that were asked for</source>
+        <source>check the requested size, frame rate and quality</source>
         <translation>요청한 크기, 프레임 속도, 품질을 확인하십시오</translation>
     </message>
 </context>
@@ -18457,21 +18457,21 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>video.decoder_not_started</name>
     <message>
-        <source>its decoder would not start (%1)</source>
+        <source>its decoder did not start (%1)</source>
         <translation>디코더가 시작되지 않습니다 (%1)</translation>
     </message>
 </context>
 <context>
     <name>video.each_at_its_time</name>
     <message>
-        <source>each counts at its own time</source>
+        <source>each frame keeps its own time</source>
         <translation>각 그림은 그 자신의 시각으로 계산됩니다</translation>
     </message>
 </context>
 <context>
     <name>video.encoder_not_started</name>
     <message>
-        <source>the encoder would not start (%1)</source>
+        <source>the encoder did not start (%1)</source>
         <translation>인코더가 시작되지 않습니다 (%1)</translation>
     </message>
 </context>
@@ -18492,7 +18492,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>video.failed_before</name>
     <message>
-        <source>writing has failed before</source>
+        <source>writing failed earlier</source>
         <translation>앞서 쓰기에 실패했습니다</translation>
     </message>
 </context>
@@ -18541,7 +18541,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>video.give_another_format</name>
     <message>
-        <source>let the camera give another format</source>
+        <source>set the camera to another format</source>
         <translation>카메라가 다른 형식을 내보내게 하십시오</translation>
     </message>
 </context>
@@ -18618,7 +18618,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>video.largest_picture</name>
     <message>
-        <source>more than 50 megapixels or 32000 pixels a side are not read</source>
+        <source>the limit is 50 megapixels and 32000 pixels a side</source>
         <translation>5천만 화소 또는 한 변 32000픽셀을 넘으면 읽지 않습니다</translation>
     </message>
 </context>
@@ -18632,7 +18632,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>video.name_a_picture</name>
     <message>
-        <source>name a picture</source>
+        <source>choose an image</source>
         <translation>그림을 지정하십시오</translation>
     </message>
 </context>
@@ -18653,7 +18653,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>video.no_ffv1_in_mp4</name>
     <message>
-        <source>FFV1 does not go into MP4</source>
+        <source>MP4 cannot contain FFV1</source>
         <translation>FFV1은 MP4에 넣을 수 없습니다</translation>
     </message>
 </context>
@@ -18667,7 +18667,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>video.no_jpeg_layout</name>
     <message>
-        <source>JPEG does not have its layout of colours</source>
+        <source>JPEG does not support its colour layout</source>
         <translation>JPEG에는 그 색 배열이 없습니다</translation>
     </message>
 </context>
@@ -18681,14 +18681,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>video.no_picture_format</name>
     <message>
-        <source>it is no PNG, JPEG, BMP, TIFF or PNM picture</source>
+        <source>it is not a PNG, JPEG, BMP, TIFF or PNM image</source>
         <translation>PNG, JPEG, BMP, TIFF, PNM 그림이 아닙니다</translation>
     </message>
 </context>
 <context>
     <name>video.no_stream</name>
     <message>
-        <source>it holds no video stream that can be read</source>
+        <source>it contains no readable video stream</source>
         <translation>읽을 수 있는 동영상이 들어 있지 않습니다</translation>
     </message>
 </context>
@@ -18709,35 +18709,35 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>video.no_video_kind</name>
     <message>
-        <source>it is not a video of a kind that is read, or its header is damaged or missing (%1)</source>
+        <source>it is not a supported kind of video, or its header is damaged or missing (%1)</source>
         <translation>읽을 수 있는 동영상이 아니거나 헤더가 손상되었거나 없습니다 (%1)</translation>
     </message>
 </context>
 <context>
     <name>video.no_whole_frame</name>
     <message>
-        <source>not one whole frame is in it</source>
+        <source>it contains no complete frame</source>
         <translation>온전한 프레임이 하나도 없습니다</translation>
     </message>
 </context>
 <context>
     <name>video.packet_damaged</name>
     <message>
-        <source>a packet there is damaged</source>
+        <source>a packet is damaged</source>
         <translation>그곳의 패킷이 손상되었습니다</translation>
     </message>
 </context>
 <context>
     <name>video.picture</name>
     <message>
-        <source>picture</source>
+        <source>image</source>
         <translation>사진</translation>
     </message>
 </context>
 <context>
     <name>video.picture_claims_size</name>
     <message>
-        <source>it says that it has %1 pixels</source>
+        <source>its header says that it has %1 pixels</source>
         <translation>%1픽셀이라고 되어 있습니다</translation>
     </message>
 </context>
@@ -18758,42 +18758,42 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>video.picture_format_unknown</name>
     <message>
-        <source>its format is not known</source>
+        <source>its format is unknown</source>
         <translation>형식을 알 수 없습니다</translation>
     </message>
 </context>
 <context>
     <name>video.picture_named</name>
     <message>
-        <source>picture &apos;%1&apos;</source>
+        <source>image &apos;%1&apos;</source>
         <translation>사진 &apos;%1&apos;</translation>
     </message>
 </context>
 <context>
     <name>video.picture_not_coded</name>
     <message>
-        <source>a picture cannot be coded</source>
+        <source>a frame cannot be encoded</source>
         <translation>영상을 부호화할 수 없습니다</translation>
     </message>
 </context>
 <context>
     <name>video.picture_not_packed</name>
     <message>
-        <source>it could not be packed</source>
+        <source>it could not be compressed</source>
         <translation>압축하지 못했습니다</translation>
     </message>
 </context>
 <context>
     <name>video.pictures_too_large</name>
     <message>
-        <source>its pictures have more than 100 megapixels or 32000 pixels a side</source>
+        <source>its frames have more than 100 megapixels or 32000 pixels a side</source>
         <translation>영상이 1억 화소 또는 한 변 32000픽셀을 넘습니다</translation>
     </message>
 </context>
 <context>
     <name>video.pixel_format_not_read</name>
     <message>
-        <source>its pixel format %1 is not read</source>
+        <source>its pixel format %1 is not supported</source>
         <translation>픽셀 형식 %1은(는) 읽지 않습니다</translation>
     </message>
 </context>
@@ -18807,7 +18807,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>video.rate_varies</name>
     <message>
-        <source>its frame rate varies, pictures are %1 to %2 apart</source>
+        <source>its frame rate varies: frames are %1 to %2 apart</source>
         <translation>프레임 속도가 일정하지 않아 그림 간격이 %1~%2입니다</translation>
     </message>
 </context>
@@ -18828,21 +18828,21 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>video.size_not_found</name>
     <message>
-        <source>the size of its pictures could not be found out</source>
+        <source>its frame size could not be determined</source>
         <translation>영상의 크기를 알아내지 못했습니다</translation>
     </message>
 </context>
 <context>
     <name>video.sound_part_used</name>
     <message>
-        <source>its sound part is used</source>
+        <source>its undamaged part is used</source>
         <translation>온전한 부분만 씁니다</translation>
     </message>
 </context>
 <context>
     <name>video.stamps_repeat</name>
     <message>
-        <source>their time stamps repeat the frame before</source>
+        <source>their time stamps repeat that of the frame before</source>
         <translation>시간 기록이 앞 프레임과 같습니다</translation>
     </message>
 </context>
@@ -18870,21 +18870,21 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>video.time_not_after</name>
     <message>
-        <source>its time is not after the frame&apos;s before it</source>
+        <source>its time is not later than that of the frame before</source>
         <translation>시간이 앞 프레임보다 뒤가 아닙니다</translation>
     </message>
 </context>
 <context>
     <name>video.unknown_format_not_read</name>
     <message>
-        <source>its pixel format (unknown) is not read</source>
+        <source>its pixel format (unknown) is not supported</source>
         <translation>(알 수 없는) 픽셀 형식은 읽지 않습니다</translation>
     </message>
 </context>
 <context>
     <name>video.use_another_picture</name>
     <message>
-        <source>use another picture</source>
+        <source>use another image</source>
         <translation>다른 사진을 쓰십시오</translation>
     </message>
 </context>

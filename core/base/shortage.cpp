@@ -34,7 +34,7 @@ const MessageText &closeOtherPrograms() noexcept
 
 const MessageText &noFurtherThread() noexcept
 {
-    return ODO_TEXT("base.no_thread", "this computer gives no further thread");
+    return ODO_TEXT("base.no_thread", "this computer cannot start another thread");
 }
 
 namespace {
@@ -67,7 +67,7 @@ Message wordsOfException()
     } catch (const std::exception &problem) {
         return foreignWords(problem.what());
     } catch (...) {
-        return ODO_TEXT("base.wordless_exception", "an exception without words");
+        return ODO_TEXT("base.wordless_exception", "an unknown exception");
     }
 }
 
@@ -129,7 +129,7 @@ namespace {
 
 const MessageText &noMemory() noexcept
 {
-    return ODO_TEXT("base.no_memory", "this computer has not enough free memory for it");
+    return ODO_TEXT("base.no_memory", "this computer does not have enough free memory for it");
 }
 
 const MessageText &noFiles() noexcept

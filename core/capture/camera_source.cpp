@@ -74,8 +74,8 @@ Result<std::unique_ptr<CameraSource>> openSimulated(const std::string &uri)
                                     heldBoardPoses(lens, {}, boardPoses, seed), Pace::Kind::RealTime);
     }
     return fail(ErrorCode::NotFound, quotedName(uri),
-                ODO_TEXT("capture.no_simulated_camera", "there is no simulated camera %1")(name),
-                ODO_TEXT("capture.take_simulated_camera", "take sim:A or sim:B"));
+                ODO_TEXT("capture.no_simulated_camera", "simulated camera %1 does not exist")(name),
+                ODO_TEXT("capture.take_simulated_camera", "use sim:A or sim:B"));
 }
 
 } // namespace
@@ -107,7 +107,7 @@ Result<std::unique_ptr<CameraSource>> openByKind(const std::string &uri)
     if (isAravisAddress(uri))
         return openAravisSource(uri);
     return fail(ErrorCode::NotFound, quotedName(uri),
-                ODO_TEXT("capture.no_such_address", "no camera has such an address"),
+                ODO_TEXT("capture.no_such_address", "no kind of camera has an address like this"),
                 ODO_TEXT("capture.give_address",
                          "give one as v4l2:/dev/video0, aravis:192.168.1.20, sim:A or file:PATH"));
 }
@@ -363,7 +363,7 @@ Result<Frame> settledPicture(CameraSource &camera, const JobControl &control)
     for (;;) {
         auto captured = camera.next();
         if (control.isCancelled())
-            return cancelled(ODO_TEXT("capture.the_picture", "the picture"));
+            return cancelled(ODO_TEXT("capture.the_picture", "the frame"));
         if (!captured && (captured.error().code != ErrorCode::Unavailable || ++refusals == mostRefusals))
             return tl::unexpected(captured.error());
         if (!captured)
@@ -383,19 +383,19 @@ Message cameraAtAddress(const std::string &uri)
 tl::unexpected<Error> notUnderstood(const std::string &uri, const std::string &part, Message advice)
 {
     return fail(ErrorCode::InvalidInput, cameraAtAddress(uri),
-                ODO_TEXT("capture.part_not_understood", "'%1' is not understood")(part), std::move(advice));
+                ODO_TEXT("capture.part_not_understood", "'%1' is not valid")(part), std::move(advice));
 }
 
 tl::unexpected<Error> noSuchControl(const std::string &uri, const std::string &id)
 {
     return fail(ErrorCode::NotFound, cameraAtAddress(uri),
-                ODO_TEXT("capture.no_such_control", "it has nothing named '%1' that could be set")(id),
+                ODO_TEXT("capture.no_such_control", "it has no setting '%1'")(id),
                 ODO_TEXT("capture.leave_control_out", "leave it out"));
 }
 
 Message controlGoes(const std::string &name, MessageArgument from, MessageArgument to)
 {
-    return ODO_TEXT("capture.control_goes", "%1 goes from %2 to %3")(name, std::move(from), std::move(to));
+    return ODO_TEXT("capture.control_goes", "%1 ranges from %2 to %3")(name, std::move(from), std::move(to));
 }
 
 Message usedByAnotherProgram()

@@ -22,19 +22,20 @@ Error machineSleptError(Nanoseconds howLong)
                                    : seconds < 7200 ? quantity(seconds / 60, 0, "min")
                                                     : quantity(seconds / 3600, 0, "h");
     return {ErrorCode::Unavailable, ODO_TEXT("capture.this_computer", "this computer"),
-            ODO_TEXT("capture.machine_slept", "it slept for %1, and nothing was recorded meanwhile")(length),
-            joined({ODO_TEXT("capture.kept_before_sleep", "what came before is kept"),
+            ODO_TEXT("capture.machine_slept", "it slept for %1 and recorded nothing meanwhile")(length),
+            joined({ODO_TEXT("capture.kept_before_sleep", "the recording up to then is kept"),
                     ODO_TEXT("capture.keep_awake", "keep it awake while it records")},
                    Join::Semicolon)};
 }
 
 Error slowCameraError(const std::string &uri, double framesPerSecond, double asked)
 {
-    return {ErrorCode::Unavailable, cameraAtAddress(uri),
-            ODO_TEXT("capture.slow_camera", "it takes only %1 pictures a second of the %2 it was asked for")(
-                quantity(framesPerSecond, 0), quantity(asked, 0)),
-            ODO_TEXT("capture.slow_camera_advice",
-                     "give it more light or a shorter exposure, or ask for a lower rate")};
+    return {
+        ErrorCode::Unavailable, cameraAtAddress(uri),
+        ODO_TEXT("capture.slow_camera", "it delivers only %1 frames per second instead of the requested %2")(
+            quantity(framesPerSecond, 0), quantity(asked, 0)),
+        ODO_TEXT("capture.slow_camera_advice",
+                 "give it more light or a shorter exposure, or ask for a lower rate")};
 }
 
 Message healthWords(const ViewHealth &view)
@@ -42,7 +43,7 @@ Message healthWords(const ViewHealth &view)
     if (view.trouble)
         return wholeMessage(view.trouble->error);
     if (view.state == ViewHealth::State::Starting)
-        return ODO_TEXT("capture.waiting_for_first_picture", "waiting for the first picture");
+        return ODO_TEXT("capture.waiting_for_first_picture", "waiting for the first frame");
     MessageArgument rate = quantity(view.framesPerSecond, 1, "frames/s");
     if (view.slow)
         rate = ODO_TEXT("capture.rate_too_slow", "%1 (too slow)")(rate);
@@ -66,7 +67,7 @@ bool comesByWire(const std::string &kind)
 
 Message inStepWords(double p95S)
 {
-    return joined({ODO_TEXT("capture.in_step", "in step to %1")(quantity(1000 * p95S, 1, "ms")),
+    return joined({ODO_TEXT("capture.in_step", "synchronised to %1")(quantity(1000 * p95S, 1, "ms")),
                    ODO_TEXT("capture.in_step_as_way", "at %1 that is %2")(
                        quantity(speedMS, 0, "m/s"), quantity(1000 * speedMS * p95S, 1, "mm"))},
                   Join::Semicolon);
@@ -77,10 +78,10 @@ Message roomWords(const DiskHealth &disk)
     if (!disk.secondsLeft)
         return {};
     const double seconds = *disk.secondsLeft;
-    return ODO_TEXT("capture.room_for", "room for %1")(seconds < 120 ? quantity(std::floor(seconds), 0, "s")
-                                                       : seconds < 3 * 3600
-                                                           ? quantity(std::floor(seconds / 60), 0, "min")
-                                                           : quantity(std::floor(seconds / 3600), 0, "h"));
+    return ODO_TEXT("capture.room_for", "remaining recording time %1")(
+        seconds < 120        ? quantity(std::floor(seconds), 0, "s")
+        : seconds < 3 * 3600 ? quantity(std::floor(seconds / 60), 0, "min")
+                             : quantity(std::floor(seconds / 3600), 0, "h"));
 }
 
 std::optional<DiskRoom> diskRoomOf(const std::filesystem::path &folder)

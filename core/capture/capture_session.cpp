@@ -158,7 +158,7 @@ DerivedTimes deriveTimes(const RecordedTimes &times)
 
 Message putDiskBack()
 {
-    return ODO_TEXT("capture.put_disk_back", "put its disk or folder back where it was");
+    return ODO_TEXT("capture.put_disk_back", "reconnect its disk, or move its folder back");
 }
 
 namespace {

@@ -79,7 +79,7 @@ MessageArgument camerasNamed(const std::vector<std::string> &names)
 
 Message mayPulse()
 {
-    return ODO_TEXT("capture.pictures_may_pulse", "pictures may pulse under lamps");
+    return ODO_TEXT("capture.pictures_may_pulse", "brightness may pulse under lamps");
 }
 
 } // namespace
@@ -98,7 +98,7 @@ SetupFinding checkUsbBuses(const std::vector<CheckedCamera> &cameras)
     if (onBus.empty())
         return {Verdict::Good, what, ODO_TEXT("capture.no_usb_camera", "no USB camera is used"), {}};
     SetupFinding finding{
-        Verdict::Good, what, ODO_TEXT("capture.own_usb_buses", "each USB camera has a bus of its own"), {}};
+        Verdict::Good, what, ODO_TEXT("capture.own_usb_buses", "each USB camera has its own bus"), {}};
     for (const auto &[bus, names] : onBus) {
         if (names.size() < 2)
             continue;
@@ -111,8 +111,8 @@ SetupFinding checkUsbBuses(const std::vector<CheckedCamera> &cameras)
         if (finding.verdict == Verdict::Warning)
             finding.advice = joined(
                 {ODO_TEXT("capture.use_other_port",
-                          "plug one into a port on the other side of the computer, or a card of its own"),
-                 ODO_TEXT("capture.send_less", "or let both send MJPEG, or smaller pictures")},
+                          "plug one into a port on the other side of the computer, or into its own USB card"),
+                 ODO_TEXT("capture.send_less", "or set both to MJPEG or to a smaller frame size")},
                 Join::Semicolon);
     }
     return finding;
@@ -134,7 +134,7 @@ SetupFinding checkPermissions(const std::vector<VideoNode> &nodes)
                                                      "video $USER), then log out and in again")};
     if (nodes.empty())
         return {Verdict::NotKnown, what,
-                ODO_TEXT("capture.no_node", "this machine shows no USB or built-in camera (/dev/video*)"),
+                ODO_TEXT("capture.no_node", "this computer has no USB or built-in camera (/dev/video*)"),
                 ODO_TEXT("capture.no_node_advice",
                          "if one is connected, try another cable and port, without a hub")};
     return {Verdict::Good,
@@ -150,7 +150,7 @@ SetupFinding checkReceiveBuffer(const std::vector<CheckedCamera> &cameras, std::
         return {Verdict::NotKnown,
                 what,
                 ODO_TEXT("capture.buffer_not_known",
-                         "the system does not say how large it may be (net.core.rmem_max)"),
+                         "the system does not report its maximum size (net.core.rmem_max)"),
                 {}};
     const MessageArgument size = quantity(static_cast<double>(*bytes) / (1 << 20), 1, "MiB");
     if (*bytes >= enoughReceiveBuffer)
@@ -162,16 +162,16 @@ SetupFinding checkReceiveBuffer(const std::vector<CheckedCamera> &cameras, std::
     if (names.empty())
         return {Verdict::Good,
                 what,
-                ODO_TEXT("capture.buffer_without_use",
-                         "%1, which only network cameras would find too small")(size),
+                ODO_TEXT("capture.buffer_without_use", "%1, too small only for network cameras")(size),
                 {}};
-    return {Verdict::Bad, what,
-            joined({ODO_TEXT("capture.buffer_small", "only %1")(size),
-                    ODO_TEXT("capture.cameras_will_lose", "%1 will lose pictures")(camerasNamed(names))},
-                   Join::Colon),
-            ODO_TEXT("capture.enlarge_buffer",
-                     "sudo sysctl -w net.core.rmem_max=%1, and put the same into "
-                     "/etc/sysctl.d/ to keep it")(std::to_string(enoughReceiveBuffer))};
+    return {
+        Verdict::Bad, what,
+        joined({ODO_TEXT("capture.buffer_small", "only %1")(size),
+                ODO_TEXT("capture.cameras_will_lose", "%1 will lose frames")(camerasNamed(names))},
+               Join::Colon),
+        ODO_TEXT("capture.enlarge_buffer",
+                 "sudo sysctl -w net.core.rmem_max=%1, and add the same line to /etc/sysctl.d/ to keep it")(
+            std::to_string(enoughReceiveBuffer))};
 }
 
 SetupFinding checkPacketSize(const std::vector<CheckedCamera> &cameras, const std::vector<NetworkPort> &ports)
@@ -190,14 +190,14 @@ SetupFinding checkPacketSize(const std::vector<CheckedCamera> &cameras, const st
         Verdict::Warning, what,
         ODO_TEXT("capture.small_packets", "small packets on %1")(listed(small, MessageArgument::Kind::Label)),
         ODO_TEXT("capture.small_packets_advice",
-                 "give the port that the camera is on an MTU of 9000 (sudo ip link set dev NAME mtu "
-                 "9000), if camera and switch can take it")};
+                 "set the MTU of the camera's network port to 9000 (sudo ip link set dev NAME mtu 9000), if "
+                 "camera and switch support it")};
 }
 
 SetupFinding checkFlicker(const CheckedCamera &camera)
 {
     const Message what =
-        ODO_TEXT("capture.flicker_of_camera", "Lamps' flicker, camera %1")(Named::camera(camera.name));
+        ODO_TEXT("capture.flicker_of_camera", "Lamp flicker, camera %1")(Named::camera(camera.name));
     const CameraControl *filter = controlNamed(camera, {"power", "line"});
     if (filter && filter->kind == CameraControl::Kind::Choice) {
         const auto chosen = static_cast<std::size_t>(std::max(0.0, filter->value));
@@ -210,7 +210,7 @@ SetupFinding checkFlicker(const CheckedCamera &camera)
         return {
             Verdict::Warning, what,
             joined({ODO_TEXT("capture.flicker_filter_off", "its filter is off"), mayPulse()}, Join::Colon),
-            joined({ODO_TEXT("capture.set_to_mains", "set '%1' to your mains")(filter->name),
+            joined({ODO_TEXT("capture.set_to_mains", "set '%1' to your mains frequency")(filter->name),
                     ODO_TEXT("capture.usual_mains", "50 Hz in most countries, 60 Hz in the Americas")},
                    Join::Colon)};
     }
@@ -219,7 +219,7 @@ SetupFinding checkFlicker(const CheckedCamera &camera)
     if (!seconds)
         return {Verdict::NotKnown,
                 what,
-                ODO_TEXT("capture.exposure_not_told", "it does not tell its exposure"),
+                ODO_TEXT("capture.exposure_not_told", "it does not report its exposure"),
                 {}};
     const MessageArgument exposed = quantity(1e3 * *seconds, 1, "ms");
     if (fitsLamps(*seconds, 50) || fitsLamps(*seconds, 60))
@@ -238,14 +238,14 @@ SetupFinding checkFlicker(const CheckedCamera &camera)
 SetupFinding checkAutomatics(const CheckedCamera &camera)
 {
     const Message what =
-        ODO_TEXT("capture.automatics_of_camera", "Automatics, camera %1")(Named::camera(camera.name));
+        ODO_TEXT("capture.automatics_of_camera", "Automatic settings, camera %1")(Named::camera(camera.name));
     const std::vector<Message> &notHeld = camera.health.notHeld;
     if (!notHeld.empty())
         return {
             Verdict::Warning, what,
             notHeld.size() > 1
-                ? ODO_TEXT("capture.several_not_held", "%1 go on changing by themselves")(listed(notHeld))
-                : ODO_TEXT("capture.one_not_held", "%1 goes on changing by itself")(notHeld.front()),
+                ? ODO_TEXT("capture.several_not_held", "%1 still adjust automatically")(listed(notHeld))
+                : ODO_TEXT("capture.one_not_held", "%1 still adjusts automatically")(notHeld.front()),
             ODO_TEXT("capture.turn_off_at_camera",
                      "turn it off in the camera's own program, or keep the light steady while robots run")};
     if (camera.health.automaticsHeld.value_or(false))
@@ -261,10 +261,12 @@ SetupFinding checkAutomatics(const CheckedCamera &camera)
 
 SetupFinding checkStep(const std::vector<CheckedCamera> &cameras, const PairHealth &pairs)
 {
-    const Message what = ODO_TEXT("capture.step", "Step");
+    const Message what = ODO_TEXT("capture.step", "Synchronisation");
     if (cameras.size() < 2)
-        return {
-            Verdict::Good, what, ODO_TEXT("capture.one_camera_in_step", "one camera is always in step"), {}};
+        return {Verdict::Good,
+                what,
+                ODO_TEXT("capture.one_camera_in_step", "a single camera needs no synchronisation"),
+                {}};
     double least = HUGE_VAL, most = 0;
     for (const CheckedCamera &camera : cameras) {
         least = std::min(least, camera.health.framesPerSecond);
@@ -272,36 +274,37 @@ SetupFinding checkStep(const std::vector<CheckedCamera> &cameras, const PairHeal
     }
     if (least <= 0)
         return {Verdict::NotKnown, what,
-                ODO_TEXT("capture.camera_does_not_deliver", "a camera does not deliver"),
-                ODO_TEXT("capture.see_own_line", "see its own line")};
+                ODO_TEXT("capture.camera_does_not_deliver", "a camera sends no frames"),
+                ODO_TEXT("capture.see_own_line", "see the line of that camera")};
     if (most - least > rateApart * most)
-        return {Verdict::Warning, what,
-                ODO_TEXT("capture.rates_differ",
-                         "the cameras run at %1 and %2")(quantity(least, 1), quantity(most, 1, "frames/s")),
-                joined({ODO_TEXT("capture.set_to_one_rate", "set both to one rate"),
-                        ODO_TEXT("capture.dim_light_halves_rate",
-                                 "in dim light a camera halves its rate by itself, unless its automatic "
-                                 "exposure is off")},
-                       Join::Semicolon)};
+        return {
+            Verdict::Warning, what,
+            ODO_TEXT("capture.rates_differ", "the cameras run at %1 and %2")(quantity(least, 1),
+                                                                             quantity(most, 1, "frames/s")),
+            joined({ODO_TEXT("capture.set_to_one_rate", "set both to the same rate"),
+                    ODO_TEXT("capture.dim_light_halves_rate",
+                             "in dim light a camera halves its rate unless its automatic exposure is off")},
+                   Join::Semicolon)};
     if (pairs.pairs == 0)
         return {Verdict::NotKnown, what,
-                ODO_TEXT("capture.no_pair_yet", "no two pictures have been taken together yet"),
-                ODO_TEXT("capture.look_again", "wait a few seconds, and look again")};
+                ODO_TEXT("capture.no_pair_yet", "no frames of the cameras have been paired yet"),
+                ODO_TEXT("capture.look_again", "wait a few seconds, then check again")};
     if (pairs.p95S > badStepS)
-        return {Verdict::Warning, what, inStepWords(pairs.p95S),
-                ODO_TEXT("capture.set_rate_or_trigger", "set both to one rate, or trigger them together")};
+        return {
+            Verdict::Warning, what, inStepWords(pairs.p95S),
+            ODO_TEXT("capture.set_rate_or_trigger", "set both to the same rate, or trigger them together")};
     return {Verdict::Good, what, inStepWords(pairs.p95S), {}};
 }
 
 SetupFinding checkPictureSize(const CheckedCamera &camera)
 {
     const Message what =
-        ODO_TEXT("capture.picture_size_of_camera", "Picture size, camera %1")(Named::camera(camera.name));
+        ODO_TEXT("capture.picture_size_of_camera", "Frame size, camera %1")(Named::camera(camera.name));
     const std::string is = sizeText(camera.description.widthPx, camera.description.heightPx);
     if (camera.registeredWidthPx == 0)
         return {Verdict::Warning, what, notRegisteredToFloor(),
                 ODO_TEXT("capture.register_in_testbed",
-                         "register it in Testbed, or its pictures cannot tell where a robot is")};
+                         "register it in Testbed; Odograph needs this to measure where a robot is")};
     if (camera.registeredWidthPx == camera.description.widthPx &&
         camera.registeredHeightPx == camera.description.heightPx)
         return {
@@ -310,7 +313,7 @@ SetupFinding checkPictureSize(const CheckedCamera &camera)
             ODO_TEXT("capture.size_not_as_registered", "%1, but registered at %2")(
                 is, sizeText(camera.registeredWidthPx, camera.registeredHeightPx)),
             ODO_TEXT("capture.send_registered_size",
-                     "let it send the size it was registered at, or calibrate and register it anew")};
+                     "set it to the size it was registered at, or calibrate and register it again")};
 }
 
 std::vector<SetupFinding> checkSetup(std::vector<CheckedCamera> cameras, const PairHealth &pairs,

@@ -159,10 +159,12 @@ private:
             return LensModel::Rational;
         if (told->text == "equidistant" || told->text == "fisheye")
             return LensModel::Fisheye;
-        return failure(told->line == 0 ? line : told->line,
-                       ODO_TEXT("exchange.lens_model_not_known",
-                                "the lens model '%1' is not known (plumb_bob, rational_polynomial, "
-                                "equidistant are)")(told->text.substr(0, 40)));
+        return failure(
+            told->line == 0 ? line : told->line,
+            ODO_TEXT(
+                "exchange.lens_model_not_known",
+                "the lens model '%1' is unknown (known models: plumb_bob, rational_polynomial, equidistant)")(
+                told->text.substr(0, 40)));
     }
 
     const std::filesystem::path &m_file;

@@ -26,8 +26,8 @@ Message labelIsEmpty()
 
 Message labelIsThere(const std::string &label, int line)
 {
-    return ODO_TEXT("exchange.label_is_there", "the label '%1' is in line %2 already")(Named::marker(label),
-                                                                                       line);
+    return ODO_TEXT("exchange.label_is_there", "line %2 already has the label '%1'")(Named::marker(label),
+                                                                                     line);
 }
 
 } // namespace
@@ -61,7 +61,7 @@ Result<std::vector<LabelledPoint>> readLabelledPoints(const std::filesystem::pat
     }
     if (points.empty())
         return fail(ErrorCode::InvalidInput, atLine(file, 1),
-                    ODO_TEXT("exchange.no_markers", "there are no markers below the header"),
+                    ODO_TEXT("exchange.no_markers", "no markers follow the header"),
                     ODO_TEXT("exchange.write_line_for_marker", "write one line for each marker"));
     return points;
 }

@@ -39,7 +39,7 @@ Message problemOf(archive *handle)
 {
     const char *words = archive_error_string(handle);
     return words ? foreignWords(words)
-                 : ODO_TEXT("exchange.archive_library_refused", "the archive library refused");
+                 : ODO_TEXT("exchange.archive_library_refused", "the archive library failed");
 }
 
 Message unpackSubject(const std::filesystem::path &archive)
@@ -98,10 +98,10 @@ public:
             in.read(block.data(), static_cast<std::streamsize>(std::min<std::uintmax_t>(left, blockBytes)));
             const auto count = static_cast<std::size_t>(in.gcount());
             if (count == 0)
-                return fail(
-                    ErrorCode::Io, packSubject(file.file),
-                    ODO_TEXT("exchange.has_become_shorter", "it has become shorter meanwhile"),
-                    ODO_TEXT("exchange.wait_for_writers", "wait until nobody writes to it, and try again"));
+                return fail(ErrorCode::Io, packSubject(file.file),
+                            ODO_TEXT("exchange.has_become_shorter", "it has become shorter during packing"),
+                            ODO_TEXT("exchange.wait_for_writers",
+                                     "wait until no program writes to it, and try again"));
             if (archive_write_data(m_archive, block.data(), count) != static_cast<la_ssize_t>(count))
                 return failure(problemOf(m_archive));
             left -= count;
@@ -146,7 +146,7 @@ public:
         std::error_code problem;
         if (files::exists(m_folder))
             return fail(ErrorCode::AlreadyExists, unpackIntoSubject(m_folder), isThereAlready(),
-                        ODO_TEXT("exchange.choose_new_folder", "choose a folder that is not there yet"));
+                        ODO_TEXT("exchange.choose_new_folder", "choose a folder that does not exist yet"));
         ODO_TRY(checkMayBeRead(m_file, unpackSubject(m_file)));
         archive_read_support_format_zip(m_archive);
         if (archive_read_open_filename(m_archive, m_file.c_str(), blockBytes) != ARCHIVE_OK)
@@ -177,7 +177,7 @@ public:
                 continue;
             ODO_TRY(readEntry(entry, control));
         }
-        return m_project.empty() ? refuse(ODO_TEXT("exchange.no_project_inside", "there is no project in it"))
+        return m_project.empty() ? refuse(ODO_TEXT("exchange.no_project_inside", "it contains no project"))
                                  : Result<void>();
     }
 
@@ -197,7 +197,7 @@ private:
         const std::filesystem::path name = utf8 ? utf8 : "";
         if (archive_entry_filetype(entry) != AE_IFREG || !mayBe(name))
             return refuse(ODO_TEXT("exchange.does_not_belong",
-                                   "'%1' does not belong into a packed project")(Named::file(name)));
+                                   "'%1' does not belong in a packed project")(Named::file(name)));
         if (m_project.empty())
             m_project = name;
         const std::filesystem::path target = m_part->path() / name;
@@ -206,7 +206,7 @@ private:
         const int descriptor =
             ::open(target.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC | O_NOFOLLOW, 0644);
         if (descriptor < 0 && errno == EEXIST)
-            return refuse(ODO_TEXT("exchange.is_in_it_twice", "'%1' is in it twice")(Named::file(name)));
+            return refuse(ODO_TEXT("exchange.is_in_it_twice", "it contains '%1' twice")(Named::file(name)));
         if (descriptor < 0)
             return failure(foreignWords(std::strerror(errno)));
         auto copied = copyData(descriptor, control);
@@ -263,7 +263,7 @@ private:
     {
         return fail(ErrorCode::InvalidInput, unpackSubject(m_file), std::move(why),
                     ODO_TEXT("exchange.choose_packed_file",
-                             "choose a file that Odograph has packed, and copy it anew if it is damaged"));
+                             "choose a file that Odograph has packed; if it is damaged, copy it again"));
     }
 
     const std::filesystem::path m_file, m_folder;
@@ -283,7 +283,7 @@ Message packSubject(const std::filesystem::path &file)
 tl::unexpected<Error> cannotPack(const std::filesystem::path &file, Message why)
 {
     return fail(ErrorCode::Io, packSubject(file), std::move(why),
-                ODO_TEXT("exchange.check_it_is_there", "check that it is there and may be read"));
+                ODO_TEXT("exchange.check_it_is_there", "check that it exists and that you may read it"));
 }
 
 Result<void> writeArchive(const OutputTarget &archive, const std::vector<ArchiveEntry> &entries,

@@ -60,10 +60,10 @@ tl::unexpected<Error> wrongLines(const std::filesystem::path &roster, std::vecto
     if (sentences.size() > most) {
         const std::size_t more = sentences.size() - most;
         sentences.resize(most);
-        sentences.push_back(ODO_TEXT("exchange.and_lines_more", "and %1 lines more")(more));
+        sentences.push_back(ODO_TEXT("exchange.and_lines_more", "and %1 more lines")(more));
     }
     return fail(ErrorCode::InvalidInput, rosterSubject(roster), joined(std::move(sentences), Join::Semicolon),
-                joined({ODO_TEXT("exchange.mend_lines", "mend these lines"),
+                joined({ODO_TEXT("exchange.mend_lines", "correct these lines"),
                         ODO_TEXT("exchange.nothing_imported", "nothing was imported")},
                        Join::Semicolon));
 }

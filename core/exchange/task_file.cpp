@@ -75,8 +75,7 @@ private:
         const MessageArgument list = listed(std::vector<std::string>(keys.begin(), keys.end()),
                                             MessageArgument::Kind::Label, MessageArgument::Joint::Or);
         if (node.kind != Kind::Mapping)
-            return failure(node.line,
-                           ODO_TEXT("exchange.object_expected", "an object in braces is expected here"),
+            return failure(node.line, ODO_TEXT("exchange.object_expected", "it must be an object in braces"),
                            ODO_TEXT("exchange.write_object_with", "write one with %1")(list));
         for (const auto &[key, value] : node.entries) {
             if (std::find(keys.begin(), keys.end(), key) == keys.end())
@@ -186,8 +185,9 @@ private:
         if (curves != 1)
             return failure(
                 node.line,
-                curves == 0 ? ODO_TEXT("exchange.path_not_given", "the reference path is given by nothing")
-                            : ODO_TEXT("exchange.path_given_twice", "the reference path is given twice"),
+                curves == 0
+                    ? ODO_TEXT("exchange.path_not_given", "the reference path has no shape")
+                    : ODO_TEXT("exchange.path_given_twice", "the reference path has more than one shape"),
                 ODO_TEXT("exchange.give_one_path", "give one of points_mm, circle, figure_eight or slalom"));
         if (auto valid = checkReferencePath(into.path); !valid)
             return at(node.line, valid.error());
@@ -279,10 +279,10 @@ private:
         if ((corners == nullptr) == (rectangle == nullptr))
             return failure(
                 node.line,
-                corners ? ODO_TEXT("exchange.zone_given_twice", "the zone is given twice")
-                        : ODO_TEXT("exchange.zone_not_given", "the zone is given by nothing"),
+                corners ? ODO_TEXT("exchange.zone_given_twice", "the zone has more than one shape")
+                        : ODO_TEXT("exchange.zone_not_given", "the zone has no shape"),
                 ODO_TEXT("exchange.give_one_zone",
-                         "give corners_mm, all the way round, or two opposite corners as rectangle_mm"));
+                         "give all corners in order as corners_mm, or two opposite corners as rectangle_mm"));
         auto read = ODO_TRY(corners ? points(*corners, "corners_mm") : points(*rectangle, "rectangle_mm"));
         if (corners)
             return Zone{(*name)->text, *parsed, std::move(read)};

@@ -103,7 +103,7 @@ Result<CsvStyle> parseCsvStyle(std::string_view name)
     }
     return fail(ErrorCode::NotFound,
                 ODO_TEXT("exchange.csv_style", "style '%1' of CSV")(std::string(name.substr(0, 40))),
-                ODO_TEXT("exchange.no_such_style", "there is no such style"),
+                ODO_TEXT("exchange.no_such_style", "this style does not exist"),
                 ODO_TEXT("exchange.choose_style", "choose analysis, international or continental"));
 }
 

@@ -105,7 +105,7 @@ std::optional<Result<double>> unitOf(std::string_view cell,
     return fail(ErrorCode::InvalidInput, {},
                 ODO_TEXT("exchange.unit_not_known",
                          "its column '%1' is in a unit that is not known")(std::string(cell.substr(0, 40))),
-                ODO_TEXT("exchange.give_known_units", "give times in s or ms and places in m, cm or mm"));
+                ODO_TEXT("exchange.give_known_units", "give times in s or ms and positions in m, cm or mm"));
 }
 
 /// Finds columns in a row of cells; the first unknown unit stays as the error.
@@ -296,7 +296,7 @@ Result<double> TrackReader::numberOf(std::size_t cell) const
     if (!number)
         return wrong(notAFiniteNumber(shown(cell)),
                      ODO_TEXT("exchange.write_digits_or_blank",
-                              "write it with digits, like 12.5, or leave the place blank"));
+                              "write it with digits, like 12.5, or leave the cell blank"));
     return *number;
 }
 
@@ -308,9 +308,9 @@ Result<void> TrackReader::add(FileTrack &track, const ImportedPosition &position
         if (position.time <= before)
             return wrong(
                 position.time == before
-                    ? ODO_TEXT("exchange.time_repeated", "its time is that of the line before")
-                    : ODO_TEXT("exchange.time_goes_back", "its time is before that of the line before"),
-                ODO_TEXT("exchange.order_lines", "put the lines in the order of time, each time once"));
+                    ? ODO_TEXT("exchange.time_repeated", "its time is the same as in the line before")
+                    : ODO_TEXT("exchange.time_goes_back", "its time is earlier than in the line before"),
+                ODO_TEXT("exchange.order_lines", "sort the lines by time, with each time only once"));
         if (position.time - track.positions.front().time > longest)
             return wrong(
                 ODO_TEXT("exchange.longer_than_a_week", "it is more than a week after the first line"),
@@ -318,10 +318,11 @@ Result<void> TrackReader::add(FileTrack &track, const ImportedPosition &position
                          "check the unit of the times, and that all lines are of one run"));
     }
     if (position.position && position.position->cwiseAbs().maxCoeff() > mostM)
-        return wrong(ODO_TEXT("exchange.place_too_far", "its place is more than 100 km away"),
-                     ODO_TEXT("exchange.check_unit_of_places", "check the unit of the places: m, cm or mm"));
+        return wrong(
+            ODO_TEXT("exchange.place_too_far", "its position is more than 100 km away"),
+            ODO_TEXT("exchange.check_unit_of_places", "check the unit of the positions: m, cm or mm"));
     if (++m_places > mostPlaces)
-        return wrong(ODO_TEXT("exchange.too_many_places", "the file has more than 1.5 million places"),
+        return wrong(ODO_TEXT("exchange.too_many_places", "the file has more than 1.5 million positions"),
                      ODO_TEXT("exchange.check_one_run", "check that all lines are of one run"));
     track.positions.push_back(position);
     return {};
@@ -424,13 +425,14 @@ Result<void> TrackReader::addRow(const TrackHeader &header, std::vector<FileTrac
                      writeDigits());
     for (std::size_t i = 0; i < tracks.size(); ++i) {
         const TrackColumns &columns = header.tracks[i];
-        const auto position = ODO_TRY(pairOf(
-            columns.x, columns.y, ODO_TEXT("exchange.one_place_blank", "one of its two places is blank")));
+        const auto position =
+            ODO_TRY(pairOf(columns.x, columns.y,
+                           ODO_TEXT("exchange.one_place_blank", "one of its two coordinates is blank")));
         ImportedPosition row{*time, position, {}};
         if (row.position && columns.sigmaX && columns.sigmaY) {
-            auto sigma =
-                ODO_TRY(pairOf(*columns.sigmaX, *columns.sigmaY,
-                               ODO_TEXT("exchange.one_error_blank", "one of its two errors is blank")));
+            auto sigma = ODO_TRY(
+                pairOf(*columns.sigmaX, *columns.sigmaY,
+                       ODO_TEXT("exchange.one_error_blank", "one of its two uncertainties is blank")));
             row.sigmaM = sigma;
         }
         ODO_TRY(add(tracks[i], row));
@@ -494,7 +496,7 @@ Result<TrackFile> TrackReader::read()
     const bool isEmpty = m_lines.number() == 0;
     return wrong(isEmpty ? fileIsEmpty()
                          : ODO_TEXT("exchange.neither_header_nor_tum",
-                                    "it has no header with a time, x and y, and is no TUM either"),
+                                    "it has no header with a time, x and y, and it is not a TUM file"),
                  ODO_TEXT("exchange.begin_with_header_or_tum",
                           "begin the file with the line %1, or write lines of %2")(std::string(csvMark),
                                                                                    std::string(tumMark)));

@@ -17,7 +17,7 @@ tl::unexpected<Error> cannotBeLookedAt(Message what, const std::error_code &prob
 {
     return fail(
         ErrorCode::Io, std::move(what),
-        ODO_TEXT("files.cannot_be_looked_at", "it cannot be looked at (%1)")(foreignWords(problem.message())),
+        ODO_TEXT("files.cannot_be_looked_at", "it cannot be accessed (%1)")(foreignWords(problem.message())),
         std::move(advice));
 }
 
@@ -45,22 +45,22 @@ Message fileIsEmpty()
 
 Message noSuchFile()
 {
-    return ODO_TEXT("files.no_such_file", "there is no such file");
+    return ODO_TEXT("files.no_such_file", "the file does not exist");
 }
 
 Message noSuchFolder(const std::filesystem::path &folder)
 {
-    return ODO_TEXT("files.no_such_folder", "there is no folder '%1'")(Named::file(folder));
+    return ODO_TEXT("files.no_such_folder", "folder '%1' does not exist")(Named::file(folder));
 }
 
 Message isThereAlready()
 {
-    return ODO_TEXT("files.is_there_already", "it is there already");
+    return ODO_TEXT("files.is_there_already", "it already exists");
 }
 
 Message nameAFile()
 {
-    return ODO_TEXT("files.name_a_file", "name a file");
+    return ODO_TEXT("files.name_a_file", "give a file name");
 }
 
 Message chooseAnotherName()
@@ -76,7 +76,7 @@ Message chooseAnotherNameOrFolder()
 Message chooseFolderWithRoom()
 {
     return ODO_TEXT("files.choose_folder_with_room",
-                    "choose a folder that you may write to and that has room");
+                    "choose a folder that you may write to and that has free space");
 }
 
 Message chooseWritableFolder()
@@ -86,17 +86,17 @@ Message chooseWritableFolder()
 
 Message makeRoomOnDisk()
 {
-    return ODO_TEXT("files.make_room", "make room on the disk and try again");
+    return ODO_TEXT("files.make_room", "free some disk space and try again");
 }
 
 Message checkItsFolder()
 {
-    return ODO_TEXT("files.check_its_folder", "check the free space and the rights of its folder");
+    return ODO_TEXT("files.check_its_folder", "check the free space and the permissions of its folder");
 }
 
 Message makeFolderFirst()
 {
-    return ODO_TEXT("files.make_folder_first", "make the folder first, or choose another one");
+    return ODO_TEXT("files.make_folder_first", "create the folder first, or choose another one");
 }
 
 Message checkFileMayBeRead()
@@ -106,7 +106,7 @@ Message checkFileMayBeRead()
 
 Message checkFileIsThere()
 {
-    return ODO_TEXT("files.check_file_is_there", "check that the file is there and may be read");
+    return ODO_TEXT("files.check_file_is_there", "check that the file exists and that you may read it");
 }
 
 } // namespace odo

@@ -144,7 +144,7 @@ bool isSideFile(const std::filesystem::path &project, const FileIdentity &file)
 
 Message namesAProject()
 {
-    return ODO_TEXT("files.names_a_project", "a name ending in .odo is for a project");
+    return ODO_TEXT("files.names_a_project", "only projects have a name ending in .odo");
 }
 
 Message isTheProject()

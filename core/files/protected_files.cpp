@@ -84,7 +84,7 @@ Result<void> checkMayBeRead(const std::filesystem::path &file, const Message &wh
     return {};
 }
 
-InputFiles::InputFiles() : InputFiles(ODO_TEXT("files.is_input", "it is an input of the same call")) {}
+InputFiles::InputFiles() : InputFiles(ODO_TEXT("files.is_input", "it is an input of the same command")) {}
 
 InputFiles::~InputFiles()
 {

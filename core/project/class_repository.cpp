@@ -171,9 +171,8 @@ Result<void> checkTeam(const TeamRecord &team)
     for (const std::string &member : team.members)
         ODO_TRY(checkName(RecordKind::Member, member));
     if (std::set(team.robots.begin(), team.robots.end()).size() != team.robots.size())
-        return fail(ErrorCode::InvalidInput, what,
-                    ODO_TEXT("project.robot_twice", "a robot belongs to it twice"),
-                    ODO_TEXT("project.name_robots_once", "name each of its robots once"));
+        return fail(ErrorCode::InvalidInput, what, ODO_TEXT("project.robot_twice", "it has a robot twice"),
+                    ODO_TEXT("project.name_robots_once", "list each of its robots once"));
     return team.pseudonym.empty() ? Result<void>() : checkName(RecordKind::Pseudonym, team.pseudonym);
 }
 
@@ -270,11 +269,11 @@ Result<void> TeamRepository::remove(RecordId team)
             return found ? noSuchId(m_connection, RecordKind::Team, team) : tl::unexpected(found.error());
         const int trials = known.smallInteger(1);
         if (trials > 0)
-            return fail(
-                ErrorCode::InvalidInput, teamSubject(known.name(0)),
-                trials == 1 ? Message(ODO_TEXT("project.team_has_trial", "a trial is its"))
-                            : ODO_TEXT("project.team_has_trials", "%1 trials are its")(trials),
-                ODO_TEXT("project.delete_its_trials", "delete them for good first, or archive its class"));
+            return fail(ErrorCode::InvalidInput, teamSubject(known.name(0)),
+                        trials == 1 ? Message(ODO_TEXT("project.team_has_trial", "it has a trial"))
+                                    : ODO_TEXT("project.team_has_trials", "it has %1 trials")(trials),
+                        ODO_TEXT("project.delete_its_trials",
+                                 "delete its trials permanently first, or archive its class"));
         ODO_TRY(removeLists(m_connection, team));
         return runFor(m_connection, "DELETE FROM team WHERE id=?", team);
     });

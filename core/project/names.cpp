@@ -72,7 +72,7 @@ Message hasCharacters(qsizetype count)
 
 Message typeNameAnew()
 {
-    return ODO_TEXT("project.type_name_anew", "type the name anew");
+    return ODO_TEXT("project.type_name_anew", "type the name again");
 }
 
 /// ifEmpty: the advice.
@@ -131,7 +131,7 @@ Message wordOf(RecordKind kind)
     case RecordKind::Zone:
         return ODO_TEXT("project.kind_zone", "zone");
     case RecordKind::Figure:
-        return ODO_TEXT("project.kind_figure", "figure");
+        return ODO_TEXT("project.kind_figure", "metric");
     case RecordKind::Tag:
         return ODO_TEXT("project.kind_tag", "tag");
     case RecordKind::Calibration:
@@ -139,7 +139,7 @@ Message wordOf(RecordKind kind)
     case RecordKind::Registration:
         return ODO_TEXT("project.kind_registration", "registration");
     case RecordKind::Lens:
-        return ODO_TEXT("project.kind_lens", "lens");
+        return ODO_TEXT("project.kind_lens", "lens calibration");
     }
     return {};
 }
@@ -241,7 +241,7 @@ Result<void> checkText(const Message &what, const std::string &text)
     const std::optional<QString> decoded = decode(text);
     if (!decoded)
         return fail(ErrorCode::InvalidInput, what, isNotUtf8(),
-                    ODO_TEXT("project.type_text_anew", "type the text anew"));
+                    ODO_TEXT("project.type_text_anew", "type the text again"));
     const qsizetype characters = decoded->toUcs4().size();
     if (characters > maxTextLength)
         return fail(ErrorCode::InvalidInput, what, hasCharacters(characters), useAtMost(maxTextLength));
@@ -272,7 +272,7 @@ Result<void> checkNameIsFree(const ProjectConnection &connection, RecordKind kin
     const auto taken = ODO_TRY(idNamed(connection, kind, name));
     if (taken != 0)
         return fail(ErrorCode::AlreadyExists, tableOf(kind).subject(shortened(name)),
-                    ODO_TEXT("project.name_taken", "the project has a %1 of that name already")(wordOf(kind)),
+                    ODO_TEXT("project.name_taken", "the project already has a %1 of that name")(wordOf(kind)),
                     chooseAnotherName());
     return {};
 }
@@ -296,7 +296,7 @@ tl::unexpected<Error> noSuchName(const ProjectConnection &connection, RecordKind
         names.push_back(ODO_TEXT("project.more_names", "%1 more")(count - namesToList));
     using Joint = MessageArgument::Joint;
     return fail(ErrorCode::NotFound, named.subject(shortened(name)),
-                ODO_TEXT("project.no_such_name", "there is no such %1 in the project")(wordOf(kind)),
+                ODO_TEXT("project.no_such_name", "the project has no such %1")(wordOf(kind)),
                 count == 0 ? joined({ODO_TEXT("project.has_none_yet", "it has no %1 yet")(wordOf(kind)),
                                      ODO_TEXT("project.add_one_first", "add one first")},
                                     Join::Colon)

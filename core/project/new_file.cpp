@@ -32,7 +32,7 @@ NewFile::~NewFile() = default;
 tl::unexpected<Error> NewFile::alreadyThere() const
 {
     return fail(ErrorCode::AlreadyExists, m_what,
-                ODO_TEXT("project.file_there_already", "a file of that name is there already"),
+                ODO_TEXT("project.file_there_already", "a file of that name already exists"),
                 ODO_TEXT("project.remove_file_first", "choose another name, or remove that file first"));
 }
 

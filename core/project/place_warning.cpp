@@ -105,13 +105,13 @@ std::optional<Message> placeWarning(const std::filesystem::path &project, const 
     if (std::ranges::find(networkFileSystems, kind) != networkFileSystems.end())
         return warning(ODO_TEXT(
             "project.on_network_disk",
-            "it lies on a network disk (%1), where a recording can stall and two computers can damage it")(
+            "it is on a network disk (%1): a recording can stall there, and two computers can damage it")(
             kind));
     if (const auto program = syncProgramOf(file.parent_path()))
-        return warning(ODO_TEXT(
-            "project.in_synced_folder",
-            "it lies in a folder that %1 copies while it changes, so that a copy may have half a change")(
-            std::string(*program)));
+        return warning(
+            ODO_TEXT("project.in_synced_folder",
+                     "it is in a folder that %1 copies while it changes: a copy may contain half a change")(
+                std::string(*program)));
     return std::nullopt;
 }
 

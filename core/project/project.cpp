@@ -109,12 +109,13 @@ Result<void> bringUpToDate(const std::filesystem::path &file, int version)
         return {};
     if (writing.error().code != ErrorCode::ReadOnly)
         return tl::unexpected(writing.error());
-    return fail(ErrorCode::ReadOnly, writing.error().what,
-                ODO_TEXT("project.older_format",
-                         "it has the older format %1 and must be brought up to date "
-                         "before it can be read, but %2")(version, writing.error().why),
-                ODO_TEXT("project.copy_with_videos",
-                         "copy it with its videos to a folder that you may write to, and open the copy"));
+    return fail(
+        ErrorCode::ReadOnly, writing.error().what,
+        ODO_TEXT("project.older_format",
+                 "it has the older format %1 and must be updated before Odograph can read it, but %2")(
+            version, writing.error().why),
+        ODO_TEXT("project.copy_with_videos",
+                 "copy it with its videos to a folder that you may write to, and open the copy"));
 }
 
 bool isReady(const ProjectConnection &connection)

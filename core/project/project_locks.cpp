@@ -137,7 +137,7 @@ Result<std::unique_ptr<RecordingLock>> RecordingLock::take(const std::filesystem
         return fail(file.error().code, what, file.error().why, file.error().advice);
     if (!*file)
         return fail(ErrorCode::AlreadyExists, what,
-                    ODO_TEXT("project.recorded_into_now", "a trial is being recorded into it just now"),
+                    ODO_TEXT("project.recorded_into_now", "a trial is being recorded into it now"),
                     waitUntilThatHasEnded());
     return std::unique_ptr<RecordingLock>(new RecordingLock(std::move(*file)));
 }

@@ -257,7 +257,7 @@ void addStrayMedia(Project &project, std::vector<ProjectProblem> &problems, cons
     const auto stray = strayMedia(project, control);
     if (!stray) {
         problems.push_back(
-            {joined({ODO_TEXT("project.strays_unknown", "it cannot be told which files belong to no trial"),
+            {joined({ODO_TEXT("project.strays_unknown", "cannot determine which files belong to no trial"),
                      stray.error().why},
                     Join::Colon),
              stray.error().what, stray.error().advice});
@@ -283,7 +283,7 @@ void addStrayMedia(Project &project, std::vector<ProjectProblem> &problems, cons
                  "window, or put it back in its place")});
     for (const std::filesystem::path &file : stray->projects)
         problems.push_back(
-            {ODO_TEXT("project.lies_in_media", "a project lies in the media folder of another one"),
+            {ODO_TEXT("project.lies_in_media", "a project is in the media folder of another one"),
              fileSubject(file),
              ODO_TEXT("project.move_project_away", "move it with its videos to a folder of its own")});
 }
@@ -293,7 +293,7 @@ Result<bool> removeStray(Project &project, const std::filesystem::path &file)
     const auto failed = [&](int reason) {
         return fail(ErrorCode::Io, ODO_TEXT("project.cannot_remove", "cannot remove '%1'")(Named::file(file)),
                     foreignWords(std::strerror(reason)),
-                    ODO_TEXT("project.check_rights", "check the rights of the project's folder"));
+                    ODO_TEXT("project.check_rights", "check the permissions of the project's folder"));
     };
     int descriptor = -1;
     if (isOrdinary(file)) {

@@ -74,8 +74,8 @@ Result<void> worthOpening(const std::filesystem::path &project)
 Message adviceToCopy(const std::filesystem::path &backup)
 {
     return ODO_TEXT("project.copy_sound_backup",
-                    "copy '%1', which is sound, to a new name and open that, and "
-                    "keep the damaged file")(Named::file(backup.filename()));
+                    "copy '%1', which is intact, to a new name, open that copy and keep the damaged file")(
+        Named::file(backup.filename()));
 }
 
 Error namingABackup(Error error, const std::filesystem::path &project)
@@ -167,7 +167,8 @@ Result<RestoredBackup> restoreBackup(const std::filesystem::path &project)
     const auto backup = soundBackupOf(project);
     if (!backup)
         return fail(ErrorCode::NotFound, what,
-                    ODO_TEXT("project.no_sound_backup", "no sound backup lies beside it"), restoreFile());
+                    ODO_TEXT("project.no_sound_backup", "no intact backup was found beside it"),
+                    restoreFile());
     const auto refused = [&](ErrorCode code, const Message &why) {
         return fail(code, what, why, adviceToCopy(*backup));
     };
@@ -223,7 +224,7 @@ Result<std::filesystem::path> rescueProject(const Project &project)
     const Message what = projectSubject(project.file().filename());
     Result<void> done = fail(ErrorCode::NotFound, what,
                              ODO_TEXT("project.no_place_to_rescue_to",
-                                      "its folder is gone, and there is no home folder to rescue it to"),
+                                      "its folder is gone, and no home folder exists to rescue it to"),
                              putFileBack());
     for (const std::filesystem::path &folder : foldersFor(project)) {
         for (int number = 1; number <= mostNames; ++number) {

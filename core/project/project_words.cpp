@@ -25,12 +25,12 @@ Message redoSubject()
 
 Message lookForStrays()
 {
-    return ODO_TEXT("project.look_for_strays", "look for stray files");
+    return ODO_TEXT("project.look_for_strays", "find stray files");
 }
 
 Message lookIn(const std::filesystem::path &folder)
 {
-    return ODO_TEXT("project.look_in", "look in '%1'")(Named::file(folder));
+    return ODO_TEXT("project.look_in", "search '%1'")(Named::file(folder));
 }
 
 Message isMissing(Message what)
@@ -50,8 +50,9 @@ Message readingFile(const std::filesystem::path &file)
 
 tl::unexpected<Error> cannotLookIn(const std::filesystem::path &folder, const std::error_code &problem)
 {
-    return fail(ErrorCode::Io, lookIn(folder), foreignWords(problem.message()),
-                ODO_TEXT("project.check_folder_is_there", "check that the folder is there and may be read"));
+    return fail(
+        ErrorCode::Io, lookIn(folder), foreignWords(problem.message()),
+        ODO_TEXT("project.check_folder_is_there", "check that the folder exists and that you may read it"));
 }
 
 tl::unexpected<Error> tooManyViews(Message what, std::size_t views)
@@ -63,7 +64,7 @@ tl::unexpected<Error> tooManyViews(Message what, std::size_t views)
 Message checkProjectFolder()
 {
     return ODO_TEXT("project.check_project_folder",
-                    "check the free space and the rights of the project's folder");
+                    "check the free space and the permissions of the project's folder");
 }
 
 Message waitUntilThatHasEnded()

@@ -119,10 +119,11 @@ Result<RecordId> addRecording(ProjectConnection &connection, const RecordingReco
                     ODO_TEXT("project.name_video_file", "name the video's file"));
     const std::filesystem::path path(recording.path);
     if (path.is_relative() && climbsOut(path.lexically_normal()))
-        return fail(ErrorCode::InvalidInput,
-                    ODO_TEXT("project.recording_at", "recording '%1'")(Named::file(recording.path)),
-                    ODO_TEXT("project.path_leaves_folder", "its relative path leaves the project's folder"),
-                    ODO_TEXT("project.copy_file_beside", "copy the file beside the project"));
+        return fail(
+            ErrorCode::InvalidInput,
+            ODO_TEXT("project.recording_at", "recording '%1'")(Named::file(recording.path)),
+            ODO_TEXT("project.path_leaves_folder", "its relative path points outside the project's folder"),
+            ODO_TEXT("project.copy_file_beside", "copy the file to the project's folder"));
     Statement insert(
         connection,
         QStringLiteral("INSERT INTO recording (trial_id, camera_id, position, path, sha256, bytes, "

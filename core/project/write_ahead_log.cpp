@@ -255,13 +255,13 @@ Result<void> checkLog(const std::filesystem::path &file)
         if (belongs == Belongs::Yes)
             return {};
         if (belongs == Belongs::No)
-            return fail(ErrorCode::Unavailable, projectSubject(file.filename()),
-                        ODO_TEXT("project.foreign_log",
-                                 "the log beside it ('%1') belongs to another file or to another "
-                                 "state of this one")(Named::file(log.filename())),
-                        ODO_TEXT("project.move_log_away",
-                                 "move the log to another folder to open the file without it, "
-                                 "or put the file back that the log belongs to"));
+            return fail(
+                ErrorCode::Unavailable, projectSubject(file.filename()),
+                ODO_TEXT("project.foreign_log",
+                         "the log beside it ('%1') belongs to another file or to another "
+                         "state of this one")(Named::file(log.filename())),
+                ODO_TEXT("project.move_log_away", "move the log to another folder to open the file without "
+                                                  "it, or restore the file that the log belongs to"));
     }
     return {}; // whoever writes to it all the time has looked before
 }

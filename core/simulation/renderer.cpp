@@ -157,7 +157,7 @@ Result<void> renderVideo(const SimulatedScene &scene, int camera, const OutputTa
     if (count == 0)
         return fail(ErrorCode::InvalidInput,
                     ODO_TEXT("simulation.cannot_render", "cannot render %1")(Named::file(file)),
-                    ODO_TEXT("simulation.no_frame", "camera %1 takes no frame while the scene lasts")(
+                    ODO_TEXT("simulation.no_frame", "camera %1 takes no frame during the scene")(
                         Named::camera(scene.cameras[static_cast<std::size_t>(camera)].name)),
                     ODO_TEXT("simulation.lengthen_scene",
                              "give the scene a longer duration or start the camera earlier"));

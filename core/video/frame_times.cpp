@@ -70,10 +70,10 @@ Message unevenRateWords(const std::vector<Nanoseconds> &frameTimes)
     const auto uneven = unevenRate(frameTimes);
     if (!uneven)
         return {};
-    return joined({ODO_TEXT("video.rate_varies", "its frame rate varies, pictures are %1 to %2 apart")(
+    return joined({ODO_TEXT("video.rate_varies", "its frame rate varies: frames are %1 to %2 apart")(
                        quantity(1e3 * toSeconds(uneven->shortest), 0),
                        quantity(1e3 * toSeconds(uneven->longest), 0, "ms")),
-                   ODO_TEXT("video.each_at_its_time", "each counts at its own time")},
+                   ODO_TEXT("video.each_at_its_time", "each frame keeps its own time")},
                   Join::Semicolon);
 }
 

@@ -324,8 +324,8 @@ namespace {
 
 tl::unexpected<Error> notCoded(ErrorCode code, Message why)
 {
-    return fail(code, ODO_TEXT("video.picture_not_coded", "a picture cannot be coded"), std::move(why),
-                ODO_TEXT("video.give_another_format", "let the camera give another format"));
+    return fail(code, ODO_TEXT("video.picture_not_coded", "a frame cannot be encoded"), std::move(why),
+                ODO_TEXT("video.give_another_format", "set the camera to another format"));
 }
 
 } // namespace
@@ -336,7 +336,7 @@ Result<std::vector<std::uint8_t>> JpegEncoder::encode(const Frame &frame)
     const auto sampling = samplingOf(format);
     if (!sampling)
         return notCoded(ErrorCode::InvalidInput,
-                        ODO_TEXT("video.no_jpeg_layout", "JPEG does not have its layout of colours"));
+                        ODO_TEXT("video.no_jpeg_layout", "JPEG does not support its colour layout"));
     std::array<PlaneView, 3> planes{frame.y, frame.u, frame.v};
     if (!format.fullRange) {
         for (int i = 0; i < 3; ++i)

@@ -110,12 +110,12 @@ constexpr int jpegQuality = 95;
 
 tl::unexpected<Error> notPacked(ErrorCode code, Message why)
 {
-    return fail(code, ODO_TEXT("video.picture", "picture"), std::move(why), useAnotherPicture());
+    return fail(code, ODO_TEXT("video.picture", "image"), std::move(why), useAnotherPicture());
 }
 
 tl::unexpected<Error> notPacked()
 {
-    return notPacked(ErrorCode::Internal, ODO_TEXT("video.picture_not_packed", "it could not be packed"));
+    return notPacked(ErrorCode::Internal, ODO_TEXT("video.picture_not_packed", "it could not be compressed"));
 }
 
 /// Rows of grey or of red, green and blue, as a PNG: quickly, which makes it a tenth larger than it could be.
@@ -172,21 +172,21 @@ Result<PackedPicture> packedAs(const std::filesystem::path &ending, const Frame 
     if (ending == ".jpg" || ending == ".jpeg")
         return JpegEncoder(jpegQuality).encode(frame);
     return notPacked(ErrorCode::InvalidInput,
-                     ODO_TEXT("video.picture_format_unknown", "its format is not known"));
+                     ODO_TEXT("video.picture_format_unknown", "its format is unknown"));
 }
 
 } // namespace
 
 Message useAnotherPicture()
 {
-    return ODO_TEXT("video.use_another_picture", "use another picture");
+    return ODO_TEXT("video.use_another_picture", "use another image");
 }
 
 Result<void> writePicture(const Frame &frame, const OutputTarget &target)
 {
     const auto bytes = packedAs(target.file.extension(), frame);
     if (!bytes)
-        return fail(ErrorCode::Io, ODO_TEXT("video.picture_named", "picture '%1'")(Named::file(target.file)),
+        return fail(ErrorCode::Io, ODO_TEXT("video.picture_named", "image '%1'")(Named::file(target.file)),
                     bytes.error().why,
                     ODO_TEXT("video.check_picture_place",
                              "check the folder, the free space, and that the name ends in .png or .jpg"));

@@ -32,7 +32,7 @@ constexpr std::int64_t mostPicturePixels = 50'000'000;
 
 Message cannotRead(const std::filesystem::path &file)
 {
-    return ODO_TEXT("video.cannot_read_picture", "cannot read the picture %1")(Named::file(file));
+    return ODO_TEXT("video.cannot_read_picture", "cannot read the image %1")(Named::file(file));
 }
 
 /// As a packet, which a decoder takes without a copy.
@@ -44,7 +44,7 @@ Result<libav::PacketPtr> readFile(const std::filesystem::path &file)
     if (error || size > maximumFileBytes)
         return fail(ErrorCode::InvalidInput, cannotRead(file),
                     ODO_TEXT("video.picture_file_too_large", "the file is larger than 200 MB"),
-                    ODO_TEXT("video.name_a_picture", "name a picture"));
+                    ODO_TEXT("video.name_a_picture", "choose an image"));
     libav::PacketPtr packet(libav::allocated(av_packet_alloc()));
     if (libav::checked(av_new_packet(packet.get(), static_cast<int>(size))) != 0)
         throw std::bad_alloc();
@@ -224,17 +224,17 @@ Result<Frame> readPictureChecked(const std::filesystem::path &file)
     const auto header = pictureHeader(bytesOf(packet));
     if (!header)
         return fail(ErrorCode::InvalidInput, cannotRead(file),
-                    ODO_TEXT("video.no_picture_format", "it is no PNG, JPEG, BMP, TIFF or PNM picture"),
+                    ODO_TEXT("video.no_picture_format", "it is not a PNG, JPEG, BMP, TIFF or PNM image"),
                     ODO_TEXT("video.convert_to_png", "convert it to PNG or JPEG"));
     if (libav::isTooLarge(header->width, header->height) ||
         std::int64_t(header->width) * header->height > mostPicturePixels)
-        return fail(ErrorCode::InvalidInput, cannotRead(file),
-                    joined({ODO_TEXT("video.picture_claims_size", "it says that it has %1 pixels")(
-                                std::to_string(header->width) + "x" + std::to_string(header->height)),
-                            ODO_TEXT("video.largest_picture",
-                                     "more than 50 megapixels or 32000 pixels a side are not read")},
-                           Join::Semicolon),
-                    ODO_TEXT("video.make_smaller", "make it smaller"));
+        return fail(
+            ErrorCode::InvalidInput, cannotRead(file),
+            joined({ODO_TEXT("video.picture_claims_size", "its header says that it has %1 pixels")(
+                        std::to_string(header->width) + "x" + std::to_string(header->height)),
+                    ODO_TEXT("video.largest_picture", "the limit is 50 megapixels and 32000 pixels a side")},
+                   Join::Semicolon),
+            ODO_TEXT("video.make_smaller", "make it smaller"));
     auto frame = decode(std::move(packet), *header);
     if (!frame)
         return fail(ErrorCode::InvalidInput, cannotRead(file),

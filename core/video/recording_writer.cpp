@@ -48,7 +48,7 @@ struct RecordingWriter::Impl
             ErrorCode::Io,
             ODO_TEXT("video.cannot_write_recording", "cannot write the recording %1")(Named::file(file)),
             std::move(why),
-            ODO_TEXT("video.check_its_folder", "check that its folder may be written to and has room"));
+            ODO_TEXT("video.check_its_folder", "check that its folder may be written to and has free space"));
     }
     tl::unexpected<Error> libavProblem(int error) const
     {

@@ -92,7 +92,7 @@ Result<void> VideoInput::openContainer(const AVInputFormat *known)
         return fail(
             ErrorCode::InvalidInput, cannotOpenVideo(m_file),
             ODO_TEXT("video.no_video_kind",
-                     "it is not a video of a kind that is read, or its header is damaged or missing (%1)")(
+                     "it is not a supported kind of video, or its header is damaged or missing (%1)")(
                 foreignWords(libav::errorText(error))),
             joined({ODO_TEXT("video.give_container", "give an MP4, MOV, MKV or AVI file"),
                     ODO_TEXT("video.copy_if_cut_short", "copy it from the camera again if it was cut short")},
@@ -118,7 +118,7 @@ Result<void> VideoInput::findStream()
         error < 0 ? error : av_find_best_stream(m_container, AVMEDIA_TYPE_VIDEO, -1, -1, nullptr, 0);
     if (best < 0 || (m_container->streams[best]->disposition & AV_DISPOSITION_ATTACHED_PIC) != 0)
         return fail(ErrorCode::InvalidInput, cannotOpenVideo(m_file),
-                    ODO_TEXT("video.no_stream", "it holds no video stream that can be read"),
+                    ODO_TEXT("video.no_stream", "it contains no readable video stream"),
                     ODO_TEXT("video.give_camera_file", "give the file that the camera recorded"));
     m_stream = m_container->streams[best];
     libav::forgetUnknownColours(*m_stream->codecpar);
@@ -222,7 +222,7 @@ void sortByPresentation(PacketIndex &index)
                                  [](const auto &a, const auto &b) { return a.pts == b.pts; });
     if (const auto doubled = frames.end() - end; doubled > 0)
         addWarning(index, ODO_TEXT("video.frames_left_out", "%1 frames left out")(doubled),
-                   ODO_TEXT("video.stamps_repeat", "their time stamps repeat the frame before"));
+                   ODO_TEXT("video.stamps_repeat", "their time stamps repeat that of the frame before"));
     frames.erase(end, frames.end());
 }
 
@@ -276,7 +276,7 @@ void warnIfCutShort(PacketIndex &index, const VideoInput &input, const Walk &wal
     const AVFormatContext &container = input.container();
     Message why;
     if (walk.corrupt)
-        why = ODO_TEXT("video.packet_damaged", "a packet there is damaged");
+        why = ODO_TEXT("video.packet_damaged", "a packet is damaged");
     else if (walk.endError != AVERROR_EOF)
         why = foreignWords(libav::errorText(walk.endError));
     else if (container.duration_estimation_method != AVFMT_DURATION_FROM_BITRATE &&
@@ -333,7 +333,7 @@ Result<PacketIndex> indexPackets(VideoInput &input)
         return cancelled(cannotOpenVideo(input.file()));
     if (index.frames.empty())
         return fail(ErrorCode::InvalidInput, cannotOpenVideo(input.file()),
-                    ODO_TEXT("video.no_whole_frame", "not one whole frame is in it"), copyFromCamera());
+                    ODO_TEXT("video.no_whole_frame", "it contains no complete frame"), copyFromCamera());
     if (walk.ptsMissing)
         timeByCounting(index, walk, input.stream());
     else

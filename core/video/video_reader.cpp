@@ -26,7 +26,7 @@ public:
         if (m_decoder->decode(bytesOf(*m_packet), std::nullopt, frame) != JpegDecoder::Outcome::Decoded)
             return fail(ErrorCode::InvalidInput,
                         ODO_TEXT("video.cannot_decode_all", "cannot decode all of a frame"), dataAreDamaged(),
-                        ODO_TEXT("video.sound_part_used", "its sound part is used"));
+                        ODO_TEXT("video.sound_part_used", "its undamaged part is used"));
         return frame;
     }
     static std::span<const std::uint8_t> bytesOf(const AVPacket &packet)
@@ -76,7 +76,7 @@ Result<libav::CodecPtr> openDecoder(const VideoInput &input)
     if (error < 0)
         return fail(ErrorCode::InvalidInput, what,
                     ODO_TEXT("video.decoder_not_started",
-                             "its decoder would not start (%1)")(foreignWords(libav::errorText(error))),
+                             "its decoder did not start (%1)")(foreignWords(libav::errorText(error))),
                     convertToH264());
     return decoder;
 }

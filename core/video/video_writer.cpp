@@ -66,7 +66,7 @@ Result<void> setMicrosecondScale(const std::filesystem::path &file, Nanoseconds 
     if (!stream)
         return fail(ErrorCode::Io, cannotWrite(file),
                     ODO_TEXT("video.header_not_rewritten", "its header could not be rewritten"),
-                    ODO_TEXT("video.check_room", "check that there is room on the disk"));
+                    ODO_TEXT("video.check_room", "check the free disk space"));
     return {};
 }
 
@@ -103,7 +103,7 @@ struct VideoWriter::Impl
     {
         return fail(ErrorCode::Io, cannotWrite(file), foreignWords(libav::errorText(error)),
                     ODO_TEXT("video.check_the_folder",
-                             "check that the folder exists, may be written to and has room"));
+                             "check that the folder exists, may be written to and has free space"));
     }
     Result<void> openContainer(const OutputTarget &target);
     Result<void> addStream();
@@ -124,7 +124,7 @@ Result<void> VideoWriter::Impl::openContainer(const OutputTarget &target)
                     ODO_TEXT("video.give_known_ending", "give it one of these endings"));
     if (options.codec == VideoCodec::Ffv1 && !matroska)
         return fail(ErrorCode::InvalidInput, cannotWrite(file),
-                    ODO_TEXT("video.no_ffv1_in_mp4", "FFV1 does not go into MP4"),
+                    ODO_TEXT("video.no_ffv1_in_mp4", "MP4 cannot contain FFV1"),
                     ODO_TEXT("video.use_mkv", "use the ending .mkv"));
     auto opened = ODO_TRY(OutputFile::open(target, videoKind(file)));
     output = std::move(opened);
@@ -257,7 +257,7 @@ Result<void> VideoWriter::write(const Frame &frame)
     if (d.started && timeUs <= d.lastUs)
         return fail(
             ErrorCode::InvalidInput, what,
-            ODO_TEXT("video.time_not_after", "its time is not after the frame's before it"),
+            ODO_TEXT("video.time_not_after", "its time is not later than that of the frame before"),
             ODO_TEXT("video.write_in_order", "write the frames in order, at least a microsecond apart"));
     auto picture = ODO_TRY(pictureOf(frame, *d.encoder, timeUs));
     d.started = true;

@@ -308,7 +308,7 @@ private Q_SLOTS:
         const auto row = addBadCall;
         row("nonsense", 2, "neither a command nor a project");
         row("new", 2, "an argument is missing");
-        row("new %P", 1, "there already");
+        row("new %P", 1, "already exists");
         row("new %/nowhere/x.odo", 1, "nowhere");
         row("new %/x.odo --title=", 1, "title of the project: it is empty; give the project a title");
         row("new %/x.odo --title=T\u202eitle", 1, "it holds an invisible character, U+202E");
@@ -322,9 +322,9 @@ private Q_SLOTS:
             "--reference '20' is not of the form FORWARD,LEFT, two numbers in millimetres");
         row("robot add %P blue --reference 20,x", 2, "two numbers in millimetres");
         row("robot add %P blue --reference 0,-10001", 1,
-            "its reference point is farther from its centre than 10 m");
+            "its reference point is more than 10 m from its centre");
         row("robot add %P blue --height free --reference 1,0", 1,
-            "takes a heading, which is not known where the height changes");
+            "needs a heading, but a robot of changing height has none");
         row("robot add %P blue --colour #0000ff --pick %/a.mkv", 2, "two colours");
         row("robot add %P blue --pick %/a.mkv", 2, "--pick needs --box");
         row("robot add %P blue --pick %/a.mkv --box 1,2,3", 2, "not of the form x,y,w,h");
@@ -333,14 +333,14 @@ private Q_SLOTS:
         row("robot add %P blue --pick %/a.mkv --box 600,400,60,60 --frame 60", 1, "choose one from 0 to 59");
         row("robot add %P blue --pick %/a.mkv --box 40,40,60,60", 1,
             "no colour that differs from the floor around it");
-        row("robot add %P blue --pick %/nofile.mkv --box 600,400,60,60", 1, "no such file");
+        row("robot add %P blue --pick %/nofile.mkv --box 600,400,60,60", 1, "the file does not exist");
         row("robot add %P red --colour #0000ff", 1, "red");
         row("robot drop %P red", 2, "not known");
         row("robot add %/missing.odo red --colour #0000ff", 1, "missing.odo");
         row("robot add %/foreign.odo red --colour #0000ff", 1, "foreign.odo");
         row("camera add %P A", 1, "A");
         row("camera add %P", 2, "an argument is missing");
-        row("calibrate %P A %/nofile.png", 1, "no such file");
+        row("calibrate %P A %/nofile.png", 1, "the file does not exist");
         row("calibrate %P A %/noboard.png", 1, "board");
         row("calibrate %P A %/noboard.png --board 9", 2, "AxB");
         row("calibrate %P A %/noboard.png --square 0mm", 2, "length above zero");
@@ -362,10 +362,10 @@ private Q_SLOTS:
         row("register %P --camera A --layout floor --pixels %/mirrored.csv", 1, "mirror");
         row("register %P --camera A --layout floor --pixels %/broken.csv", 1, "broken.csv:2");
         row("register %P --camera A --layout floor --image %/nofile.png", 1, "nofile.png");
-        row("import %P --trial run1 --video A=%/a.mkv", 1, "of that name");
+        row("import %P --trial run1 --video A=%/a.mkv", 1, "already has a trial of that name");
         row("import %P --trial run2", 2, "--video");
         row("import %P --trial run2 --video %/a.mkv", 2, "NAME=VALUE");
-        row("import %P --trial run2 --video A=%/nofile.mkv", 1, "no such file");
+        row("import %P --trial run2 --video A=%/nofile.mkv", 1, "the file does not exist");
         row("import %P --trial run2 --video A=%/novideo.mkv", 1, "novideo.mkv");
         row("import %P --trial run2 --video A=%/playlist.mkv", 1, "playlist.mkv");
         row("import %P --trial run2 --video A=%/a.mkv --video A=%/b.mkv", 1, "two videos");
@@ -408,9 +408,9 @@ private Q_SLOTS:
         row("export %P run1 -o %/out.csv --format xls", 2, "--format");
         for (const char *format : {"csv", "json", "tum", "tracker", "video"})
             row((QByteArray("export %P run1 -o %/new.odo --format ") + format).constData(), 2,
-                "a name ending in .odo is for a project; choose another name");
-        row("snapshot %P run1 -o %/new.ODO", 2, "a name ending in .odo is for a project");
-        row("layout export %P floor %/new.odo", 2, "a name ending in .odo is for a project");
+                "only projects have a name ending in .odo; choose another name");
+        row("snapshot %P run1 -o %/new.ODO", 2, "only projects have a name ending in .odo");
+        row("layout export %P floor %/new.odo", 2, "only projects have a name ending in .odo");
         row("export %P run1 -o - --format video", 2, "a video needs a file");
         row("export %P run1 -o - --json", 2, "--json");
         row("export %P run1 -o %/out.csv --robot blue", 1, "blue");

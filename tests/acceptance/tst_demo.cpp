@@ -300,7 +300,7 @@ private Q_SLOTS:
         QVERIFY(error({eight, other, QStringLiteral("--align"), QStringLiteral("north")}, 2)
                     .contains(QLatin1String("--align is auto")));
         QVERIFY(error({eight, other, QStringLiteral("-o"), QStringLiteral("/nowhere/report.pdf")}, 1)
-                    .contains(QLatin1String("there is no folder")));
+                    .contains(QLatin1String("does not exist")));
         QVERIFY(error({eight}, 2).contains(QLatin1String("compare")));
     }
 

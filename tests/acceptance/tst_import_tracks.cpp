@@ -139,8 +139,8 @@ private Q_SLOTS:
         QTest::addColumn<QByteArray>("text");
         QTest::addColumn<QByteArray>("words");
         QTest::newRow("not increasing") << QByteArray("t_s,x_mm,y_mm\n1,0,0\n0,0,0\n")
-                                        << QByteArray(":3: its time is before that of the line before; put "
-                                                      "the lines in the order of time, each time once\n");
+                                        << QByteArray(":3: its time is earlier than in the line before; sort "
+                                                      "the lines by time, with each time only once\n");
         QTest::newRow("9 columns") << QByteArray("0 0 0 0 0 0 0 1 1\n")
                                    << QByteArray(":1: it has 9 entries instead of the 8 of TUM; write ");
         QTest::newRow("empty")
@@ -227,7 +227,7 @@ private Q_SLOTS:
             QCOMPARE(problems.size(), 2);
             QCOMPARE(
                 problems[0][u"what"_s].toString(),
-                u"the metrics, spikes or settings of robot 'red' are not those that its analysis gave"_s);
+                u"the stored metrics, spikes or settings of robot 'red' differ from those of its analysis"_s);
             QCOMPARE(problems[0][u"where"_s].toString(), u"trial 'slow'"_s);
             QVERIFY(problems[1][u"what"_s].toString().startsWith(
                 u"metric 'duration' of robot 'red' is stored as 1.9"_s));

@@ -81,9 +81,8 @@ private Q_SLOTS:
             row("socket", path("socket"), "it is a socket; ");
             row("endless device", QStringLiteral("/dev/zero"), "it is a device; ");
             row("terminal", QStringLiteral("/dev/ptmx"), "it is a device; ");
-            row("loop of links", path("loop"),
-                "it cannot be looked at (Too many levels of symbolic links); ");
-            row("nothing", path("nothing"), "there is no such file; ");
+            row("loop of links", path("loop"), "it cannot be accessed (Too many levels of symbolic links); ");
+            row("nothing", path("nothing"), "the file does not exist; ");
         }
     }
     void isSaidAtOnce()

@@ -239,7 +239,7 @@ private Q_SLOTS:
             const ProgramRun run = runProgram(callOf(command) << logo << QStringLiteral("-o")
                                                               << path(QStringLiteral("sub/../logo.png")));
             QVERIFY2(run.exitStatus == 2 &&
-                         run.err.contains("it is an input of the same call; choose another name"),
+                         run.err.contains("it is an input of the same command; choose another name"),
                      run.err);
         }
         QCOMPARE(fileHash(logo), before);

@@ -103,7 +103,7 @@ void TestRecord::saysItInWords()
     static const QRegularExpression sentences(
         QStringLiteral("^Trial words recorded: [\\d.]+ s\\.\nView A: \\d+ pictures, [\\d.]+ a second, "
                        "(none|\\d+) lost\\.\nView B: .*\n"
-                       "The views are in step to ([\\d.]+) ms; at 2 m/s that is ([\\d.]+) mm, which the "
+                       "The views are synchronised to ([\\d.]+) ms; at 2 m/s that is ([\\d.]+) mm, which the "
                        "analysis takes into account\\.\n$"));
     const QRegularExpressionMatch match = sentences.match(words);
     QVERIFY2(match.hasMatch(), qPrintable(words));
@@ -127,11 +127,11 @@ void TestRecord::badCallsFailInOneLine_data()
     row("record %/p.odo --trial x --camera A=sim:A --seconds 1e30", 2, "at most 86,400 (a day)");
     row("record %/p.odo --trial x --camera A=sim:A --pre-roll 11", 2,
         "--pre-roll is a number of seconds from 0 to 10");
-    row("record %/p.odo --trial x --camera A=sim:Z", 1, "there is no simulated camera Z");
-    row("record %/p.odo --trial x --camera A=usb:0", 1, "no camera has such an address");
+    row("record %/p.odo --trial x --camera A=sim:Z", 1, "simulated camera Z does not exist");
+    row("record %/p.odo --trial x --camera A=usb:0", 1, "no kind of camera has an address like this");
     row("record %/p.odo --trial x --camera A=sim:A --camera B=sim:A", 1, "was given twice");
     row("record %/p.odo --trial x --camera A=sim:A --robot none", 1, "none");
-    row("record %/p.odo --trial live --camera A=sim:A", 1, "has a trial of that name");
+    row("record %/p.odo --trial live --camera A=sim:A", 1, "already has a trial of that name");
     row("record %/p.odo --trial x --camera A=file:%/none.mkv", 1, "none.mkv");
     row("record %/p.odo --trial x --camera A=sim:A --ssl-vision robots.example:1", 1,
         "it is not an IPv4 address with a port; write it like 224.5.23.2:10006");

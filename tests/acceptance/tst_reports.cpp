@@ -80,9 +80,9 @@ private Q_SLOTS:
         QTest::newRow("class") << QStringList{o, file, QStringLiteral("--class"), QStringLiteral("7C")} << 1
                                << QStringLiteral("class '7C': the project has '9B'");
         QTest::newRow("logo") << QStringList{trial, o, file, QStringLiteral("--logo"), path("no.png")} << 1
-                              << QStringLiteral("there is no such file");
+                              << QStringLiteral("the file does not exist");
         QTest::newRow("folder") << QStringList{trial, o, path("no/where.pdf")} << 1
-                                << QStringLiteral("there is no folder");
+                                << QStringLiteral("does not exist");
     }
     void whatCannotBeIsSaidInALine()
     {

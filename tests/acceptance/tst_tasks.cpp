@@ -203,15 +203,14 @@ private Q_SLOTS:
         row("task paint %P", 2, "give add P.odo NAME task.json, list P.odo, or set P.odo TRIAL NAME");
         row("task add %P name", 2, "give add P.odo NAME task.json");
         row("task add %P quarter %/quarter.json", 1,
-            "task 'quarter': the project has a task of that name already");
+            "task 'quarter': the project already has a task of that name");
         row("task add %P bad %/bad.json", 1,
             "bad.json:2: role 'goal': gates have no such role; use start, finish");
         row("task add %P none %/none.json", 1, "none.json");
-        row("task set %P run1 unknown", 1,
-            "task 'unknown': there is no such task in the project; it has 'quarter'");
-        row("task set %P nowhere quarter", 1, "trial 'nowhere': there is no such trial");
+        row("task set %P run1 unknown", 1, "task 'unknown': the project has no such task; it has 'quarter'");
+        row("task set %P nowhere quarter", 1, "trial 'nowhere': the project has no such trial");
         row("import %P --trial new --video A=%/a.mkv --task unknown", 1,
-            "task 'unknown': there is no such task");
+            "task 'unknown': the project has no such task");
     }
     void badCallsFailInOneLine() { badCallFailsInOneLine(); }
 };

@@ -115,7 +115,7 @@ void TestThirdCamera::aCameraThroughAnotherMeasuresTheSame()
     QVERIFY(call(registerC + s("C --pixels %/pairs.csv"), "via itself"));
     QVERIFY(call(registerC + s("X --pixels %/pairs.csv"), "'X'"));
     QVERIFY(call(registerC + s("B --pixels %/three.csv"), "the same four points"));
-    QVERIFY(call(registerC + s("B --pixels %/double.csv"), "the label 'a' is in line 2 already"));
+    QVERIFY(call(registerC + s("B --pixels %/double.csv"), "line 2 already has the label 'a'"));
     QVERIFY(call(registerC + s("B --pixels %/pairs.csv --layout floor"), "cannot be used together"));
     QVERIFY(call(registerC + s("B --pixels %/pairs.csv --json")));
     // Again, as after picking better points: the first layout stays.

@@ -23,10 +23,10 @@ private Q_SLOTS:
     {
         QTest::addColumn<int>("code"); // of the system; 0: bad_alloc
         QTest::addColumn<QByteArray>("why");
-        QTest::newRow("memory") << 0 << QByteArray("this computer has not enough free memory for it");
+        QTest::newRow("memory") << 0 << QByteArray("this computer does not have enough free memory for it");
         QTest::newRow("memory of the system")
-            << ENOMEM << QByteArray("this computer has not enough free memory for it");
-        QTest::newRow("threads") << EAGAIN << QByteArray("this computer gives no further thread");
+            << ENOMEM << QByteArray("this computer does not have enough free memory for it");
+        QTest::newRow("threads") << EAGAIN << QByteArray("this computer cannot start another thread");
         QTest::newRow("files") << EMFILE << QByteArray("too many files are open");
         QTest::newRow("files of all programs") << ENFILE << QByteArray("too many files are open");
     }
@@ -61,7 +61,7 @@ private Q_SLOTS:
                  std::string("the work: something unexpected happened (no such row); what was saved is safe; "
                              "try again, and report it if it happens again"));
         QCOMPARE(orShortage(foreignWords(""), []() -> Result<int> { throw 7; }).error().why.english(),
-                 std::string("something unexpected happened (an exception without words)"));
+                 std::string("something unexpected happened (an unknown exception)"));
     }
 
     void aThreadThatIsNotToBeHadIsAnError()

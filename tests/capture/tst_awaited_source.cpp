@@ -14,7 +14,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-const Error taken = test::saidError(ErrorCode::NotFound, "camera play:", "it is not there", "plug it in");
+const Error taken = test::saidError(ErrorCode::NotFound, "camera play:", "it is not connected", "plug it in");
 
 } // namespace
 
@@ -72,7 +72,7 @@ void TestAwaitedSource::saysWhyItIsNotThere()
 void TestAwaitedSource::anAddressThatIsNotUnderstoodIsNotTriedAgain()
 {
     const Error wrong =
-        test::saidError(ErrorCode::InvalidInput, "camera v4l2:x?y", "'y' is not understood", "leave it out");
+        test::saidError(ErrorCode::InvalidInput, "camera v4l2:x?y", "'y' is not valid", "leave it out");
     std::atomic<int> attempts = 0;
     const auto source = awaitCamera(
         "v4l2:x?y", wrong,

@@ -157,7 +157,7 @@ private Q_SLOTS:
     {
         QVERIFY(openCamera("sim:A"));
         QVERIFY(openCamera("sim:B?board"));
-        QVERIFY(openCamera("sim:Z").error().message().find("take sim:A or sim:B") != std::string::npos);
+        QVERIFY(openCamera("sim:Z").error().message().find("use sim:A or sim:B") != std::string::npos);
         QCOMPARE(openCamera("usb:0").error().code, ErrorCode::NotFound);
         QVERIFY(!openCamera("file:/nowhere/x.mkv"));
         QCOMPARE(std::ranges::count(listCameras(), "simulated", &CameraDescription::kind), 2);

@@ -199,9 +199,8 @@ void TestCaptureFaults::aFileThatIsNoLongerThereIsTold()
     const auto cut = std::ranges::find_if(outcome.views,
                                           [](const ViewRecording &view) { return view.problem.has_value(); });
     QVERIFY(cut != outcome.views.end());
-    QVERIFY2(cut->problem->message().ends_with(
-                 ".mkv: its file is no longer there; put its disk or folder back where it was; "
-                 "what was recorded so far is there"),
+    QVERIFY2(cut->problem->message().ends_with(".mkv: its file is no longer there; reconnect its disk, or "
+                                               "move its folder back; it holds what was recorded so far"),
              cut->problem->message().c_str());
     for (const ViewRecording &view : outcome.views) { // nothing of it is given up
         const auto reader = VideoReader::open(folder / "elsewhere" / view.file.filename());
@@ -224,10 +223,10 @@ void TestCaptureFaults::aSlowDiskIsToldBeforeAnythingIsLost()
     QTRY_VERIFY(cameras.session->health().disk.trouble);
     const DiskHealth slow = cameras.session->health().disk;
     QVERIFY(!slow.ended);
-    QVERIFY2(slow.trouble->error.why.english().starts_with("it is too slow: a picture has waited 1."),
+    QVERIFY2(slow.trouble->error.why.english().starts_with("it is too slow: a frame has waited 1."),
              slow.trouble->error.why.english().c_str());
     QCOMPARE(slow.trouble->error.advice.english(),
-             std::string("nothing is lost yet; end what else writes to it"));
+             std::string("nothing is lost yet; stop other programs that write to it"));
     QTRY_COMPARE(cameras.delivered(), std::uint64_t(lot));
     goesOn.set_value();
     const RecordingOutcome outcome = cameras.session->stopRecording();
@@ -249,7 +248,7 @@ void TestCaptureFaults::aCameraThatHangsHoldsNothingUp()
     QTRY_COMPARE(cameras.health(0).delivered, std::uint64_t(lot));
     QTRY_VERIFY(cameras.health(1).trouble); // nobody says why: it is silent for a second
     QCOMPARE(cameras.health(1).state, State::Waiting);
-    QVERIFY(cameras.health(1).trouble->error.why.english().starts_with("no picture has come for "));
+    QVERIFY(cameras.health(1).trouble->error.why.english().starts_with("no frame has arrived for "));
     const RecordingOutcome outcome = cameras.session->stopRecording();
     QCOMPARE(outcome.views[0].taken.size(), std::size_t(lot));
     QCOMPARE(outcome.views[1].taken.size(), std::size_t(5));
@@ -277,9 +276,8 @@ void TestCaptureFaults::aCameraThatTakesFewerPicturesIsTold()
     cameras.a->pictures(20);
     QTRY_COMPARE(cameras.health(0).delivered, 92u);
     QCOMPARE(cameras.health(0).slow->error.message(),
-             std::string(
-                 "camera play:: it takes only 12 pictures a second of the 30 it was asked for; give it more "
-                 "light or a shorter exposure, or ask for a lower rate"));
+             std::string("camera play:: it delivers only 12 frames per second instead of the requested 30; "
+                         "give it more light or a shorter exposure, or ask for a lower rate"));
     QCOMPARE(cameras.health(0).state, State::Delivering);
     QVERIFY2(healthWords(cameras.health(0)).english().ends_with(" frames/s (too slow), none lost"),
              healthWords(cameras.health(0)).english().c_str());

@@ -179,7 +179,7 @@ void TestCaptureSession::healthKnowsTheClockAndHowWellTheyAreInStep()
     QVERIFY(std::abs(pairs.p95S - 0.007) < 1e-6);
     const std::size_t middle = pairs.histogram.size() / 2;
     QCOMPARE(std::uint64_t(pairs.histogram[middle + 7]), pairs.pairs); // bins of 1 ms
-    QCOMPARE(inStepWords(0.0012).english(), std::string("in step to 1.2 ms; at 2 m/s that is 2.4 mm"));
+    QCOMPARE(inStepWords(0.0012).english(), std::string("synchronised to 1.2 ms; at 2 m/s that is 2.4 mm"));
 }
 
 void TestCaptureSession::whatChangesByItselfIsHeldWhileRecording()

@@ -12,7 +12,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr const char *noThreadWords = "this computer gives no further thread";
+constexpr const char *noThreadWords = "this computer cannot start another thread";
 
 } // namespace
 

@@ -59,7 +59,7 @@ private Q_SLOTS:
         for (const auto &script : {a, b})
             script->pass(300s);
         sleepFor(300s);
-        isTold("it slept for 5 min, and nothing was recorded meanwhile; what came before is kept; keep it "
+        isTold("it slept for 5 min and recorded nothing meanwhile; the recording up to then is kept; keep it "
                "awake while it records");
         QVERIFY(!view(0).trouble); // it has not had the time to deliver since
         for (const auto &script : {a, b})

@@ -13,7 +13,7 @@ using namespace odo::test;
 namespace {
 
 const Error notThere = test::saidError(
-    ErrorCode::Unavailable, "camera play:", "it is there but sends no pictures", "look at its cable");
+    ErrorCode::Unavailable, "camera play:", "it is connected but sends no frames", "check its cable");
 
 } // namespace
 

@@ -105,7 +105,7 @@ void TestSetupChecks::receiveBuffer()
     QCOMPARE(checkReceiveBuffer({camera("A", "aravis")}, 8 << 20).verdict, Verdict::Good);
     const SetupFinding small = checkReceiveBuffer({camera("A", "aravis")}, 212992); // Debian's
     QCOMPARE(small.verdict, Verdict::Bad);
-    QCOMPARE(small.words.english(), std::string("only 0.2 MiB: A will lose pictures"));
+    QCOMPARE(small.words.english(), std::string("only 0.2 MiB: A will lose frames"));
     QVERIFY(has(small.advice.english(), "net.core.rmem_max=4194304"));
 }
 
@@ -134,7 +134,7 @@ void TestSetupChecks::flicker()
         QCOMPARE(checkFlicker(a).verdict, verdict);
     }
     QCOMPARE(checkFlicker(a).words.english(),
-             std::string("exposed for 15.6 ms: pictures may pulse under lamps"));
+             std::string("exposed for 15.6 ms: brightness may pulse under lamps"));
     a.controls.push_back(choice("Power Line Frequency", {"Disabled", "50 Hz", "60 Hz"}, 0));
     QCOMPARE(checkFlicker(a).verdict, Verdict::Warning);
     QVERIFY(has(checkFlicker(a).advice.english(), "50 Hz in most countries"));
@@ -151,7 +151,7 @@ void TestSetupChecks::automatics()
     a.health.notHeld = {foreignWords("Exposure, Auto"), foreignWords("Gain, Auto")};
     QCOMPARE(checkAutomatics(a).verdict, Verdict::Warning);
     QCOMPARE(checkAutomatics(a).words.english(),
-             std::string("Exposure, Auto and Gain, Auto go on changing by themselves"));
+             std::string("Exposure, Auto and Gain, Auto still adjust automatically"));
 }
 
 void TestSetupChecks::step()
@@ -193,7 +193,7 @@ void TestSetupChecks::theWorstComesFirst()
     b.description.widthPx = 640;
     const auto findings = checkSetup({camera("A"), b}, {}, machine);
     QCOMPARE(findings.size(), std::size_t(11)); // three a camera, five of the whole
-    QCOMPARE(findings.front().what.english(), std::string("Picture size, camera B"));
+    QCOMPARE(findings.front().what.english(), std::string("Frame size, camera B"));
     QVERIFY(std::ranges::any_of(findings, [](const SetupFinding &each) {
         return each.what.english() == "USB buses" && each.verdict == Verdict::Warning;
     }));

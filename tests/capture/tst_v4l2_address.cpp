@@ -53,7 +53,7 @@ private Q_SLOTS:
         const auto address = parseV4l2Address(uri.toStdString());
         QVERIFY(!address);
         QCOMPARE(address.error().code, ErrorCode::InvalidInput);
-        QVERIFY(address.error().message().find("is not understood; write for instance v4l2:/dev/video0") !=
+        QVERIFY(address.error().message().find("is not valid; write it like v4l2:/dev/video0") !=
                 std::string::npos);
     }
 
@@ -64,13 +64,13 @@ private Q_SLOTS:
             QVERIFY(!source);
             QCOMPARE(source.error().code, ErrorCode::NotFound);
             QVERIFY(source.error().message().find(
-                        "it is not there; plug it in, or choose one of those that odograph cameras lists") !=
+                        "it is not connected; plug it in, or choose a camera that odograph cameras lists") !=
                     std::string::npos);
         }
         // A file that is no camera.
         const auto source = openCamera("v4l2:/dev/null");
         QCOMPARE(source.error().code, ErrorCode::InvalidInput);
-        QVERIFY(source.error().message().find("/dev/null gives no pictures") != std::string::npos);
+        QVERIFY(source.error().message().find("/dev/null sends no frames") != std::string::npos);
     }
 
     void everyCauseHasItsOwnWords()
@@ -81,7 +81,7 @@ private Q_SLOTS:
         QVERIFY(message(EBUSY).endsWith(QStringLiteral("another program uses it; close that program")));
         QVERIFY(message(EACCES).contains(QStringLiteral("join the group video")));
         QVERIFY(message(ENODEV).endsWith(QStringLiteral("it was unplugged; plug it in again")));
-        QVERIFY(message(ENOSPC).contains(QStringLiteral("USB bus has no room")));
+        QVERIFY(message(ENOSPC).contains(QStringLiteral("USB bus has no bandwidth")));
         QVERIFY(message(ENOSPC).contains(QStringLiteral("MJPG")));
         QVERIFY(message(EIO).contains(QStringLiteral("Input/output error")));
         QCOMPARE(v4l2Failure("x", EBUSY).code, ErrorCode::Unavailable);

@@ -18,8 +18,8 @@ using namespace std::chrono_literals;
 namespace {
 
 constexpr Nanoseconds told = 1s * slowness;
-const char *const noRoom = "its USB bus has no room left for its pictures (the bus is full, not the disk); "
-                           "plug it in where it shares no bus with another camera";
+const char *const noRoom = "its USB bus has no bandwidth left for its frames (the bus is full, not the "
+                           "disk); plug it into a port whose bus no other camera uses";
 
 std::unique_ptr<CaptureSession> sessionOf(const PlayedDriver &driver)
 {
@@ -123,10 +123,9 @@ private Q_SLOTS:
         const Nanoseconds after = steadyNow() - slowed;
         // In 0.84 s of 12 the share of the two seconds' pictures falls below three quarters.
         QVERIFY2(after < 1200ms * slowness, qPrintable(QString::number(toSeconds(after))));
-        QTRY_VERIFY(
-            wordsOf(health().slow)
-                .find("it takes only 12 pictures a second of the 30 it was asked for; give it more light") !=
-            std::string::npos);
+        QTRY_VERIFY(wordsOf(health().slow)
+                        .find("it delivers only 12 frames per second instead of the requested 30; give it "
+                              "more light") != std::string::npos);
         QTRY_VERIFY(health().state == ViewHealth::State::Delivering);
         QCOMPARE(health().lostOnWire, 0u);
         driver.framesPerSecond = 30;

@@ -55,9 +55,9 @@ private Q_SLOTS:
     void whatCannotBeMetIsAnsweredWithTheOffer()
     {
         const std::string answer = chosen(webcam, {.framesPerSecond = 200});
-        QVERIFY(answer.starts_with("camera v4l2:/dev/video0: it does not offer what was asked for; choose of "
-                                   "what it offers: YUYV 640×480 at 30 frames/s, "));
-        QVERIFY(chosen({}, {}).find("it has no format that can be read") != std::string::npos);
+        QVERIFY(answer.starts_with("camera v4l2:/dev/video0: it does not offer the requested mode; choose "
+                                   "one that it offers: YUYV 640×480 at 30 frames/s, "));
+        QVERIFY(chosen({}, {}).find("it offers no supported format") != std::string::npos);
     }
 };
 

@@ -158,24 +158,24 @@ private Q_SLOTS:
         row("list for a number", changed("640", "[640]"), ":2: 'image_width' is not a finite number");
         row("skew", changed("500.5, 0", "500.5, 3"), ":6: 'camera_matrix' is not of the form");
         row("negative focal length", changed("500.5", "-500.5"), "not");
-        row("unknown lens", changed("plumb_bob", "bubble"), ":10: the lens model 'bubble' is not known");
+        row("unknown lens", changed("plumb_bob", "bubble"), ":10: the lens model 'bubble' is unknown");
         row("three coefficients", changed("cols: 5, data: [-0.1, 2e-2, 0, 0, 0]", "cols: 3, data: [1, 2, 3]"),
             "coefficients");
         row("doubled key", changed("image_height: 480", "image_width: 480"),
-            ":3: the key 'image_width' is there twice");
+            ":3: the key 'image_width' appears twice");
         QByteArray manyKeys;
         for (int key = 0; key < 80'000; ++key) // each was compared with all before it
             manyKeys += 'k' + QByteArray::number(key) + ": 1\n";
         row("many keys", manyKeys, ":1: the entry 'image_width' is missing");
-        row("anchor", changed("640", "&a 640"), ":2: anchors and aliases are not understood");
-        row("alias", changed("640", "*a"), ":2: it is no valid YAML (the referenced anchor is not defined)");
-        row("a list as a key", "? [a, b]\n: 2\n", ":1: a key is no text, or a bracket is not closed");
+        row("anchor", changed("640", "&a 640"), ":2: anchors and aliases are not supported");
+        row("alias", changed("640", "*a"), ":2: it is not valid YAML (the referenced anchor is not defined)");
+        row("a list as a key", "? [a, b]\n: 2\n", ":1: a key is not text, or a bracket is not closed");
         row("open bracket", changed("0, 0, 1]", "0, 0, 1"), "");
         row("open quote", changed("\"head # left\"", "\"head"), ":2: the entry 'camera_matrix' is missing");
-        row("tab", changed("  rows: 3", "\trows: 3"), ":6: it is no valid YAML (illegal map value)");
+        row("tab", changed("  rows: 3", "\trows: 3"), ":6: it is not valid YAML (illegal map value)");
         row("two documents", rosFile + "---\na: b\n", "more than one document");
         row("bad indentation", changed("  cols: 3", "    cols: 3"),
-            ":7: it is no valid YAML (illegal map value)");
+            ":7: it is not valid YAML (illegal map value)");
         row("nul", QByteArray("a\0b", 3), "it is not a UTF-8 text file");
     }
     void refusesHostileFiles()

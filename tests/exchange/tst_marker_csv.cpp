@@ -42,8 +42,8 @@ private Q_SLOTS:
         row("empty", "", ":1: the file is empty; begin the file with the line label,x_mm,y_mm");
         row("no header", "O,0,0\n", ":1: it lacks the expected header line");
         row("semicolons", "label;x_mm;y_mm\nO;0;0\n", ":1: its columns are separated by semicolons");
-        row("header only", "label,x_mm,y_mm\n", ":1: there are no markers");
-        row("doubled", "label,x_mm,y_mm\nO,0,0\nO,1,1\n", ":3: the label 'O' is in line 2 already");
+        row("header only", "label,x_mm,y_mm\n", ":1: no markers");
+        row("doubled", "label,x_mm,y_mm\nO,0,0\nO,1,1\n", ":3: line 2 already has the label 'O'");
         row("not finite", "label,x_mm,y_mm\nO,0,nan\n", ":2: y_mm 'nan' is not a finite number");
         row("too large", "label,x_mm,y_mm\nO,1e999,0\n", ":2: x_mm '1e999' is not a finite number");
         row("decimal comma", "label,x_mm,y_mm\nO,\"1,5\",0\n", ":2: x_mm '1,5' is not a finite number");

@@ -89,7 +89,7 @@ private Q_SLOTS:
         const auto missing =
             writeArchive(path("p.zip").toStdString(), {{"p.odo", path("no").toStdString()}}, {});
         QCOMPARE(missing.error().message(), "pack '" + path("no").toStdString() +
-                                                "': there is no such file; check the name and the folder");
+                                                "': the file does not exist; check the name and the folder");
         QCOMPARE(read("p.zip"), before);
         QCOMPARE(files(), QStringList({QStringLiteral("a"), QStringLiteral("p.zip")}));
         const auto refused = writeArchive("/no/such/folder/p.zip", {{"p.odo", file}}, {});
@@ -114,7 +114,7 @@ private Q_SLOTS:
         const auto refused = unpackArchive(path("p.zip").toStdString(), path("mine").toStdString(), {});
         QCOMPARE(refused.error().message(),
                  "unpack into '" + path("mine").toStdString() +
-                     "': it is there already; choose a folder that is not there yet");
+                     "': it already exists; choose a folder that does not exist yet");
         QCOMPARE(read("mine"), QByteArray("mine"));
     }
 
@@ -125,13 +125,13 @@ private Q_SLOTS:
         const auto row = [](const char *name, const QList<QByteArray> &names, const char *why) {
             QTest::addRow("%s", name) << names << QString::fromLatin1(why);
         };
-        row("climbs out", {"p.odo", "../evil"}, "'../evil' does not belong into a packed project");
+        row("climbs out", {"p.odo", "../evil"}, "'../evil' does not belong in a packed project");
         row("climbs out of the media", {"p.odo", "p.media/../../evil"}, "does not belong");
         row("absolute", {"p.odo", "/tmp/evil"}, "does not belong");
         row("another folder", {"p.odo", "q.media/x"}, "does not belong");
         row("a second project", {"p.odo", "q.odo"}, "does not belong");
         row("beside", {"p.odo", "p.odo-wal"}, "does not belong");
-        row("the same twice", {"p.odo", "p.media/x", "p.media/x"}, "'p.media/x' is in it twice");
+        row("the same twice", {"p.odo", "p.media/x", "p.media/x"}, "it contains 'p.media/x' twice");
         row("a file as a folder", {"p.odo", "p.media/x", "p.media/x/y"}, "Not a directory");
         row("its own lock", {"p.odo", "p.odo.lock"}, "does not belong");
         row("by a detour", {"p.odo", "p.media/./x"}, "does not belong");
@@ -139,7 +139,7 @@ private Q_SLOTS:
         row("a link", {"p.odo", "@p.media/x"}, "does not belong");
         row("no project", {"p.media/x"}, "does not belong");
         row("a hidden one", {".odo"}, "does not belong");
-        row("empty", {}, "there is no project in it");
+        row("empty", {}, "it contains no project");
     }
     void whatDoesNotBelongIsRefused()
     {
@@ -167,7 +167,7 @@ private Q_SLOTS:
         QCOMPARE(refused.error().message(),
                  "unpack '" + path("p.zip").toStdString() +
                      "': it unpacks to more than a hundred times its size; choose a file that Odograph has "
-                     "packed, and copy it anew if it is damaged");
+                     "packed; if it is damaged, copy it again");
         QVERIFY(writeArchive(path("q.zip").toStdString(),
                              {{"q.odo", write("a", "project")}, {"q.media/x", bomb}}, {}));
         QVERIFY(unpackArchive(path("q.zip").toStdString(), path("other").toStdString(), {}));

@@ -108,11 +108,12 @@ private Q_SLOTS:
         };
         row("empty", "", ":1: the file is empty; write the task as");
         row("no task", "[1, 2]", ":1: the file holds no task");
-        row("not closed", "{\n\"template\": \"circle\",", ":1: a key is no text, or a bracket is not closed");
+        row("not closed", "{\n\"template\": \"circle\",",
+            ":1: a key is not text, or a bracket is not closed");
         row("unknown key", "{\n\"template\": \"free\",\n\"gatez\": []}",
             ":3: the key 'gatez' is not known; use template, gates, reference_path, limits, zones or name");
         row("twice", "{\"template\": \"free\",\n\"template\": \"circle\"}",
-            ":2: the key 'template' is there twice");
+            ":2: the key 'template' appears twice");
         row("template", "{\n\"template\": \"spiral\"}",
             ":2: template 'spiral': no template has this name; use free, straight_line, circle, figure_eight "
             "or slalom");
@@ -143,7 +144,7 @@ private Q_SLOTS:
         row("two paths",
             "{\n\"reference_path\": {\"points_mm\": [[0, 0], [1, 0]], \"circle\": {\"centre_mm\": [0,0], "
             "\"radius_mm\": 5}}}",
-            ":2: the reference path is given twice");
+            ":2: the reference path has more than one shape");
         row("radius", "{\"reference_path\": {\"circle\": {\"centre_mm\": [0, 0],\n\"radius_mm\": -5}}}",
             ":2: 'radius_mm' is not above zero");
         row("radius that is zero in metres",
@@ -158,8 +159,8 @@ private Q_SLOTS:
             "{\"zones\": [\n{\"name\": \"a\", \"rule\": \"inside\", \"rectangle_mm\": [[0, 0], [1, 1]]}]}",
             ":2: rule 'inside': zones have no such rule; use stay_inside or stay_outside");
         row("no corners", "{\"zones\": [\n{\"name\": \"a\", \"rule\": \"stay_inside\"}]}",
-            ":2: the zone is given by nothing; give corners_mm, all the way round, or two opposite corners "
-            "as rectangle_mm");
+            ":2: the zone has no shape; give all corners in order as corners_mm, or two opposite corners as "
+            "rectangle_mm");
         row("rectangle",
             "{\"zones\": [{\"name\": \"a\", \"rule\": \"stay_inside\",\n\"rectangle_mm\": [[0, 0]]}]}",
             ":2: 'rectangle_mm' is not two corners; give two opposite corners: [[x, y], [x, y]]");

@@ -87,10 +87,9 @@ private Q_SLOTS:
     void stylesByName()
     {
         QVERIFY(*parseCsvStyle("continental") == CsvStyle::Continental);
-        QCOMPARE(
-            parseCsvStyle("german").error().message(),
-            std::string("style 'german' of CSV: there is no such style; choose analysis, international or "
-                        "continental"));
+        QCOMPARE(parseCsvStyle("german").error().message(),
+                 std::string("style 'german' of CSV: this style does not exist; choose analysis, "
+                             "international or continental"));
     }
     void numbersReadBackExactly()
     {

@@ -149,17 +149,16 @@ private Q_SLOTS:
         };
         const QByteArray csv = "t_s,x_mm,y_mm\n0,1,2\n";
         const QByteArray tum = "0 1 2 0 0 0 0 1\n";
-        const char *header = ":1: it has no header with a time, x and y, and is no TUM either; begin the "
-                             "file with the line t_s,x_mm,y_mm, or "
-                             "write lines of timestamp tx ty tz qx qy qz qw";
-        const char *order = "; put the lines in the order of time, each time once";
+        const char *header =
+            ":1: it has no header with a time, x and y, and it is not a TUM file; begin the file with the "
+            "line t_s,x_mm,y_mm, or write lines of timestamp tx ty tz qx qy qz qw";
+        const char *order = "; sort the lines by time, with each time only once";
         row("empty", "",
             ":1: the file is empty; begin the file with the line t_s,x_mm,y_mm, or write lines of timestamp "
             "tx ty tz qx qy qz qw");
         row("blank lines", "\n\n",
-            ":2: it has no header with a time, x and y, and is no TUM either; begin the file with the line "
-            "t_s,x_mm,y_mm, or "
-            "write lines of timestamp tx ty tz qx qy qz qw");
+            ":2: it has no header with a time, x and y, and it is not a TUM file; begin the file with the "
+            "line t_s,x_mm,y_mm, or write lines of timestamp tx ty tz qx qy qz qw");
         row("no header", "0,1,2\n1,2,3\n", header);
         row("another header", "a,b,c\n", header);
         row("header alone", "t_s,x_mm,y_mm\n",
@@ -173,11 +172,11 @@ private Q_SLOTS:
         row("UTF-16", QByteArray("\xff\xfet\0_\0s\0", 8),
             "': it is written in UTF-16; save it again as \"CSV UTF-8\" or as a UTF-8 text");
         row("NaN in TUM", tum + "1 nan 2 0 0 0 0 1\n",
-            ":2: 'nan' is not a finite number; write it with digits, like 12.5, or leave the place blank");
+            ":2: 'nan' is not a finite number; write it with digits, like 12.5, or leave the cell blank");
         row("NaN in CSV", csv + "1,NaN,2\n",
-            ":3: 'NaN' is not a finite number; write it with digits, like 12.5, or leave the place blank");
+            ":3: 'NaN' is not a finite number; write it with digits, like 12.5, or leave the cell blank");
         row("too large for a number", csv + "1,1e999,2\n",
-            ":3: '1e999' is not a finite number; write it with digits, like 12.5, or leave the place blank");
+            ":3: '1e999' is not a finite number; write it with digits, like 12.5, or leave the cell blank");
         // as many as a number may have; what follows them is not looked at
         const QByteArray letters = "nan" + QByteArray(61, '_');
         row("a time of 64 letters", csv + letters + ",1,2\n",
@@ -194,14 +193,14 @@ private Q_SLOTS:
         for (int line = 0; line <= 4000; ++line)
             many += '\n' + QByteArray::number(line) + QByteArray(2000, ',');
         row("blank places without end", many,
-            ":1502: the file has more than 1.5 million places; check that all lines are of one run");
-        row("half a place", csv + "1,,2\n", ":3: one of its two places is blank; fill in both or none");
+            ":1502: the file has more than 1.5 million positions; check that all lines are of one run");
+        row("half a place", csv + "1,,2\n", ":3: one of its two coordinates is blank; fill in both or none");
         row("backwards", csv + "2,1,2\n1,1,2\n",
-            (std::string(":4: its time is before that of the line before") + order).c_str());
+            (std::string(":4: its time is earlier than in the line before") + order).c_str());
         row("twice", csv + "1,1,2\n1,1,2\n",
-            (std::string(":4: its time is that of the line before") + order).c_str());
+            (std::string(":4: its time is the same as in the line before") + order).c_str());
         row("the same to the nanosecond", csv + "1.0000000001,1,2\n1.0000000002,1,2\n",
-            (std::string(":4: its time is that of the line before") + order).c_str());
+            (std::string(":4: its time is the same as in the line before") + order).c_str());
         row("mixed columns", csv + "1,1,2,3\n",
             ":3: it has 4 cells where the header has 3; give each line as many cells as the header");
         row("cut off", csv + "1,1\n",
@@ -209,15 +208,15 @@ private Q_SLOTS:
         row("decimal commas among commas", csv + "1,5,1,0,2,0\n",
             ":3: it has 6 cells where the header has 3; give each line as many cells as the header");
         row("far away", tum + "1 1e9 2 0 0 0 0 1\n",
-            ":2: its place is more than 100 km away; check the unit of the places: m, cm or mm");
+            ":2: its position is more than 100 km away; check the unit of the positions: m, cm or mm");
         row("over a week", csv + "604801,1,2\n",
             ":3: it is more than a week after the first line; check the unit of the times, and that all "
             "lines are of one run");
         row("unknown unit", "t [s],x [ft],y [ft]\n",
-            ":1: its column 'x [ft]' is in a unit that is not known; give times in s or ms and places in m, "
-            "cm or mm");
+            ":1: its column 'x [ft]' is in a unit that is not known; give times in s or ms and positions in "
+            "m, cm or mm");
         row("a word", csv + "1,=1+1,2\n",
-            ":3: '=1+1' is not a finite number; write it with digits, like 12.5, or leave the place blank");
+            ":3: '=1+1' is not a finite number; write it with digits, like 12.5, or leave the cell blank");
     }
     void mistakes()
     {
@@ -264,10 +263,8 @@ private Q_SLOTS:
         QByteArray text = "t_s,x_mm,y_mm\n";
         for (int i = 0; i <= 1'500'000; ++i)
             text += QByteArray::number(i) + "e-3,1,2\n";
-        QCOMPARE(
-            shown(text),
-            QStringLiteral(
-                ":1500002: the file has more than 1.5 million places; check that all lines are of one run"));
+        QCOMPARE(shown(text), QStringLiteral(":1500002: the file has more than 1.5 million positions; check "
+                                             "that all lines are of one run"));
     }
     /// Of a line, of a header, and of a whole table of which three are meant.
     void aMillionColumns()

@@ -233,9 +233,9 @@ void TestDamagedProjects::aSoundBackupIsNamed()
     store(file("class.odo"), bytes);
     const auto project = Project::open(file("class.odo"), Project::Access::ReadWrite);
     QVERIFY(!project);
-    QCOMPARE(project.error().message(), std::string("project 'class.odo': the file is damaged; copy "
-                                                    "'class.odo.bak-9', which is sound, to a new name and "
-                                                    "open that, and keep the damaged file"));
+    QCOMPARE(project.error().message(),
+             std::string("project 'class.odo': the file is damaged; copy 'class.odo.bak-9', which is intact, "
+                         "to a new name, open that copy and keep the damaged file"));
     QVERIFY(content(file("class.odo")) == bytes);
     // What it says can be done.
     fs::copy_file(file("class.odo.bak-9"), file("restored.odo"));
@@ -336,9 +336,9 @@ void TestDamagedProjects::withoutABackupThereIsNothingToRestore()
     store(file("alone.odo"), damagedContent());
     const auto restored = restoreBackup(file("alone.odo"));
     QVERIFY(!restored);
-    QCOMPARE(
-        restored.error().message(),
-        std::string("project 'alone.odo': no sound backup lies beside it; restore it from a backup copy"));
+    QCOMPARE(restored.error().message(),
+             std::string(
+                 "project 'alone.odo': no intact backup was found beside it; restore it from a backup copy"));
     QVERIFY(content(file("alone.odo")) == damagedContent());
 }
 
@@ -348,7 +348,7 @@ void TestDamagedProjects::aWindowOpensWhereThereIsABackup()
     store(file("cut.odo"), m_whole.left(5000));
     const auto alone = worthOpening(file("cut.odo"));
     QVERIFY(!alone);
-    QVERIFY2(alone.error().why.english().starts_with("the file is cut off"),
+    QVERIFY2(alone.error().why.english().starts_with("the file is incomplete"),
              alone.error().why.english().c_str());
     store(file("cut.odo.bak-9"), damagedContent());
     QVERIFY(!worthOpening(file("cut.odo")));

@@ -176,7 +176,7 @@ private Q_SLOTS:
         QTest::addColumn<QByteArray>("words");
         QTest::newRow("axes") << QStringList{u"layout"_s, u"transform"_s,   u"%P"_s,
                                              u"floor"_s,  u"--origin-at"_s, u"1e300,0"_s}
-                              << QByteArray("is not on a floor of 1 km");
+                              << QByteArray("is not within a floor of 1 km");
         QTest::newRow("rate") << QStringList{u"import"_s,  u"%P"_s,      u"--trial"_s, u"x"_s,
                                              u"--video"_s, u"A=a.mp4"_s, u"--rate"_s,  u"1e9"_s}
                               << QByteArray("from 0.1 to 100,000");

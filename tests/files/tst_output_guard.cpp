@@ -159,7 +159,7 @@ private Q_SLOTS:
         // A name that says it is a project.
         for (const char *name :
              {"new.odo", "NEW.Odo", ".odo", "table.odo", "to_new_project.csv", "seems_project.odo"})
-            add(root + '/' + name, "a name ending in .odo is for a project");
+            add(root + '/' + name, "only projects have a name ending in .odo");
         add(root, "it is a folder");
         add(root + '/', "it is a folder");
         add(".", "it is a folder");
@@ -171,7 +171,7 @@ private Q_SLOTS:
         add(root + "/letter.txt", "a file of another kind has that name");
         add(root + "/loop1", "it cannot be written (Too many levels of symbolic links)");
         add(root + '/' + std::string(300, 'n'), "its name is too long");
-        add(root + "/not there/a.csv", "there is no folder '" + root + "/not there'");
+        add(root + "/not there/a.csv", "folder '" + root + "/not there' does not exist");
         add(root + "/table.csv/a.csv", "it cannot be written (Not a directory)");
     }
     void refusals()
@@ -220,7 +220,7 @@ private Q_SLOTS:
     {
         QCOMPARE(refusal({path("letter.txt"), Existing::ReplaceAny}), std::string());
         QCOMPARE(refusal(path("letter.txt"), std::nullopt), std::string()); // the kind isn't known yet
-        QCOMPARE(refusal({path("table.csv"), Existing::Refuse}), std::string("it is there already"));
+        QCOMPARE(refusal({path("table.csv"), Existing::Refuse}), std::string("it already exists"));
         for (const char *name : {"p.odo", "hard.csv", "p.odo-wal", "p.media/new.csv", "other.odo",
                                  "foreign.db", "fifo", "new.odo", "table.odo"})
             QVERIFY2(!refusal({path(name), Existing::ReplaceAny}).empty(), name);
@@ -232,7 +232,7 @@ private Q_SLOTS:
         {
             InputFiles inputs;
             inputs.add(path("sub/../logo.png"));
-            QCOMPARE(refusal(path("logo.png")), std::string("it is an input of the same call"));
+            QCOMPARE(refusal(path("logo.png")), std::string("it is an input of the same command"));
             InputFiles recordings(foreignWords("it is a recording of the project"));
             recordings.add(path("table.csv"));
             QCOMPARE(refusal({path("hard_free.csv"), Existing::ReplaceAny}),
@@ -247,7 +247,7 @@ private Q_SLOTS:
         target.isOwnMedia = true;
         QCOMPARE(refusal(target), std::string());
         target.file = path("p.media/run_A.mkv");
-        QCOMPARE(refusal(target), std::string("it is there already"));
+        QCOMPARE(refusal(target), std::string("it already exists"));
     }
 
     void aProjectThatWasRenamedIsKnown()

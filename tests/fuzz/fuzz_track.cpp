@@ -28,7 +28,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *bytes, std::size_t cou
     for (const FileTrack &track : read->tracks) {
         for (std::size_t i = 0; i < track.positions.size(); ++i) {
             const ImportedPosition &one = track.positions[i];
-            require(i == 0 || one.time > track.positions[i - 1].time, "its times do not rise");
+            require(i == 0 || one.time > track.positions[i - 1].time, "its times do not increase");
             require(!one.position || one.position->allFinite(), "a place is no number");
         }
     }

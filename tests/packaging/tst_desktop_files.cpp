@@ -230,7 +230,7 @@ private Q_SLOTS:
         QVERIFY(byDesktop.waitForStarted());
         const ProgramRun byHand = runProgram({missing});
         QCOMPARE(byHand.exitStatus, 1);
-        QVERIFY2(byHand.err.contains("missing.odo': there is no such file; "), byHand.err.constData());
+        QVERIFY2(byHand.err.contains("missing.odo': the file does not exist; "), byHand.err.constData());
         // though it was begun before
         QVERIFY2(!byDesktop.waitForFinished(0), byDesktop.readAllStandardError().constData());
         byDesktop.kill();

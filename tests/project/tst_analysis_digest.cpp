@@ -109,9 +109,9 @@ private Q_SLOTS:
         QTest::addColumn<QString>("problem");
         QTest::addColumn<bool>("isShown"); // wherever the analysis is
         const QString results = QStringLiteral(
-            "the metrics, spikes or settings of robot 'red' are not those that its analysis gave");
+            "the stored metrics, spikes or settings of robot 'red' differ from those of its analysis");
         const QString positions =
-            QStringLiteral("the positions of robot 'red' are not those that its analysis gave");
+            QStringLiteral("the stored positions of robot 'red' differ from those of its analysis");
         const QString since = QStringLiteral(" changed since robot 'red' was analysed");
         const QString byte = QStringLiteral("=CAST(substr(%1,1,40)||x'5a'||substr(%1,42) AS BLOB)");
         const auto row = [](const char *name, const QString &sql, const QString &problem, bool isShown) {
@@ -154,9 +154,9 @@ private Q_SLOTS:
             QStringLiteral("the manual overrides have") + since, true);
         row("synchronisation of the trial",
             QStringLiteral("UPDATE trial SET sync_offset_s=0.5, sync_method='motion'"),
-            QStringLiteral("its stored synchronisation is not that of its second view"), false);
+            QStringLiteral("its stored synchronisation differs from that of its second view"), false);
         const QString markers =
-            QStringLiteral("the marker errors of registration 1 are not those that its markers give");
+            QStringLiteral("the stored marker errors of registration 1 differ from those of its markers");
         row("errors of markers in m", QStringLiteral("UPDATE registration_error SET error_m=0"), markers,
             false);
         row("errors of markers in px", QStringLiteral("UPDATE registration_error SET error_px=0"), markers,
@@ -200,9 +200,9 @@ private Q_SLOTS:
             problems,
             QStringList(
                 {QStringLiteral(
-                     "calibration 1 was chosen for it, which is camera 'A's; its newest own one is used"),
-                 QStringLiteral(
-                     "registration 1 was chosen for it, which is camera 'A's; its newest own one is used")}));
+                     "calibration 1 was chosen for it but belongs to camera 'A'; its own newest one is used"),
+                 QStringLiteral("registration 1 was chosen for it but belongs to camera 'A'; its own newest "
+                                "one is used")}));
     }
 
     void aChangedDurationIsNamed()

@@ -236,9 +236,8 @@ void TestChangeJournal::aLaterChangeOutsideOfTheJournalIsKept()
     QVERIFY(m_project->trials().setStarred(m_trial, false));
     const QStringList before = rows();
     QCOMPARE(m_project->undo().error().message(),
-             std::string(
-                 "undo 'star': what it concerns has been changed or used since; take the later change back "
-                 "first, or leave it"));
+             std::string("undo 'star': something it concerns has been changed or used since; undo the later "
+                         "change first, or leave this one"));
     QCOMPARE(rows(), before);
     QCOMPARE(m_project->undoWords().english(), std::string("star")); // as it was
 }

@@ -203,8 +203,9 @@ private Q_SLOTS:
             }
             return words;
         };
-        const QStringList changed{QStringLiteral("the recording of view 'A' was changed since it was made"),
-                                  QStringLiteral("the recording of view 'Б' was changed since it was made")};
+        const QStringList changed{
+            QStringLiteral("the recording of view 'A' has changed since it was created"),
+            QStringLiteral("the recording of view 'Б' has changed since it was created")};
         QFile file(video);
         QVERIFY(file.open(QIODevice::ReadWrite) && file.write("y") == 1);
         file.close();

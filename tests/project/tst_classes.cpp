@@ -66,9 +66,10 @@ private Q_SLOTS:
         trial.name = "Falcon 1";
         trial.team = team->id;
         QVERIFY(m_project->trials().add(trial, {}));
-        QCOMPARE(QString::fromStdString(m_project->teams().remove(team->id).error().message()),
-                 QStringLiteral(
-                     "team 'Falcon': a trial is its; delete them for good first, or archive its class"));
+        QCOMPARE(
+            QString::fromStdString(m_project->teams().remove(team->id).error().message()),
+            QStringLiteral(
+                "team 'Falcon': it has a trial; delete its trials permanently first, or archive its class"));
         const auto spare = m_project->teams().add({0, "Heron", "9B"});
         QVERIFY(m_project->teams().remove(spare->id));
         QCOMPARE(m_project->teams().remove(spare->id).error().code, ErrorCode::NotFound);
@@ -98,7 +99,7 @@ private Q_SLOTS:
         robot.name = "Blue";
         QCOMPARE(m_project->robots().set(robot).error().code, ErrorCode::AlreadyExists);
         QCOMPARE(m_project->robots().remove(filled.robot).error().why.english(),
-                 std::string("it drove in a trial"));
+                 std::string("a trial uses it"));
         QVERIFY(m_project->robots().remove(added->id));
         QCOMPARE(m_project->robots().remove(added->id).error().code, ErrorCode::NotFound);
     }

@@ -130,7 +130,7 @@ private Q_SLOTS:
             QVERIFY(!opened);
             QCOMPARE(opened.error().message(), "project '" + m_file.string() +
                                                    "': the journal beside it names another file; copy it "
-                                                   "again from where it came, or restore a backup copy");
+                                                   "again from its source, or restore a backup copy");
         }
         QCOMPARE(content(own), QByteArray("somebody's own"));
         QVERIFY(content(m_file) == whole);

@@ -158,7 +158,7 @@ private Q_SLOTS:
         for (const double value : {1e13, -1e300, std::nan(""), double(INFINITY)}) {
             trial.syncOffsetS = value;
             QCOMPARE(m_project->trials().setSync(trial).error().why.english(),
-                     std::string("a value to be stored is not a number of ordinary size"));
+                     std::string("a value to store is too large or not a number"));
         }
         RobotRecord large = robotNamed("large");
         large.lengthM = 11;
@@ -170,11 +170,11 @@ private Q_SLOTS:
     {
         const auto far = m_project->layouts().add({"far", {{"O", {0, 0}}, {"U", {1e300, 0}}}});
         QCOMPARE(far.error().message(),
-                 std::string("layout 'far': marker 'U' is not on a floor of 1 km; check the numbers"));
+                 std::string("layout 'far': marker 'U' is not within a floor of 1 km; check the numbers"));
         auto layout = *m_project->layouts().find("floor");
         layout.layout.markers[1].pointInWorld.x() = 1001;
         QCOMPARE(m_project->layouts().setPlaces(layout).error().why.english(),
-                 std::string("marker 'U' is not on a floor of 1 km"));
+                 std::string("marker 'U' is not within a floor of 1 km"));
         MarkerLayout many{"many", {}};
         for (std::size_t i = 0; i <= mostMarkers; ++i)
             many.markers.push_back({std::to_string(i), {0, 0}});

@@ -125,11 +125,9 @@ private Q_SLOTS:
     {
         const auto refused = HeldFile::take("/no/such/folder/file", Afterwards::Goes);
         QCOMPARE(refused.error().code, ErrorCode::Io);
-        QCOMPARE(
-            refused.error().message(),
-            std::string(
-                "cannot hold /no/such/folder/file: No such file or directory; check the free space and the "
-                "rights of its folder"));
+        QCOMPARE(refused.error().message(),
+                 std::string("cannot hold /no/such/folder/file: No such file or directory; check the free "
+                             "space and the permissions of its folder"));
     }
 
     void oneTrialIsRecordedAtATime()
@@ -139,8 +137,7 @@ private Q_SLOTS:
         const auto lock = RecordingLock::take(media);
         QVERIFY(lock && RecordingLock::isHeld(media));
         QVERIFY(RecordingLock::take(media).error().message().find(
-                    "a trial is being recorded into it just now; wait until that has ended") !=
-                std::string::npos);
+                    "a trial is being recorded into it now; wait until that has ended") != std::string::npos);
     }
 
     void oneWindowChangesAProject()

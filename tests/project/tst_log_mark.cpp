@@ -95,9 +95,8 @@ void editAndBeKilled(const fs::path &file, const Change &change)
 }
 
 const char *const foreign = "project 'lesson.odo': the log beside it ('lesson.odo-wal') belongs to another "
-                            "file or to another state of this one; "
-                            "move the log to another folder to open the file without it, or put the file "
-                            "back that the log belongs to";
+                            "file or to another state of this one; move the log to another folder to open "
+                            "the file without it, or restore the file that the log belongs to";
 
 } // namespace
 

@@ -61,7 +61,7 @@ private Q_SLOTS:
         const auto connection = open();
         const auto migrated = Migrator(steps).migrate(*connection);
         QVERIFY(!migrated.has_value());
-        QVERIFY2(migrated.error().message().find("could not be brought to format 3 (breaks)") !=
+        QVERIFY2(migrated.error().message().find("could not be converted to format 3 (breaks)") !=
                      std::string::npos,
                  migrated.error().message().c_str());
         QCOMPARE(*connection->number(QStringLiteral("PRAGMA user_version")), 2);
@@ -82,11 +82,9 @@ private Q_SLOTS:
         QVERIFY(connection->execute(QStringLiteral("PRAGMA user_version=9")).has_value());
         const auto migrated = Migrator(twoSteps()).migrate(*connection);
         QCOMPARE(migrated.error().code, ErrorCode::NewerFormat);
-        QCOMPARE(
-            migrated.error().message(),
-            std::string(
-                "project 'Übung.odo': it was written by a newer Odograph (format 9, this one knows formats "
-                "up to 2); open it with that Odograph, or update this one"));
+        QCOMPARE(migrated.error().message(),
+                 std::string("project 'Übung.odo': it was written by a newer Odograph (format 9, this one "
+                             "knows formats up to 2); open it with that version, or update this one"));
     }
     void copiesNeverReplaceAFile()
     {

@@ -118,12 +118,10 @@ private Q_SLOTS:
         QProcess::execute(QStringLiteral("chattr"), {QStringLiteral("-i"), file});
         QVERIFY(!opened.has_value());
         QCOMPARE(opened.error().code, ErrorCode::ReadOnly);
-        QCOMPARE(
-            opened.error().message(),
-            std::string(
-                "project 'locked.odo': it has the older format 8 and must be brought up to date before it "
-                "can be read, but it cannot be written to; copy it with its videos to a folder that you "
-                "may write to, and open the copy"));
+        QCOMPARE(opened.error().message(),
+                 std::string("project 'locked.odo': it has the older format 8 and must be updated before "
+                             "Odograph can read it, but it cannot be written to; copy it with its videos to "
+                             "a folder that you may write to, and open the copy"));
         QCOMPARE(number(old, "PRAGMA user_version"), std::int64_t(8));
         QVERIFY(!std::filesystem::exists(old.string() + ".bak-8"));
     }

@@ -40,7 +40,7 @@ private Q_SLOTS:
         QVERIFY(warning.has_value());
         QCOMPARE(warning->english(),
                  std::string(
-                     "project 'p.odo': it lies on a network disk (nfs4), where a recording can stall and two "
+                     "project 'p.odo': it is on a network disk (nfs4): a recording can stall there, and two "
                      "computers can damage it; keep it on a disk of this computer, and pack it to share it"));
         QVERIFY(!placeWarning("/mnt/class/usb/p.odo", mounts));
     }
@@ -77,9 +77,9 @@ private Q_SLOTS:
         }
         QVERIFY(warning.has_value());
         QCOMPARE(QString::fromStdString(warning->english()),
-                 QStringLiteral("project 'p.odo': it lies in a folder that %1 copies while it changes, so "
-                                "that a copy may have half "
-                                "a change; keep it on a disk of this computer, and pack it to share it")
+                 QStringLiteral(
+                     "project 'p.odo': it is in a folder that %1 copies while it changes: a copy may contain "
+                     "half a change; keep it on a disk of this computer, and pack it to share it")
                      .arg(program));
     }
 };

@@ -104,9 +104,8 @@ private Q_SLOTS:
         const auto nowhere = Project::create("/no/such/folder/a.odo", "x");
         QCOMPARE(nowhere.error().code, ErrorCode::NotFound);
         QCOMPARE(nowhere.error().message(),
-                 std::string(
-                     "project '/no/such/folder/a.odo': there is no folder '/no/such/folder'; make the folder "
-                     "first, or choose another one"));
+                 std::string("project '/no/such/folder/a.odo': folder '/no/such/folder' does not exist; "
+                             "create the folder first, or choose another one"));
         QVERIFY(!Project::create(m_file / "below a file.odo", "x").has_value());
         QCOMPARE(Project::create("/proc/a.odo", "x").error().code, ErrorCode::ReadOnly);
         QVERIFY(!Project::create(folder() / std::string(300, 'x'), "x").has_value());
@@ -171,7 +170,7 @@ private Q_SLOTS:
         QTest::newRow("empty") << QByteArray() << QStringLiteral("the file is empty");
         QTest::newRow("text") << QByteArray("hello") << QStringLiteral("it is not a project file");
         QTest::newRow("cut header") << QByteArray("SQLite format 3\0abc", 19)
-                                    << QStringLiteral("the file is cut off");
+                                    << QStringLiteral("the file is incomplete");
     }
     void saysWhyAFileIsNoProject()
     {

@@ -156,7 +156,7 @@ private Q_SLOTS:
         QVERIFY(!refused);
         QCOMPARE(refused.error().message(),
                  std::string(
-                     "layout 'doubled': the label 'O' is there twice; give each marker a label of its own"));
+                     "layout 'doubled': the label 'O' appears twice; give each marker a label of its own"));
         QVERIFY(!(*m_project)->layouts().find("doubled").has_value());
     }
 
@@ -194,8 +194,10 @@ private Q_SLOTS:
         }
         const auto unknown = (*m_project)->robots().find("x");
         QCOMPARE(unknown.error().code, ErrorCode::NotFound);
-        QCOMPARE(unknown.error().message(), std::string("robot 'x': there is no such robot in the project; "
-                                                        "it has 'red', 'blau', '機器人', 'of any look'"));
+        QCOMPARE(
+            unknown.error().message(),
+            std::string(
+                "robot 'x': the project has no such robot; it has 'red', 'blau', '機器人', 'of any look'"));
         QCOMPARE((*m_project)->robots().add(wanted[0]).error().code, ErrorCode::AlreadyExists);
     }
 
@@ -234,7 +236,7 @@ private Q_SLOTS:
         team.members = {};
         team.robots = {red, red};
         QCOMPARE((*m_project)->teams().set(team).error().message(),
-                 std::string("team 'Dynamo': a robot belongs to it twice; name each of its robots once"));
+                 std::string("team 'Dynamo': it has a robot twice; list each of its robots once"));
         team.robots = {999};
         QCOMPARE((*m_project)->teams().set(team).error().code, ErrorCode::NotFound);
         // What is refused leaves it as it was, and a robot or a team that goes takes only its own rows along.
@@ -286,13 +288,12 @@ private Q_SLOTS:
         QVERIFY(track.bytes == wanted.bytes && track.format == "csv" && track.reading == wanted.reading);
         QVERIFY(std::equal(track.samples.begin(), track.samples.end(), wanted.samples.begin(),
                            wanted.samples.end(), sameSample));
-        QCOMPARE((*m_project)->robots().remove(robot).error().why.english(),
-                 std::string("it drove in a trial"));
+        QCOMPARE((*m_project)->robots().remove(robot).error().why.english(), std::string("a trial uses it"));
         QVERIFY((*m_project)->check(false)->empty());
 
         std::swap(wanted.samples[3], wanted.samples[4]);
         QCOMPARE((*m_project)->trials().addImportedTrack(wanted).error().message(),
-                 std::string("track 'lauf ß.txt': its times do not rise; import another file"));
+                 std::string("track 'lauf ß.txt': its times do not increase; import another file"));
         wanted.samples.clear();
         QCOMPARE((*m_project)->trials().addImportedTrack(wanted).error().why.english(),
                  std::string("it has no samples"));

@@ -160,9 +160,9 @@ private Q_SLOTS:
         QVERIFY(!m_project->isInPlace());
         const auto refused = m_project->setTitle("nowhere");
         QVERIFY(!refused);
-        QCOMPARE(refused.error().message(), std::string("project 'lesson.odo': its file was deleted, renamed "
-                                                        "or replaced while it was open; nothing was stored; "
-                                                        "put it back in its place and try again"));
+        QCOMPARE(refused.error().message(),
+                 std::string("project 'lesson.odo': its file was deleted, renamed or replaced while it was "
+                             "open; nothing was stored; move it back to its place and try again"));
         m_project->keepWritingWhenLost();
         QVERIFY(m_project->setTitle("afterwards"));
         const auto rescued = rescueProject(*m_project);
@@ -201,7 +201,7 @@ private Q_SLOTS:
         QVERIFY(!refused);
         QCOMPARE(refused.error().message(),
                  std::string("project 'lesson.odo': another program wrote over its file while it was open; "
-                             "nothing more was stored; open it again; if you were recording, look for stray "
+                             "nothing more was stored; open it again; if you were recording, find stray "
                              "files (odograph check --adopt)"));
         QVERIFY(m_project->isOverwritten());
         QVERIFY(!m_project->writeBack());

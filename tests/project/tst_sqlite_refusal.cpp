@@ -75,7 +75,7 @@ private Q_SLOTS:
         setrlimit(RLIMIT_FSIZE, &before);
         QVERIFY(error);
         QVERIFY2(error->message().find(
-                     "the disk is full, the change was not saved; make room on the disk and try again") !=
+                     "the disk is full, the change was not saved; free some disk space and try again") !=
                      std::string::npos,
                  error->message().c_str());
     }

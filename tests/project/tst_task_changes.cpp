@@ -204,9 +204,9 @@ void TestTaskChanges::whatIsUsedIsNotRemoved()
     const RecordId id = task("Line").id;
     measure(id);
     QCOMPARE(QString::fromStdString(tasks().remove(id).error().message()),
-             QStringLiteral("task 'Line': a trial has it; give them another task first"));
+             QStringLiteral("task 'Line': a trial uses it; give them another task first"));
     QVERIFY(m_project->trials().setTask(m_filled.trial, ""));
-    QCOMPARE(tasks().remove(id).error().why.english(), std::string("trials were measured by it"));
+    QCOMPARE(tasks().remove(id).error().why.english(), std::string("its rules were used to measure trials"));
     const auto spare = tasks().add({0, "Spare", line(1)});
     QVERIFY(tasks().setScoring(spare->id, {{"laps", 3, 0, 10}}));
     QVERIFY(tasks().remove(spare->id));

@@ -67,7 +67,7 @@ private Q_SLOTS:
         TrialRepository &trials = m_project->trials();
         const auto refused = trials.removeForGood(m_filled.trial);
         QCOMPARE(refused.error().code, ErrorCode::InvalidInput);
-        QVERIFY(refused.error().message().find("it is not in the bin; put it into the bin first") !=
+        QVERIFY(refused.error().message().find("it is not in the bin; move it to the bin first") !=
                 std::string::npos);
         QVERIFY(trials.currentObservations(m_filled.recordings.front(), m_filled.robot)->has_value());
 
@@ -85,7 +85,7 @@ private Q_SLOTS:
         QCOMPARE(*removed, paths);
         QVERIFY(trials.all()->empty());
         for (const ProjectProblem &problem : m_project->check(false).value_or(std::vector<ProjectProblem>()))
-            QVERIFY2(problem.what.english().find("calibration picture") != std::string::npos,
+            QVERIFY2(problem.what.english().find("calibration image") != std::string::npos,
                      problem.what.english().c_str()); // never were
         const auto connection = ProjectConnection::open(m_file, DatabaseAccess::ReadOnly);
         for (const char *table :

@@ -99,7 +99,7 @@ private Q_SLOTS:
         QCOMPARE((*m_project)->tasks().add({0, "empty", {}}).error().code, ErrorCode::AlreadyExists);
         const auto missing = (*m_project)->tasks().find("x");
         QCOMPARE(missing.error().message(),
-                 std::string("task 'x': there is no such task in the project; it has 'Übung 1', 'empty'"));
+                 std::string("task 'x': the project has no such task; it has 'Übung 1', 'empty'"));
     }
 
     void aTaskThatCannotBeMeasuredIsRefusedWhole()
@@ -284,7 +284,7 @@ private Q_SLOTS:
         AnalysisRecord analysis = m_source.analysis(filled->trial, filled->robot, 5);
         analysis.profile.metrics[1].value = std::numeric_limits<double>::quiet_NaN();
         QCOMPARE((*m_project)->analyses().add(analysis).error().message(),
-                 std::string("metric 'duration': it is not a finite number; analyse the trial again"));
+                 std::string("metric 'duration': it is not a finite number; reanalyse the trial"));
         analysis = m_source.analysis(filled->trial, filled->robot, 5);
         analysis.profile.points.pop_back();
         QCOMPARE((*m_project)->analyses().add(analysis).error().code, ErrorCode::InvalidInput);

@@ -88,9 +88,8 @@ private Q_SLOTS:
         const auto empty = renderVideo(scene, 0, "a.mkv", lossless(), {});
         QVERIFY(!empty.has_value());
         QCOMPARE(empty.error().message(),
-                 std::string(
-                     "cannot render a.mkv: camera A takes no frame while the scene lasts; give the scene a "
-                     "longer duration or start the camera earlier"));
+                 std::string("cannot render a.mkv: camera A takes no frame during the scene; give the scene "
+                             "a longer duration or start the camera earlier"));
     }
 };
 

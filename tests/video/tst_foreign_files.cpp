@@ -182,7 +182,7 @@ void TestForeignFiles::refusedPixelFormats()
     QVERIFY(!reader.has_value());
     QCOMPARE(reader.error().code, ErrorCode::InvalidInput);
     QVERIFY2(reader.error().message().find(pixelFormat.toStdString() +
-                                           " is not read; convert it to 8-bit YUV") != std::string::npos,
+                                           " is not supported; convert it to 8-bit YUV") != std::string::npos,
              reader.error().message().c_str());
 }
 

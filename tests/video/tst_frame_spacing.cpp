@@ -20,7 +20,7 @@ private Q_SLOTS:
             times.push_back(40ms * i + (i % 5 == 4 ? 25ms : 0ms));
         QCOMPARE(unevenRateWords(times).english(),
                  std::string(
-                     "its frame rate varies, pictures are 15 to 65 ms apart; each counts at its own time"));
+                     "its frame rate varies: frames are 15 to 65 ms apart; each frame keeps its own time"));
         QCOMPARE(spacingOf(times).usual, Nanoseconds(40ms));
         QVERIFY(spacingOf(times).isVariable);
     }

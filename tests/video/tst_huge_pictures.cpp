@@ -89,7 +89,7 @@ private Q_SLOTS:
         QVERIFY(!frame);
         QCOMPARE(frame.error().code, ErrorCode::InvalidInput);
         QVERIFY2(frame.error().message().find(
-                     "more than 50 megapixels or 32000 pixels a side are not read; make it smaller") !=
+                     "the limit is 50 megapixels and 32000 pixels a side; make it smaller") !=
                      std::string::npos,
                  frame.error().message().c_str());
     }
@@ -159,7 +159,7 @@ private Q_SLOTS:
         QCOMPARE(reader.has_value(), isRead);
         if (!isRead)
             QCOMPARE(reader.error().message(), "cannot open the video " + path("long.mkv").string() +
-                                                   ": its pictures have more than 100 megapixels or 32000 "
+                                                   ": its frames have more than 100 megapixels or 32000 "
                                                    "pixels a side; convert it to a smaller size");
     }
 
@@ -215,9 +215,10 @@ private Q_SLOTS:
             const auto frame = (*reader)->next();
             QVERIFY(!frame);
             QCOMPARE(frame.error().code, ErrorCode::Unavailable);
-            QCOMPARE(frame.error().message(), "cannot decode frame 0 of " + path("large.mkv").string() +
-                                                  ": this computer has not enough free memory for it; what "
-                                                  "was saved is safe; close other programs and try again");
+            QCOMPARE(frame.error().message(),
+                     "cannot decode frame 0 of " + path("large.mkv").string() +
+                         ": this computer does not have enough free memory for it; what was saved is safe; "
+                         "close other programs and try again");
         }
         QVERIFY((*reader)->frameAt(0));
     }

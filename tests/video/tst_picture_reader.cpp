@@ -220,7 +220,7 @@ void TestPictureReader::writesOnlyWhatItKnows()
 {
     const auto written = writePicture(rampFrame(), path("file.gif"));
     QVERIFY(!written);
-    QVERIFY2(written.error().message().find("its format is not known; check the folder, the free space, and "
+    QVERIFY2(written.error().message().find("its format is unknown; check the folder, the free space, and "
                                             "that the name ends in .png or .jpg") != std::string::npos,
              written.error().message().c_str());
     QVERIFY(!std::filesystem::exists(path("file.gif")));
@@ -308,8 +308,8 @@ void TestPictureReader::refusals_data()
         QTest::newRow(name) << QByteArray::fromStdString(content) << QString::fromLatin1(words);
     };
     const std::string png = "\x89PNG\r\n\x1a\n\0\0\0\rIHDR"s;
-    const char *noPicture = "it is no PNG";
-    const char *tooLarge = "more than 50 megapixels";
+    const char *noPicture = "it is not a PNG";
+    const char *tooLarge = "50 megapixels";
     row("empty", "", noPicture);
     row("text", "a letter", noPicture);
     row("png header alone", png, noPicture);

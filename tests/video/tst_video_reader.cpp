@@ -283,14 +283,15 @@ void TestVideoReader::refusals_data()
 {
     QTest::addColumn<QString>("name");
     QTest::addColumn<QString>("words");
-    QTest::newRow("missing") << QStringLiteral("missing.mp4") << QStringLiteral("there is no such file");
+    QTest::newRow("missing") << QStringLiteral("missing.mp4") << QStringLiteral("the file does not exist");
     QTest::newRow("folder") << QStringLiteral("folder") << QStringLiteral("it is a folder");
     QTest::newRow("empty") << QStringLiteral("empty.mp4") << QStringLiteral("the file is empty");
-    QTest::newRow("text") << QStringLiteral("text.mp4") << QStringLiteral("it is not a video");
+    QTest::newRow("text") << QStringLiteral("text.mp4")
+                          << QStringLiteral("it is not a supported kind of video");
     QTest::newRow("noise") << QStringLiteral("noise.mkv") << QStringLiteral("");
     QTest::newRow("device") << QStringLiteral("/dev/null") << QStringLiteral("it is a device");
     QTest::newRow("address") << QStringLiteral("http://127.0.0.1/a.mkv")
-                             << QStringLiteral("there is no such file");
+                             << QStringLiteral("the file does not exist");
 }
 
 void TestVideoReader::refusals()

@@ -100,8 +100,8 @@ private Q_SLOTS:
                  QStringLiteral("--camera"), QStringLiteral("A=v4l2:/dev/video9")});
         QCOMPARE(failed.exitStatus, 1);
         QCOMPARE(failed.err.trimmed(),
-                 QByteArray("odograph: camera v4l2:/dev/video9: it is not there; plug it in, or choose one "
-                            "of those that odograph cameras lists"));
+                 QByteArray("odograph: camera v4l2:/dev/video9: it is not connected; plug it in, or choose a "
+                            "camera that odograph cameras lists"));
     }
 
 private:

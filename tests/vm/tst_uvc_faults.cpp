@@ -94,8 +94,8 @@ private Q_SLOTS:
     void frozen()
     {
         m_a->setStalled(true);
-        isToldSoon(0,
-                   "it is there but sends no pictures; look at its cable, or plug it in again if that lasts");
+        isToldSoon(
+            0, "it is connected but sends no frames; check its cable; if this continues, plug it in again");
         theOtherGoesOn();
         m_a->setStalled(false);
         returns(0);
@@ -106,7 +106,7 @@ private Q_SLOTS:
         m_a->unplug();
         isToldSoon(0, "plug it in again");
         auto stranger = playedCamera(0, "Camera C", "C3");
-        QTRY_VERIFY2(troubleOf(*m_session, 0).contains("is in its place; plug Camera A"),
+        QTRY_VERIFY2(troubleOf(*m_session, 0).contains("has replaced it; plug Camera A"),
                      troubleOf(*m_session, 0));
         theOtherGoesOn();
         stranger.reset();

@@ -66,11 +66,11 @@ private Q_SLOTS:
             return m_source->set(id, value).error().message();
         };
         QCOMPARE(message("brightness", 300),
-                 std::string("camera v4l2:/dev/video0?size=320x180&rate=25&format=YUYV: Brightness goes from "
-                             "0 to 255; choose a value between"));
-        QVERIFY(message("brightness", std::nan("")).find("goes from") != std::string::npos);
+                 std::string("camera v4l2:/dev/video0?size=320x180&rate=25&format=YUYV: Brightness ranges "
+                             "from 0 to 255; choose a value between"));
+        QVERIFY(message("brightness", std::nan("")).find("ranges from") != std::string::npos);
         QVERIFY(message("read_only_integer_32_bits", 1)
-                    .find("cannot be set as the camera stands now; turn off the automatic") !=
+                    .find("cannot be set in the camera's current mode; first turn off the automatic") !=
                 std::string::npos);
         QCOMPARE(m_source->set("warp", 1).error().code, ErrorCode::NotFound);
         QCOMPARE(m_source->set("menu", 3).error().code, ErrorCode::InvalidInput);

@@ -186,7 +186,7 @@ private Q_SLOTS:
         QVERIFY(!source);
         QCOMPARE(source.error().code, ErrorCode::Unavailable);
         QVERIFY(source.error().message().find(
-                    "it failed (Invalid argument); unplug it and plug it in again if that lasts") !=
+                    "it failed (Invalid argument); if this continues, unplug it and plug it in again") !=
                 std::string::npos);
         QVERIFY(camera()); // the error is gone, and nothing was left open
     }
@@ -239,11 +239,9 @@ private Q_SLOTS:
             const auto slow = views()[0].slow;
             return slow ? slow->error.message() : std::string();
         };
-        QTRY_VERIFY2(
-            words().ends_with(
-                "it takes only 10 pictures a second of the 50 it was asked for; give it more light or "
-                "a shorter exposure, or ask for a lower rate"),
-            words().c_str());
+        QTRY_VERIFY2(words().ends_with("it delivers only 10 frames per second instead of the requested 50; "
+                                       "give it more light or a shorter exposure, or ask for a lower rate"),
+                     words().c_str());
         QTRY_COMPARE(views()[0].state, ViewHealth::State::Delivering);
         QVERIFY(!views()[1].slow);
         setRate(50);
@@ -261,7 +259,7 @@ private Q_SLOTS:
         const auto none = source->next();
         QVERIFY(!none);
         QCOMPARE(none.error().code, ErrorCode::Unavailable);
-        QVERIFY2(none.error().message().find("/dev/video0 gives no pictures") != std::string::npos,
+        QVERIFY2(none.error().message().find("/dev/video0 sends no frames") != std::string::npos,
                  none.error().message().c_str());
         QVERIFY(shell("rm /dev/video0 && echo vivid.0 >/sys/bus/platform/drivers/vivid/bind"));
         QCOMPARE(take(*source, 5).pictures.size(), std::size_t(5));

@@ -171,7 +171,8 @@ private Q_SLOTS:
         const auto source = openCamera("v4l2:/dev/video0?format=MJPG");
         QVERIFY(!source);
         QVERIFY(source.error().message().find(
-                    "it does not offer what was asked for; choose of what it offers: ") != std::string::npos);
+                    "it does not offer the requested mode; choose one that it offers: ") !=
+                std::string::npos);
     }
 
     void whoMayNotIsToldWhatToDo()

@@ -212,11 +212,11 @@ private Q_SLOTS:
         const auto problems = m_project->check(true);
         QCOMPARE(problems->size(), std::size_t(2));
         QCOMPARE(problems->at(0).what.english(),
-                 std::string("the calibration picture 'board 0.png' of camera 'Cam/1' is missing"));
+                 std::string("the calibration image 'board 0.png' of camera 'Cam/1' is missing"));
         QCOMPARE(
             problems->at(1).what.english(),
             std::string(
-                "the calibration picture 'board 1.png' of camera 'Cam/1' was changed since it was made"));
+                "the calibration image 'board 1.png' of camera 'Cam/1' has changed since it was created"));
     }
     void whatFailsLeavesNothing()
     {
@@ -251,8 +251,8 @@ private Q_SLOTS:
             {"another resolution", "the first image 640×360; use images of one camera at one resolution"},
             {"the same pose again",
              "the board is in the same position as in p.png; move it elsewhere, turn it or tilt it"},
-            {"no such file", "there is no such file; check the name and the folder"},
-            {"not a picture", "it is no PNG, JPEG, BMP, TIFF or PNM picture"},
+            {"no such file", "the file does not exist; check the name and the folder"},
+            {"not a picture", "it is not a PNG, JPEG, BMP, TIFF or PNM image"},
             {"damaged picture", "its content is damaged or cut short"},
             {"empty video", "the file is empty"},
             {"too few", "calibration needs three images of the board, 2 can be used; take ten or more"},

@@ -40,7 +40,7 @@ private Q_SLOTS:
         CopyJob job(path("nowhere/copy.odo"));
         const auto refused = runToEnd(job, *m_project, {});
         QVERIFY(!refused);
-        QVERIFY2(refused.error().message().find("there is no folder") != std::string::npos,
+        QVERIFY2(refused.error().message().find("does not exist") != std::string::npos,
                  refused.error().message().c_str());
     }
 

@@ -44,7 +44,7 @@ private Q_SLOTS:
         QVERIFY(run("Trial 1", folder));
         const auto again = run("Trial 1", folder);
         QCOMPARE(again.error().code, ErrorCode::AlreadyExists);
-        QVERIFY(again.error().message().find("it is there already; choose another name or folder") !=
+        QVERIFY(again.error().message().find("it already exists; choose another name or folder") !=
                 std::string::npos);
     }
 

@@ -77,7 +77,7 @@ private Q_SLOTS:
             << QByteArray("class,team\n9B,Falcon\n9B," + QByteArray(201, 'x') + "\n9B,two\x01words\n")
             << "line 3: ";
         QTest::addRow("very many") << "class,team\n" + QByteArray("9B,\n").repeated(12)
-                                   << "; line 11 has no team; and 2 lines more";
+                                   << "; line 11 has no team; and 2 more lines";
     }
     void badLinesAreTold()
     {

@@ -257,11 +257,11 @@ private Q_SLOTS:
             std::string(
                 "import of trial 'lap': the project already has a trial of that name; choose another name"));
         QCOMPARE(errorOf(settingsOf("new", "nowhere.csv")),
-                 std::string("'nowhere.csv': there is no such file; check the name and the folder"));
+                 std::string("'nowhere.csv': the file does not exist; check the name and the folder"));
         const auto bad = write("bad.csv", "t_s,x_mm,y_mm\n0,0,0\n0,0,0\n");
         QCOMPARE(errorOf(settingsOf("new", bad)),
-                 bad.string() + ":3: its time is that of the line before; put the lines in the order of "
-                                "time, each time once");
+                 bad.string() + ":3: its time is the same as in the line before; sort the lines by time, "
+                                "with each time only once");
         ImportTracksSettings twice = settingsOf("new", write("lap.csv", circle()));
         twice.tracks.push_back(twice.tracks.front());
         QCOMPARE(errorOf(twice),

@@ -26,8 +26,8 @@ private Q_SLOTS:
         for (int i = 0; i < 60; ++i)
             times.push_back(std::chrono::milliseconds(40 * i + (i % 5 == 4 ? 25 : 0)));
         const auto warnings = imported("uneven", times);
-        QCOMPARE(warnings, std::vector<std::string>{"video 'uneven.mkv': its frame rate varies, pictures are "
-                                                    "15 to 65 ms apart; each counts at its own time"});
+        QCOMPARE(warnings, std::vector<std::string>{"video 'uneven.mkv': its frame rate varies: frames are "
+                                                    "15 to 65 ms apart; each frame keeps its own time"});
         const auto stored =
             m_project->trials().recordings(m_project->trials().find("uneven")->id)->front().frameTimes;
         QCOMPARE(stored, times);

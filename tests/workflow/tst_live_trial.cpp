@@ -133,8 +133,8 @@ void TestLiveTrial::aCameraThatTookTooFewPicturesIsTold()
     QVERIFY(runToEnd(**live, *sitting.project, {}));
     QCOMPARE(test::english((*live)->warnings()),
              std::vector<std::string>{
-                 "view 'B': camera play:: it takes only 10 pictures a second of the 30 it was asked "
-                 "for; give it more light or a shorter exposure, or ask for a lower rate"});
+                 "view 'B': camera play:: it delivers only 10 frames per second instead of the requested 30; "
+                 "give it more light or a shorter exposure, or ask for a lower rate"});
 }
 
 void TestLiveTrial::oneThatIsGivenUpLeavesNothingBehind()
@@ -244,7 +244,7 @@ void TestLiveTrial::whatIsBeingRecordedIsLeftAlone()
     TrialRecord second;
     second.name = "second";
     QCOMPARE(LiveTrial::begin(*sitting.project, second, {"A", "B"}, *sitting.session).error().why.english(),
-             std::string("a trial is being recorded into it just now"));
+             std::string("a trial is being recorded into it now"));
 }
 
 void TestLiveTrial::aMissingFileIsWaitedFor()
@@ -365,8 +365,8 @@ void TestLiveTrial::aProjectThatIsNoLongerThereIsNotRecordedInto()
     QVERIFY(!live);
     QCOMPARE(live.error().code, ErrorCode::NotFound);
     QCOMPARE(live.error().message(),
-             std::string("recording of trial 'run': the project file no longer exists; put its disk or "
-                         "folder back where it was; nothing was recorded"));
+             std::string("recording of trial 'run': the project file no longer exists; reconnect its "
+                         "disk, or move its folder back; nothing was recorded"));
     QVERIFY(!QFile::exists(sitting.folder.filePath(QStringLiteral("p.media"))));
     QVERIFY(QFile::rename(file + QStringLiteral(".away"), file));
     QVERIFY(sitting.begin());
@@ -385,8 +385,8 @@ void TestLiveTrial::aDiskThatIsTakenAwayKeepsTheTrial()
         QTRY_VERIFY((sitting.a->pictures(1), sitting.b->pictures(1), sitting.session->health().disk.ended));
         const auto ended = runToEnd(**live, *sitting.project, {});
         QVERIFY(!ended);
-        QVERIFY2(ended.error().message().ends_with("its file is no longer there; put its disk or folder back "
-                                                   "where it was; what was recorded so far is there"),
+        QVERIFY2(ended.error().message().ends_with("its file is no longer there; reconnect its disk, or move "
+                                                   "its folder back; it holds what was recorded so far"),
                  ended.error().message().c_str());
         QVERIFY(sitting.trial().unfinished);
         QVERIFY(QDir().rename(media + QStringLiteral(".away"), media));

@@ -107,9 +107,8 @@ private Q_SLOTS:
         QVERIFY(!done);
         QCOMPARE(done.error().code, ErrorCode::InvalidInput);
         QCOMPARE(QString::fromStdString(done.error().message()),
-                 QStringLiteral("%1 'mark frame 12 of Trial 1 as a spike': what it concerns has been changed "
-                                "or used since; take the later "
-                                "change back first, or leave it")
+                 QStringLiteral("%1 'mark frame 12 of Trial 1 as a spike': something it concerns has been "
+                                "changed or used since; undo the later change first, or leave this one")
                      .arg(isRedo ? QStringLiteral("redo") : QStringLiteral("undo")));
         QCOMPARE(contentOf(*project), before);
         QVERIFY(outside->undo()); // then it can be

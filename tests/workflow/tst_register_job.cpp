@@ -95,13 +95,13 @@ private Q_SLOTS:
                 file.write("changed") == 7);
         file.close();
         QCOMPARE(m_project->check(true)->front().what.english(),
-                 std::string("the picture of registration 1 of camera 'A/1' was changed since it was made"));
+                 std::string("the image of registration 1 of camera 'A/1' has changed since it was created"));
         std::filesystem::remove(kept);
         const ProjectProblem problem = m_project->check(false)->front();
         QCOMPARE(problem.what.english(),
-                 std::string("the picture of registration 1 of camera 'A/1' is missing"));
+                 std::string("the image of registration 1 of camera 'A/1' is missing"));
         QCOMPARE(problem.advice.english(),
-                 std::string("put the file back in its place; the registration is kept without it"));
+                 std::string("put the file back in its place; the registration remains valid without it"));
     }
 
     void whatFailsLeavesNothing()

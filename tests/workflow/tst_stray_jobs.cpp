@@ -129,8 +129,7 @@ private Q_SLOTS:
         QVERIFY(strays()->empty());
         const auto problems = m_project->check(false).value();
         QCOMPARE(problems.size(), std::size_t(1));
-        QCOMPARE(problems[0].what.english(),
-                 std::string("a project lies in the media folder of another one"));
+        QCOMPARE(problems[0].what.english(), std::string("a project is in the media folder of another one"));
     }
 
     /// Where it lies, once.

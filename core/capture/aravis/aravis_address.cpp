@@ -93,17 +93,16 @@ Result<AravisAddress> parseAravisAddress(const std::string &uri)
     if (address.place.empty())
         return fail(
             ErrorCode::InvalidInput, cameraAtAddress(uri),
-            ODO_TEXT("capture.aravis_place_missing", "it says neither an address nor a serial number"),
+            ODO_TEXT("capture.aravis_place_missing", "it contains neither an address nor a serial number"),
             joined({ODO_TEXT("capture.give_aravis_place", "give one as aravis:192.168.1.20 or aravis:SERIAL"),
                     ODO_TEXT("capture.cameras_are_listed", "odograph cameras lists them")},
                    Join::Semicolon));
     for (const CameraWish &wish : split.wishes) {
         if (!setWish(address, wish.name, wish.value))
-            return notUnderstood(
-                uri, wish.text,
-                ODO_TEXT("capture.aravis_wishes",
-                         "take rate, exposure_ms, gain, format, size, trigger=software, packet_size or "
-                         "packet_delay_us, as in ?rate=30&size=640x480"));
+            return notUnderstood(uri, wish.text,
+                                 ODO_TEXT("capture.aravis_wishes",
+                                          "use rate, exposure_ms, gain, format, size, trigger=software, "
+                                          "packet_size or packet_delay_us, as in ?rate=30&size=640x480"));
     }
     return address;
 }

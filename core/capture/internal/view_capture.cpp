@@ -244,9 +244,9 @@ std::optional<Trouble> ViewCapture::silence(Nanoseconds now) const
     return Trouble{
         {ErrorCode::Unavailable, cameraAtAddress(description().uri),
          ODO_TEXT("capture.no_picture_for",
-                  "no picture has come for %1")(quantity(std::floor(toSeconds(now - last)), 0, "s")),
-         joined({ODO_TEXT("capture.look_at_cable", "look at its cable"),
-                 ODO_TEXT("capture.take_off_and_on", "take it off and put it on again if it stays so")},
+                  "no frame has arrived for %1")(quantity(std::floor(toSeconds(now - last)), 0, "s")),
+         joined({ODO_TEXT("capture.look_at_cable", "check its cable"),
+                 ODO_TEXT("capture.take_off_and_on", "unplug it and plug it in again if this continues")},
                 Join::Semicolon)},
         last};
 }

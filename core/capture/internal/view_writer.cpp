@@ -165,7 +165,7 @@ Result<void> ViewWriter::checkDisk(bool isBegun)
         return odo::fail(ErrorCode::Io, recordingName(),
                          ODO_TEXT("capture.recording_file_gone", "its file is no longer there"),
                          joined({putDiskBack(),
-                                 ODO_TEXT("capture.recorded_is_there", "what was recorded so far is there")},
+                                 ODO_TEXT("capture.recorded_is_there", "it holds what was recorded so far")},
                                 Join::Semicolon));
     const std::optional<DiskRoom> room = m_disk.room(m_recording.file.parent_path());
     if (!room)
@@ -177,13 +177,14 @@ Result<void> ViewWriter::checkDisk(bool isBegun)
     }
     if (left > 0)
         return {};
-    return odo::fail(ErrorCode::Io, recordingName(),
-                     ODO_TEXT("capture.disk_full", "its disk has only %1 left, of which %2 are kept free")(
-                         quantity(static_cast<double>(room->free) / megabyte, 0, "MB"),
-                         quantity(static_cast<double>(m_disk.reserved(*room)) / megabyte, 0)),
-                     joined({ODO_TEXT("capture.make_room", "make room, or move the project to another disk"),
-                             ODO_TEXT("capture.recorded_is_kept", "what was recorded so far is kept")},
-                            Join::Semicolon));
+    return odo::fail(
+        ErrorCode::Io, recordingName(),
+        ODO_TEXT("capture.disk_full", "its disk has only %1 left, of which %2 are kept free")(
+            quantity(static_cast<double>(room->free) / megabyte, 0, "MB"),
+            quantity(static_cast<double>(m_disk.reserved(*room)) / megabyte, 0)),
+        joined({ODO_TEXT("capture.make_room", "free some disk space, or move the project to another disk"),
+                ODO_TEXT("capture.recorded_is_kept", "what was recorded so far is kept")},
+               Join::Semicolon));
 }
 
 Result<void> ViewWriter::write(Output &output, const CodedFrame &frame) const
@@ -228,15 +229,16 @@ Error ViewWriter::slowDisk(Nanoseconds waited, double fullness) const
     const auto advice =
         m_recording.lostByUs == 0
             ? std::vector<Message>{ODO_TEXT("capture.nothing_lost_yet", "nothing is lost yet"),
-                                   ODO_TEXT("capture.end_other_writers", "end what else writes to it")}
+                                   ODO_TEXT("capture.end_other_writers",
+                                            "stop other programs that write to it")}
             : std::vector<Message>{
-                  ODO_TEXT("capture.pictures_being_lost", "pictures are being lost"),
-                  ODO_TEXT("capture.record_elsewhere", "record to another disk, or fewer cameras")};
+                  ODO_TEXT("capture.pictures_being_lost", "frames are being lost"),
+                  ODO_TEXT("capture.record_elsewhere", "record to another disk, or use fewer cameras")};
     return {ErrorCode::Io,
             ODO_TEXT("capture.disk_of", "the disk of %1")(Named::file(m_recording.file.filename())),
             joined({ODO_TEXT("capture.disk_too_slow", "it is too slow"),
                     ODO_TEXT("capture.picture_waits_for_disk",
-                             "a picture has waited %1 for it, and %2 of the room to wait in is taken")(
+                             "a frame has waited %1; the write buffer is %2 full")(
                         quantity(toSeconds(waited), 1, "s"), quantity(100 * fullness, 0, "%"))},
                    Join::Colon),
             joined(advice, Join::Semicolon)};
@@ -429,7 +431,7 @@ void ViewCoder::run()
 void ViewCoder::code(Coding &coding, const Picture &picture)
 {
     auto coded =
-        orShortage([this] { return ODO_TEXT("capture.picture_of_camera", "a picture of camera %1")(m_uri); },
+        orShortage([this] { return ODO_TEXT("capture.picture_of_camera", "a frame of camera %1")(m_uri); },
                    [&] { return coding.code(picture); });
     if (!coded) {
         if (coding.writer)

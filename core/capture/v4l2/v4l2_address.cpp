@@ -19,7 +19,7 @@ tl::unexpected<Error> v4l2NotUnderstood(const std::string &uri, const std::strin
 {
     return notUnderstood(uri, part,
                          ODO_TEXT("capture.v4l2_address_example",
-                                  "write for instance v4l2:/dev/video0?size=1280x720&rate=30&format=MJPG"));
+                                  "write it like v4l2:/dev/video0?size=1280x720&rate=30&format=MJPG"));
 }
 
 template <class Number>
@@ -133,7 +133,7 @@ Result<std::shared_ptr<V4l2Device>> V4l2KnownCamera::find() const
     if (inItsPlace)
         return fail(ErrorCode::Unavailable, cameraAtAddress(m_address.uri),
                     ODO_TEXT("capture.other_camera_in_place",
-                             "another camera (%1) is in its place")((*inItsPlace)->identity().name),
+                             "another camera (%1) has replaced it")((*inItsPlace)->identity().name),
                     ODO_TEXT("capture.plug_camera_in_again", "plug %1 in again")(m_identity.name));
     if (inItsPlace.error().code == ErrorCode::NotFound)
         return tl::unexpected(v4l2Failure(m_address.uri, ENODEV));

@@ -286,14 +286,14 @@ void V4l2Source::noteSilence()
     const Message what = cameraAtAddress(m_description.uri);
     if (m_isDamaged)
         notePassing({ErrorCode::Unavailable, what,
-                     ODO_TEXT("capture.all_pictures_damaged", "all its pictures come damaged"),
+                     ODO_TEXT("capture.all_pictures_damaged", "all its frames arrive damaged"),
                      ODO_TEXT("capture.damaged_advice",
-                              "try another cable or port, or ask for fewer or smaller pictures")});
+                              "try another cable or port, or choose a lower rate or a smaller frame size")});
     else
         notePassing({ErrorCode::Unavailable, what,
-                     ODO_TEXT("capture.there_but_silent", "it is there but sends no pictures"),
+                     ODO_TEXT("capture.there_but_silent", "it is connected but sends no frames"),
                      ODO_TEXT("capture.there_but_silent_advice",
-                              "look at its cable, or plug it in again if that lasts")});
+                              "check its cable; if this continues, plug it in again")});
     if (++m_silences == silencesBeforeRestart)
         lose(Error(m_problem));
 }

@@ -74,7 +74,7 @@ private:
     [[noreturn]] static void refuseAnchors(const YAML::Mark &mark)
     {
         throw Refused{mark.line + 1,
-                      ODO_TEXT("exchange.no_anchors", "anchors and aliases are not understood")};
+                      ODO_TEXT("exchange.no_anchors", "anchors and aliases are not supported")};
     }
 
     YamlNode newNode(YamlNode::Kind kind, const YAML::Mark &mark, YAML::anchor_t anchor)
@@ -97,7 +97,7 @@ private:
     {
         if (awaitsKey())
             throw Refused{node.line, ODO_TEXT("exchange.key_is_no_text",
-                                              "a key is no text, or a bracket is not closed")};
+                                              "a key is not text, or a bracket is not closed")};
         m_open.push_back({std::move(node), {}, false});
     }
 
@@ -129,7 +129,7 @@ private:
         } else {
             if (!into.keys.insert(node.text).second)
                 throw Refused{node.line, ODO_TEXT("exchange.key_is_there_twice",
-                                                  "the key '%1' is there twice")(node.text.substr(0, 40))};
+                                                  "the key '%1' appears twice")(node.text.substr(0, 40))};
             into.node.entries.push_back({std::move(node.text), {}});
             into.hasKey = true;
         }
@@ -198,7 +198,7 @@ Result<YamlNode> parseYaml(const std::filesystem::path &file, const std::string 
     } catch (const Refused &refused) {
         return failure(refused.line, refused.why);
     } catch (const YAML::Exception &problem) {
-        return failure(problem.mark.line + 1, ODO_TEXT("exchange.no_valid_yaml", "it is no valid YAML (%1)")(
+        return failure(problem.mark.line + 1, ODO_TEXT("exchange.no_valid_yaml", "it is not valid YAML (%1)")(
                                                   foreignWords(problem.msg)));
     }
 }

@@ -50,11 +50,11 @@ Message wordsOf(DigestPart part, const std::string &name)
         return ODO_TEXT("project.task_changed", "the task has changed since robot '%1' was analysed")(robot);
     case DigestPart::Positions:
         return ODO_TEXT("project.positions_changed",
-                        "the positions of robot '%1' are not those that its analysis gave")(robot);
+                        "the stored positions of robot '%1' differ from those of its analysis")(robot);
     case DigestPart::Results:
-        return ODO_TEXT("project.results_changed",
-                        "the metrics, spikes or settings of robot '%1' are not those that its analysis gave")(
-            robot);
+        return ODO_TEXT(
+            "project.results_changed",
+            "the stored metrics, spikes or settings of robot '%1' differ from those of its analysis")(robot);
     }
     return {};
 }
@@ -402,12 +402,12 @@ Result<void> checkTrials(const ProjectConnection &connection, std::vector<Projec
             isSame = isSame &&
                      !isOther(row.real(method + figure), hasSecond ? row.real(secondId + 1 + figure) : 0);
         if (!isSame)
-            problems.push_back({hasSecond
-                                    ? ODO_TEXT("project.synchronisation_differs",
-                                               "its stored synchronisation is not that of its second view")
-                                    : ODO_TEXT("project.synchronisation_of_one_view",
-                                               "a synchronisation is stored, but it has no second view"),
-                                where, restoreProject()});
+            problems.push_back(
+                {hasSecond ? ODO_TEXT("project.synchronisation_differs",
+                                      "its stored synchronisation differs from that of its second view")
+                           : ODO_TEXT("project.synchronisation_of_one_view",
+                                      "a synchronisation is stored, but it has no second view"),
+                 where, restoreProject()});
         return {};
     });
 }
@@ -476,7 +476,7 @@ void checkRegistration(Project &project, const CameraRecord &camera, std::vector
     if (!fitsItsMarkers((*record)->registration, computedErrors(**record, lens, layout->layout)))
         problems.push_back(
             {ODO_TEXT("project.marker_errors_differ",
-                      "the marker errors of registration %1 are not those that its markers give")(
+                      "the stored marker errors of registration %1 differ from those of its markers")(
                  (*record)->id),
              cameraSubject(camera.name),
              ODO_TEXT("project.restore_or_register_again",
@@ -512,17 +512,17 @@ Result<void> checkDerivedFigures(Project &project, const ProjectConnection &conn
     ODO_TRY(checkTrials(connection, problems));
     if (auto checked = checkChoices(
             connection, "intrinsics",
-            ODO_TEXT("project.others_calibration_chosen",
-                     "calibration %1 was chosen for it, which is camera '%2's; its newest own one "
-                     "is used"),
+            ODO_TEXT(
+                "project.others_calibration_chosen",
+                "calibration %1 was chosen for it but belongs to camera '%2'; its own newest one is used"),
             problems);
         !checked)
         return checked;
     if (auto checked = checkChoices(
             connection, "registration",
-            ODO_TEXT("project.others_registration_chosen",
-                     "registration %1 was chosen for it, which is camera '%2's; its newest own one "
-                     "is used"),
+            ODO_TEXT(
+                "project.others_registration_chosen",
+                "registration %1 was chosen for it but belongs to camera '%2'; its own newest one is used"),
             problems);
         !checked)
         return checked;

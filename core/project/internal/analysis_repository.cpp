@@ -23,7 +23,7 @@ const QString newestColumns = QStringLiteral(
 
 Message analyseAgain()
 {
-    return ODO_TEXT("project.analyse_again", "analyse the trial again");
+    return ODO_TEXT("project.analyse_again", "reanalyse the trial");
 }
 
 Message lengthsDiffer()
@@ -242,8 +242,7 @@ Result<void> readSeries(const ProjectConnection &connection, AnalysisRecord &int
     const auto count = static_cast<std::int64_t>(samples.size());
     for (const Spike &spike : into.profile.spikes) {
         if (spike.sampleIndex < 0 || spike.sampleIndex >= count)
-            return damaged(
-                ODO_TEXT("project.spike_without_sample", "a spike refers to a sample that is not there"));
+            return damaged(ODO_TEXT("project.spike_without_sample", "a spike refers to a missing sample"));
     }
     into.profile.samples = std::move(samples);
     into.profile.points = std::move(points);

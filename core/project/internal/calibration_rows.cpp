@@ -13,7 +13,7 @@ namespace {
 
 Message pictureName()
 {
-    return ODO_TEXT("project.picture_name", "name of a calibration picture");
+    return ODO_TEXT("project.picture_name", "name of a calibration image");
 }
 
 Result<void> addUsed(ProjectConnection &connection, const IntrinsicsRecord &record, std::size_t position)
@@ -21,7 +21,7 @@ Result<void> addUsed(ProjectConnection &connection, const IntrinsicsRecord &reco
     const CalibrationPicture &picture = record.calibration.pictures[position];
     const StoredPicture file = position < record.files.size() ? record.files[position] : StoredPicture{};
     ODO_TRY(checkText(pictureName(), picture.view.source));
-    ODO_TRY(checkText(ODO_TEXT("project.picture_path", "path of a calibration picture"), file.path));
+    ODO_TRY(checkText(ODO_TEXT("project.picture_path", "path of a calibration image"), file.path));
     const std::filesystem::path path(file.path);
     Statement insert(connection,
                      QStringLiteral("INSERT INTO calibration_picture (intrinsics_id, position, file, rms_px, "
@@ -107,7 +107,7 @@ Result<Intrinsics> lens(const ProjectConnection &connection, RecordId id)
     const auto found = ODO_TRY(select.bind(id).firstRow());
     if (!found)
         return noSuchId(connection, RecordKind::Lens, id);
-    const Message what = ODO_TEXT("project.lens_of_project", "lens %1 of the project")(id);
+    const Message what = ODO_TEXT("project.lens_of_project", "lens calibration %1 of the project")(id);
     const auto model = ODO_TRY(fromStoredWord(lensModelWords, select.text(6), what));
     auto distortion = ODO_TRY(unpackNumbers(select.blob(7), what));
     auto covariance = ODO_TRY(unpackSquare(select.blob(8), what));

@@ -250,7 +250,7 @@ const QString registrationColumns = QStringLiteral(
 
 Result<RecordId> addRow(ProjectConnection &connection, const RegistrationRecord &record, RecordId lensId)
 {
-    ODO_TRY(checkText(ODO_TEXT("project.registration_picture_path", "path of a registration's picture"),
+    ODO_TRY(checkText(ODO_TEXT("project.registration_picture_path", "path of a registration's image"),
                       record.picture.path));
     Statement insert(
         connection,

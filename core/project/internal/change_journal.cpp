@@ -38,8 +38,8 @@ tl::unexpected<Error> refusal(const ProjectConnection &connection, int code)
 {
     return fail(ErrorCode::Internal, connection.subject(),
                 ODO_TEXT("project.change_not_noted",
-                         "the change could not be noted (%1)")(foreignWords(sqlite3_errstr(code))),
-                ODO_TEXT("project.try_again", "try it again"));
+                         "the change could not be logged (%1)")(foreignWords(sqlite3_errstr(code))),
+                ODO_TEXT("project.try_again", "try again"));
 }
 
 Result<Session> watch(const ProjectConnection &connection)
@@ -150,7 +150,7 @@ Result<void> ChangeJournal::begin(Watched how, const Message &words,
 {
     if (m_isMaking)
         return transact(m_connection, work);
-    ODO_TRY(checkText(ODO_TEXT("project.change_words", "words of a change"), words.english()));
+    ODO_TRY(checkText(ODO_TEXT("project.change_words", "description of a change"), words.english()));
     m_isMaking = true;
     auto made = (this->*how)(words, work);
     m_isMaking = false;
@@ -224,9 +224,10 @@ Result<void> ChangeJournal::apply(const Bytes &rows, const Message &what, const 
                              : sqlite3changeset_apply(m_connection.handle(), static_cast<int>(rows.size()),
                                                       bytes, nullptr, abortOnConflict, nullptr);
         if (code == SQLITE_ABORT || code == SQLITE_CONSTRAINT)
-            return fail(ErrorCode::InvalidInput, what,
-                        ODO_TEXT("project.changed_since", "what it concerns has been changed or used since"),
-                        ODO_TEXT("project.take_later_back", "take the later change back first, or leave it"));
+            return fail(
+                ErrorCode::InvalidInput, what,
+                ODO_TEXT("project.changed_since", "something it concerns has been changed or used since"),
+                ODO_TEXT("project.take_later_back", "undo the later change first, or leave this one"));
         if (code != SQLITE_OK)
             return refusal(m_connection, code);
         return tell(words, kind);

@@ -26,19 +26,19 @@ Result<void> checkMarkers(const MarkerLayout &layout)
     if (layout.markers.size() > mostMarkers)
         return fail(ErrorCode::InvalidInput, layoutSubject(layout.name),
                     ODO_TEXT("project.too_many_markers", "it has more than %1 markers")(mostMarkers),
-                    ODO_TEXT("project.leave_out_unseen_markers", "leave out those that no camera sees"));
+                    ODO_TEXT("project.leave_out_unseen_markers", "remove those that no camera sees"));
     std::set<std::string> labels;
     for (const Marker &marker : layout.markers) {
         ODO_TRY(checkName(RecordKind::Marker, marker.label));
         if (!isOnFloor(marker.pointInWorld))
             return fail(ErrorCode::InvalidInput, layoutSubject(layout.name),
                         ODO_TEXT("project.marker_off_floor",
-                                 "marker '%1' is not on a floor of 1 km")(Named::marker(marker.label)),
+                                 "marker '%1' is not within a floor of 1 km")(Named::marker(marker.label)),
                         checkTheNumbers());
         if (!labels.insert(marker.label).second)
             return fail(
                 ErrorCode::InvalidInput, layoutSubject(layout.name),
-                ODO_TEXT("project.label_twice", "the label '%1' is there twice")(Named::marker(marker.label)),
+                ODO_TEXT("project.label_twice", "the label '%1' appears twice")(Named::marker(marker.label)),
                 labelEachMarker());
     }
     return {};
@@ -124,7 +124,7 @@ Result<void> LayoutRepository::setPlaces(const LayoutRecord &layout)
         if (!std::ranges::equal(stored.layout.markers, layout.layout.markers, {}, &Marker::label,
                                 &Marker::label))
             return fail(ErrorCode::InvalidInput, layoutSubject(stored.layout.name),
-                        ODO_TEXT("project.other_labels", "the labels are not those that it has"),
+                        ODO_TEXT("project.other_labels", "the labels differ from those of the layout"),
                         ODO_TEXT("project.add_another_layout", "add another layout for other markers"));
         ODO_TRY(checkMarkers({stored.layout.name, layout.layout.markers}));
         for (std::size_t i = 0; i < layout.layout.markers.size(); ++i) {

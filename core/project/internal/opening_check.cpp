@@ -179,13 +179,13 @@ std::uintmax_t promisedBytes(const Header &header)
 
 Message copyAgain()
 {
-    return ODO_TEXT("project.copy_again", "copy it again from where it came, or restore a backup copy");
+    return ODO_TEXT("project.copy_again", "copy it again from its source, or restore a backup copy");
 }
 
 tl::unexpected<Error> cutOff(const std::filesystem::path &file, std::uintmax_t bytes, std::uintmax_t promised)
 {
     return fail(ErrorCode::InvalidInput, projectSubject(file),
-                joined({ODO_TEXT("project.file_cut_off", "the file is cut off"),
+                joined({ODO_TEXT("project.file_cut_off", "the file is incomplete"),
                         ODO_TEXT("project.has_bytes_of", "it has %1 of %2 bytes")(bytes, promised)},
                        Join::Colon),
                 copyAgain());
@@ -238,7 +238,7 @@ Result<void> checkIsFile(const std::filesystem::path &file)
         return cannotBeLookedAt(projectSubject(file), problem, checkFileMayBeRead());
     if (kind == files::Kind::Missing)
         return fail(ErrorCode::NotFound, projectSubject(file), noSuchFile(),
-                    ODO_TEXT("project.check_name_or_make", "check the name, or make a new project"));
+                    ODO_TEXT("project.check_name_or_make", "check the name, or create a new project"));
     if (Message reason = files::insteadOfFile(kind); !reason.isEmpty())
         return fail(ErrorCode::InvalidInput, projectSubject(file), std::move(reason), chooseOurFile());
     return {};
@@ -358,7 +358,7 @@ Result<int> Migrator::knownVersion(const ProjectConnection &connection) const
                     openWithThatOdograph());
     if (version < 1)
         return fail(ErrorCode::InvalidInput, connection.subject(),
-                    ODO_TEXT("project.impossible_format", "it says of itself to have the format %1")(version),
+                    ODO_TEXT("project.impossible_format", "it claims to have format %1")(version),
                     restoreFile());
     return static_cast<int>(version);
 }
@@ -384,7 +384,7 @@ Result<void> Migrator::runSteps(ProjectConnection &connection, int fromVersion, 
             return fail(
                 done.error().code, connection.subject(),
                 joined({ODO_TEXT("project.not_brought_to_format",
-                                 "it could not be brought to format %1 (%2)")(version, migration.purpose),
+                                 "it could not be converted to format %1 (%2)")(version, migration.purpose),
                         done.error().why},
                        Join::Colon),
                 done.error().advice);
@@ -402,7 +402,7 @@ Result<void> copyDatabase(const ProjectConnection &connection, const std::filesy
         return fail(code == SQLITE_READONLY || code == SQLITE_CANTOPEN ? ErrorCode::ReadOnly : ErrorCode::Io,
                     what, foreignWords(sqlite3_errstr(code)),
                     ODO_TEXT("project.choose_writable_folder",
-                             "choose a folder that can be written to and has room"));
+                             "choose a folder that can be written to and has free space"));
     ODO_TRY(checkCopy(file.temporary(), what));
     return file.publish();
 }

@@ -138,7 +138,7 @@ public:
                 report(*kept, joined({kept->name, hash.error().why}, Join::Colon), hash.error().advice);
             else if (*hash != kept->sha256)
                 report(*kept,
-                       ODO_TEXT("project.file_changed", "%1 was changed since it was made")(kept->name),
+                       ODO_TEXT("project.file_changed", "%1 has changed since it was created")(kept->name),
                        putOriginalBack());
         }
         return {};
@@ -234,8 +234,8 @@ Result<std::vector<ProjectProblem>> beyondLimits(const ProjectConnection &connec
         if (found && *found > 0)
             problems.push_back(
                 {words(*found), fileSubject(connection.file().filename()),
-                 ODO_TEXT("project.rest_not_read",
-                          "the rest is not read; change it here, or where the file comes from")});
+                 ODO_TEXT("project.rest_not_read", "Odograph does not read the rest; shorten it here, or in "
+                                                   "the program that wrote the file")});
         return found ? Result<void>() : tl::unexpected(found.error());
     };
     for (const TextColumn &text : texts) {
@@ -323,10 +323,10 @@ Result<void> checkDatabase(const ProjectConnection &connection, bool isThorough,
         return read;
     Statement references(connection, QStringLiteral("PRAGMA foreign_key_check"));
     return references.eachRow([&](const Statement &row) -> Result<void> {
-        problems.push_back({ODO_TEXT("project.row_refers_to_nothing",
-                                     "row %1 of '%2' refers to a row of '%3' that is not there")(
-                                row.text(1), row.text(0), row.text(2)),
-                            where, restoreProject()});
+        problems.push_back(
+            {ODO_TEXT("project.row_refers_to_nothing", "row %1 of '%2' refers to a missing row of '%3'")(
+                 row.text(1), row.text(0), row.text(2)),
+             where, restoreProject()});
         return {};
     });
 }
@@ -347,10 +347,11 @@ void addCalibrationFiles(Project &project, const CameraRecord &camera, std::vect
                 continue;
             files.push_back(
                 {absolutePath(project.file(), picture.path),
-                 ODO_TEXT("project.calibration_picture_of", "the calibration picture '%1' of camera '%2'")(
+                 ODO_TEXT("project.calibration_picture_of", "the calibration image '%1' of camera '%2'")(
                      Named::file(record.calibration.pictures[i].view.source), Named::camera(camera.name)),
                  picture.sha256, picture.bytes,
-                 joined({putFileBack(), ODO_TEXT("project.lens_kept", "the lens is kept without it")},
+                 joined({putFileBack(),
+                         ODO_TEXT("project.lens_kept", "the lens calibration remains valid without it")},
                         Join::Semicolon)});
         }
     }
@@ -372,10 +373,10 @@ void addRegistrationFiles(Project &project, const CameraRecord &camera, std::vec
         files.push_back(
             {absolutePath(project.file(), record.picture.path),
              ODO_TEXT("project.registration_picture_of",
-                      "the picture of registration %1 of camera '%2'")(record.id, Named::camera(camera.name)),
+                      "the image of registration %1 of camera '%2'")(record.id, Named::camera(camera.name)),
              record.picture.sha256, record.picture.bytes,
              joined({putFileBack(),
-                     ODO_TEXT("project.registration_kept", "the registration is kept without it")},
+                     ODO_TEXT("project.registration_kept", "the registration remains valid without it")},
                     Join::Semicolon)});
     }
 }
@@ -403,7 +404,7 @@ void addRecordingFiles(Project &project, std::vector<KeptFile> &kept, Problems &
                      Join::Semicolon),
                  trialSubject(trial.name),
                  ODO_TEXT("project.complete_recording",
-                          "open the project to write, which completes it: odograph record P.odo --recover")});
+                          "to complete it, open the project for writing: odograph record P.odo --recover")});
     }
     for (const RecordingRecord &recording : *recordings) {
         const std::filesystem::path file = project.resolve(recording);
@@ -418,7 +419,7 @@ void addRecordingFiles(Project &project, std::vector<KeptFile> &kept, Problems &
                              "project.put_back_or_find",
                              "put the file back in its place, or find it by its content with odograph check "
                              "P.odo --find FOLDER or Find lost videos… in the window"),
-                         ODO_TEXT("project.track_kept", "the measured track is kept without it")},
+                         ODO_TEXT("project.track_kept", "the measured track remains valid without it")},
                         Join::Semicolon)});
     }
 }

@@ -67,8 +67,8 @@ Result<void> checkRobot(const RobotRecord &robot)
         return fail(ErrorCode::InvalidInput, robotSubject(robot.name), std::move(why), std::move(advice));
     };
     if (robot.heightMode == RobotRecord::Height::Told && !robot.heightM)
-        return refuse(ODO_TEXT("project.height_not_given", "its height is to be told, but none is given"),
-                      ODO_TEXT("project.give_a_height", "give a height, or let it be estimated"));
+        return refuse(ODO_TEXT("project.height_not_given", "it needs a fixed height, but none is given"),
+                      ODO_TEXT("project.give_a_height", "enter a height, or have it estimated"));
     if (robot.heightM && !(*robot.heightM >= 0))
         return refuse(ODO_TEXT("project.height_below_floor", "its height is below the floor"),
                       ODO_TEXT("project.height_from_0", "give a height of 0 or more"));
@@ -86,14 +86,14 @@ Result<void> checkRobot(const RobotRecord &robot)
     }
     if (!(robot.referenceM.cwiseAbs().maxCoeff() <= largestRobotM))
         return refuse(ODO_TEXT("project.reference_too_far",
-                               "its reference point is farther from its centre than %1")(largest),
+                               "its reference point is more than %1 from its centre")(largest),
                       checkTheNumbers());
     if (!robot.referenceM.isZero() && robot.heightMode == RobotRecord::Height::Free)
         return refuse(
-            ODO_TEXT("project.reference_without_heading",
-                     "a reference point beside its centre takes a heading, which is not known where "
-                     "the height changes"),
-            ODO_TEXT("project.leave_one_out", "leave out one of the two"));
+            ODO_TEXT(
+                "project.reference_without_heading",
+                "a reference point off its centre needs a heading, but a robot of changing height has none"),
+            ODO_TEXT("project.leave_one_out", "use only one of the two"));
     return {};
 }
 
@@ -181,11 +181,10 @@ Result<void> RobotRepository::remove(RecordId robot)
                                                     "SELECT 1 FROM imported_track WHERE robot_id=?"));
         const auto isUsed = ODO_TRY(used.bind(robot).bind(robot).bind(robot).bind(robot).firstRow());
         if (isUsed)
-            return fail(
-                ErrorCode::InvalidInput, robotSubject(known.name),
-                ODO_TEXT("project.robot_drove", "it drove in a trial"),
-                joined({keepIt(), ODO_TEXT("project.robot_can_be_renamed", "it can be given another name")},
-                       Join::Semicolon));
+            return fail(ErrorCode::InvalidInput, robotSubject(known.name),
+                        ODO_TEXT("project.robot_drove", "a trial uses it"),
+                        joined({keepIt(), ODO_TEXT("project.robot_can_be_renamed", "you can rename it")},
+                               Join::Semicolon));
         ODO_TRY(runFor(m_connection, "DELETE FROM team_robot WHERE robot_id=?", robot));
         return runFor(m_connection, "DELETE FROM robot WHERE id=?", robot);
     });

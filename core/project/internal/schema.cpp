@@ -39,37 +39,35 @@ std::vector<Migration> projectMigrations()
     initSchema();
     return {
         sqlMigration(ODO_TEXT("project.format_1", "the first schema"), step("01_first_schema")),
-        sqlMigration(ODO_TEXT("project.format_2", "samples overruled by hand"), step("02_overrules")),
-        sqlMigration(ODO_TEXT("project.format_3", "rates of the cameras' clocks"), step("03_clock_rates")),
+        sqlMigration(ODO_TEXT("project.format_2", "manual overrides of samples"), step("02_overrules")),
+        sqlMigration(ODO_TEXT("project.format_3", "clock rates of the cameras"), step("03_clock_rates")),
         sqlMigration(ODO_TEXT("project.format_4", "tasks with gates, a reference path and limits"),
                      step("04_tasks")),
-        sqlMigration(ODO_TEXT("project.format_5", "how each view was put in step"),
+        sqlMigration(ODO_TEXT("project.format_5", "synchronisation of each view"),
                      step("05_view_synchronisation")),
-        sqlMigration(ODO_TEXT("project.format_6", "calibrations with their boards, corners and pictures"),
+        sqlMigration(ODO_TEXT("project.format_6", "calibrations with their boards, corners and images"),
                      step("06_calibration_pictures")),
-        sqlMigration(ODO_TEXT("project.format_7", "revisions that are chosen, and checks of registrations"),
+        sqlMigration(ODO_TEXT("project.format_7", "chosen revisions and registration checks"),
                      step("07_chosen_revisions")),
-        sqlMigration(ODO_TEXT("project.format_8",
-                              "trials while they are being recorded, and the raw times of "
-                              "their pictures"),
-                     step("08_running_recordings")),
-        sqlMigration(ODO_TEXT("project.format_9", "pictures of registrations"),
+        sqlMigration(
+            ODO_TEXT("project.format_8", "trials during recording, and the raw times of their frames"),
+            step("08_running_recordings")),
+        sqlMigration(ODO_TEXT("project.format_9", "images of registrations"),
                      step("09_registration_pictures")),
-        sqlMigration(ODO_TEXT("project.format_10", "what a school year needs: stars, tags, archive, bin, "
-                                                   "pseudonyms, scoring and the list of changes"),
-                     step("10_school_year")),
+        sqlMigration(
+            ODO_TEXT(
+                "project.format_10",
+                "for a school year: stars, tags, archive, bin, pseudonyms, scoring and the list of changes"),
+            step("10_school_year")),
         sqlMigration(ODO_TEXT("project.format_11", "members and robots of teams, zones and the archive of "
                                                    "tasks, and imported tracks"),
                      step("11_teams_and_zones")),
         sqlMigration(ODO_TEXT("project.format_12", "digests of analyses, and long series in chunks"),
                      step("12_proved_analyses")),
-        sqlMigration(ODO_TEXT("project.format_13", "the point of a robot that is measured"),
-                     step("13_reference_points")),
-        sqlMigration(ODO_TEXT("project.format_14", "when robots of one look could not be told apart"),
-                     step("14_doubtful_names")),
-        sqlMigration(ODO_TEXT("project.format_15", "robots that a person pointed out in a picture"),
-                     step("15_pointed_out_robots")),
-        {ODO_TEXT("project.format_16", "sentences as codes with their arguments"), storeMessages},
+        sqlMigration(ODO_TEXT("project.format_13", "reference points of robots"), step("13_reference_points")),
+        sqlMigration(ODO_TEXT("project.format_14", "periods with ambiguous robot names"), step("14_doubtful_names")),
+        sqlMigration(ODO_TEXT("project.format_15", "robots marked by hand in a frame"), step("15_pointed_out_robots")),
+        {ODO_TEXT("project.format_16", "messages as codes with their arguments"), storeMessages},
     };
 }
 

@@ -146,12 +146,12 @@ Result<void> checkSamples(const ImportedTrack &track, const std::vector<Sample> 
 {
     for (const Sample &sample : samples) {
         if (before && sample.time <= *before)
-            return refusedTrack(track, ODO_TEXT("project.times_do_not_rise", "its times do not rise"));
+            return refusedTrack(track, ODO_TEXT("project.times_do_not_rise", "its times do not increase"));
         before = sample.time;
         if ((sample.position && !sample.position->allFinite()) || !sample.covariance.allFinite() ||
             !sample.commonCovariance.allFinite())
-            return refusedTrack(
-                track, ODO_TEXT("project.position_no_number", "a position or its covariance is no number"));
+            return refusedTrack(track, ODO_TEXT("project.position_no_number",
+                                                "a position or its covariance is not a number"));
     }
     return {};
 }

@@ -71,10 +71,9 @@ Statement &Statement::bindReference(RecordId id)
 Result<void> Statement::start()
 {
     if (!m_inRange)
-        return fail(
-            ErrorCode::InvalidInput, m_connection.subject(),
-            ODO_TEXT("project.no_ordinary_number", "a value to be stored is not a number of ordinary size"),
-            ODO_TEXT("project.check_its_input", "check the input that it was computed from"));
+        return fail(ErrorCode::InvalidInput, m_connection.subject(),
+                    ODO_TEXT("project.no_ordinary_number", "a value to store is too large or not a number"),
+                    ODO_TEXT("project.check_its_input", "check the input that it was computed from"));
     if (!m_prepared || !m_query.exec())
         return failure();
     return {};
@@ -153,8 +152,8 @@ tl::unexpected<Error> Statement::failure() const
         sqliteRefusal(error.nativeErrorCode().toInt(), sqlite3_system_errno(m_connection.handle()));
     return fail(reason.code, m_connection.subject(),
                 reason.code == ErrorCode::Internal
-                    ? ODO_TEXT("project.database_refused_because",
-                               "the database refused (%1)")(foreignWords(error.databaseText().toStdString()))
+                    ? ODO_TEXT("project.database_refused_because", "the database reported an error (%1)")(
+                          foreignWords(error.databaseText().toStdString()))
                     : reason.why,
                 reason.advice);
 }
@@ -219,18 +218,18 @@ Result<void> Transaction::checkPlace() const
         return {};
     m_connection.noteStamp();
     if (m_connection.m_isOverwritten)
-        return fail(ErrorCode::Unavailable, m_connection.subject(),
-                    ODO_TEXT("project.written_over", "another program wrote over its file while it was open; "
-                                                     "nothing more was stored"),
-                    ODO_TEXT("project.open_again",
-                             "open it again; if you were recording, look for stray files "
-                             "(odograph check --adopt)"));
+        return fail(
+            ErrorCode::Unavailable, m_connection.subject(),
+            ODO_TEXT("project.written_over", "another program wrote over its file while it was open; "
+                                             "nothing more was stored"),
+            ODO_TEXT("project.open_again",
+                     "open it again; if you were recording, find stray files (odograph check --adopt)"));
     if (!m_connection.m_keepsWritingWhenLost && !m_connection.isInPlace())
         return fail(ErrorCode::Unavailable, m_connection.subject(),
                     ODO_TEXT("project.file_lost",
                              "its file was deleted, renamed or replaced while it was open; "
                              "nothing was stored"),
-                    ODO_TEXT("project.put_back_and_retry", "put it back in its place and try again"));
+                    ODO_TEXT("project.put_back_and_retry", "move it back to its place and try again"));
     return {};
 }
 
@@ -325,7 +324,7 @@ SqliteRefusal unlessShort(SqliteRefusal reason)
 
 SqliteRefusal unknownRefusal()
 {
-    return {ErrorCode::Internal, ODO_TEXT("project.database_refused", "the database refused"),
+    return {ErrorCode::Internal, ODO_TEXT("project.database_refused", "the database reported an error"),
             runProjectCheck()};
 }
 
@@ -379,11 +378,10 @@ SqliteRefusal sqliteRefusal(int resultCode, int systemError)
     case SQLITE_CONSTRAINT:
         return {ErrorCode::InvalidInput,
                 ODO_TEXT("project.refers_to_nothing",
-                         "it refers to something that is not in the project, or a value is missing"),
+                         "it refers to something missing from the project, or a value is missing"),
                 ODO_TEXT("project.add_what_it_refers_to", "add what it refers to first")};
     case SQLITE_TOOBIG:
-        return {ErrorCode::InvalidInput,
-                ODO_TEXT("project.value_too_large", "a value is too large to be stored"),
+        return {ErrorCode::InvalidInput, ODO_TEXT("project.value_too_large", "a value is too large to store"),
                 ODO_TEXT("project.split_recording", "split the recording into shorter ones")};
     default:
         return unknownRefusal();

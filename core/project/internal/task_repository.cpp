@@ -375,16 +375,16 @@ Result<void> TaskRepository::remove(RecordId task)
         if (use != used->end() && use->second.trials > 0)
             return fail(ErrorCode::InvalidInput, taskSubject(known->name),
                         use->second.trials == 1
-                            ? Message(ODO_TEXT("project.task_has_trial", "a trial has it"))
-                            : ODO_TEXT("project.task_has_trials", "%1 trials have it")(use->second.trials),
+                            ? Message(ODO_TEXT("project.task_has_trial", "a trial uses it"))
+                            : ODO_TEXT("project.task_has_trials", "%1 trials use it")(use->second.trials),
                         ODO_TEXT("project.give_another_task", "give them another task first"));
         if (use != used->end())
-            return fail(ErrorCode::InvalidInput, taskSubject(known->name),
-                        ODO_TEXT("project.measured_by_task", "trials were measured by it"),
-                        joined({keepIt(),
-                                ODO_TEXT("project.figures_without_task",
-                                         "their figures would not say any more what they were measured by")},
-                               Join::Colon));
+            return fail(
+                ErrorCode::InvalidInput, taskSubject(known->name),
+                ODO_TEXT("project.measured_by_task", "its rules were used to measure trials"),
+                joined({keepIt(), ODO_TEXT("project.figures_without_task",
+                                           "without it, their metrics would not show which rules applied")},
+                       Join::Colon));
         return removeRows(m_connection, task);
     });
 }

@@ -421,7 +421,7 @@ Result<std::vector<std::string>> TrialRepository::removeForGood(RecordId trial)
         if (!known.binned)
             return fail(ErrorCode::InvalidInput, trialSubject(known.name),
                         ODO_TEXT("project.not_in_bin", "it is not in the bin"),
-                        ODO_TEXT("project.put_into_bin_first", "put it into the bin first"));
+                        ODO_TEXT("project.put_into_bin_first", "move it to the bin first"));
         const auto recordings = ODO_TRY(this->recordings(trial));
         std::vector<std::string> files;
         for (const RecordingRecord &recording : recordings)

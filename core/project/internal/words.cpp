@@ -37,7 +37,7 @@ Message isOfNewerFormat(std::int64_t version, int newestKnown)
 
 Message openWithThatOdograph()
 {
-    return ODO_TEXT("project.open_with_that_odograph", "open it with that Odograph, or update this one");
+    return ODO_TEXT("project.open_with_that_odograph", "open it with that version, or update this one");
 }
 
 Message openWithNewerOdograph()
@@ -68,7 +68,7 @@ Message closeOtherProgram()
 
 Message diskCannotBeRead()
 {
-    return ODO_TEXT("project.disk_unreadable", "the disk could not be read, and nothing was changed");
+    return ODO_TEXT("project.disk_unreadable", "the disk could not be read; nothing was changed");
 }
 
 Message copyToAnotherDisk()

@@ -66,7 +66,7 @@ Message dataAreDamaged()
 
 Message writingFailedBefore()
 {
-    return ODO_TEXT("video.failed_before", "writing has failed before");
+    return ODO_TEXT("video.failed_before", "writing failed earlier");
 }
 
 Message copyFromCamera()

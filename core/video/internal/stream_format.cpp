@@ -152,23 +152,23 @@ Result<FrameFormat> streamFormat(const VideoInput &input)
     format.height = parameters.height;
     if (format.width <= 0 || format.height <= 0)
         return fail(ErrorCode::InvalidInput, what,
-                    ODO_TEXT("video.size_not_found", "the size of its pictures could not be found out"),
+                    ODO_TEXT("video.size_not_found", "its frame size could not be determined"),
                     copyFromCamera());
     if (libav::isTooLarge(format.width, format.height))
         return fail(ErrorCode::InvalidInput, what,
                     ODO_TEXT("video.pictures_too_large",
-                             "its pictures have more than 100 megapixels or 32000 pixels a side"),
+                             "its frames have more than 100 megapixels or 32000 pixels a side"),
                     ODO_TEXT("video.convert_to_smaller", "convert it to a smaller size"));
     if (!setChromaShifts(pixelFormat, format) || parameters.color_space == AVCOL_SPC_RGB ||
         parameters.color_space == AVCOL_SPC_YCGCO) {
         const char *name = av_get_pix_fmt_name(pixelFormat);
-        return fail(ErrorCode::InvalidInput, what,
-                    name
-                        ? ODO_TEXT("video.pixel_format_not_read",
-                                   "its pixel format %1 is not read")(std::string(name))
-                        : ODO_TEXT("video.unknown_format_not_read", "its pixel format (unknown) is not read"),
-                    ODO_TEXT("video.convert_to_yuv",
-                             "convert it to 8-bit YUV, e.g. ffmpeg -i FILE -pix_fmt yuv420p NEW.mp4"));
+        return fail(
+            ErrorCode::InvalidInput, what,
+            name ? ODO_TEXT("video.pixel_format_not_read",
+                            "its pixel format %1 is not supported")(std::string(name))
+                 : ODO_TEXT("video.unknown_format_not_read", "its pixel format (unknown) is not supported"),
+            ODO_TEXT("video.convert_to_yuv",
+                     "convert it to 8-bit YUV, e.g. ffmpeg -i FILE -pix_fmt yuv420p NEW.mp4"));
     }
     format.fullRange = isFullRange(pixelFormat, parameters);
     format.matrix = matrixOf(parameters);

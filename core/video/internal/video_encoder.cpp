@@ -138,11 +138,11 @@ Result<libav::CodecPtr> openEncoder(const FrameFormat &format, const VideoWriter
     libav::Options codecOptions;
     setRate(options, *encoder, codecOptions);
     if (const int error = avcodec_open2(encoder.get(), codec, codecOptions.get()); error < 0)
-        return fail(ErrorCode::InvalidInput, cannotEncode(),
-                    ODO_TEXT("video.encoder_not_started",
-                             "the encoder would not start (%1)")(foreignWords(libav::errorText(error))),
-                    ODO_TEXT("video.check_what_was_asked",
-                             "check the size, the frame rate and the quality that were asked for"));
+        return fail(
+            ErrorCode::InvalidInput, cannotEncode(),
+            ODO_TEXT("video.encoder_not_started",
+                     "the encoder did not start (%1)")(foreignWords(libav::errorText(error))),
+            ODO_TEXT("video.check_what_was_asked", "check the requested size, frame rate and quality"));
     return encoder;
 }
 

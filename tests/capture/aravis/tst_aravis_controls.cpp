@@ -52,11 +52,11 @@ private Q_SLOTS:
         QVERIFY(source);
         const auto none = source->set("Sharpness", 1);
         QCOMPARE(none.error().code, ErrorCode::NotFound);
-        QVERIFY(none.error().message().find("nothing named 'Sharpness'") != std::string::npos);
+        QVERIFY(none.error().message().find("no setting 'Sharpness'") != std::string::npos);
         for (const double value : {-1.0, 25.0, std::nan("")}) {
             const auto outside = source->set("Gain", value);
             QCOMPARE(outside.error().code, ErrorCode::InvalidInput);
-            QVERIFY2(outside.error().message().find("Gain goes from 0.00 to 24.00; ") != std::string::npos,
+            QVERIFY2(outside.error().message().find("Gain ranges from 0.00 to 24.00; ") != std::string::npos,
                      outside.error().message().c_str());
         }
         QCOMPARE(camera.readFloat(reg::Gain), 0.f);

@@ -124,8 +124,8 @@ void TestAravisFaults::aFrozenCameraIsToldAndGoesOn()
     QTRY_VERIFY(taker.count() > 10);
     const Nanoseconds frozen = steadyNow();
     camera.muteStream = true;
-    QTRY_VERIFY(taker.said("it answers, but sends no pictures; check its trigger"));
-    const Nanoseconds silent = *taker.said("it answers, but sends no pictures") - frozen;
+    QTRY_VERIFY(taker.said("it answers but sends no frames; check its trigger"));
+    const Nanoseconds silent = *taker.said("it answers but sends no frames") - frozen;
     qInfo("frozen: told after %.2f s", toSeconds(silent));
     QVERIFY(silent < told);
     const Nanoseconds thawed = steadyNow();
@@ -187,7 +187,7 @@ void TestAravisFaults::anExchangedCameraIsRefused()
     camera.reset();
     const Nanoseconds exchanged = steadyNow();
     camera = std::make_unique<SimulatedGigeCamera>(others, codedPainter());
-    QTRY_VERIFY_WITH_TIMEOUT(taker.said("another camera (WRONG) is in the place of camera RIGHT; "),
+    QTRY_VERIFY_WITH_TIMEOUT(taker.said("another camera (WRONG) has replaced camera RIGHT; "),
                              15000 * slowness);
     QCOMPARE(taker.countSince(exchanged), std::size_t(0)); // none of the wrong one
     QVERIFY(!camera->isControlled());
@@ -204,8 +204,8 @@ void TestAravisFaults::aSlowCameraIsNotGivenUp()
     QVERIFY(source);
     FrameTaker taker(*source);
     QTRY_VERIFY_WITH_TIMEOUT(taker.count() >= 3, 10000 * slowness);
-    QVERIFY(taker.said("no picture came for half a second"));
-    QVERIFY(!taker.said("does not answer") && !taker.said("sends no pictures"));
+    QVERIFY(taker.said("no frame arrived for half a second"));
+    QVERIFY(!taker.said("does not answer") && !taker.said("sends no frames"));
     QCOMPARE(source->counts().reconnections, 0u);
     const auto frames = taker.frames();
     QCOMPARE(frames[2].sequence - frames[0].sequence, 2u);
@@ -235,9 +235,8 @@ void TestAravisFaults::fewerPicturesThanAskedForAreTold()
         const auto slow = views()[0].slow;
         return slow ? slow->error.message() : std::string();
     };
-    QTRY_VERIFY(slowWords().ends_with(
-        "it takes only 12 pictures a second of the 30 it was asked for; give it more light "
-        "or a shorter exposure, or ask for a lower rate"));
+    QTRY_VERIFY(slowWords().ends_with("it delivers only 12 frames per second instead of the requested 30; "
+                                      "give it more light or a shorter exposure, or ask for a lower rate"));
     QTRY_VERIFY(!views()[0].trouble && !views()[1].trouble);
     QVERIFY(slowness > 1 || !views()[1].slow);
     QTRY_VERIFY(views()[0].state == ViewHealth::State::Delivering);

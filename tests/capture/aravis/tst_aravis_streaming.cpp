@@ -174,7 +174,7 @@ void TestAravisStreaming::shortPicturesAreRefusedAndSaidSo()
     }
     QVERIFY(!frame);
     QCOMPARE(frame.error().code, ErrorCode::Unavailable);
-    QVERIFY2(frame.error().message().find("its pictures come incomplete; ") != std::string::npos,
+    QVERIFY2(frame.error().message().find("its frames arrive incomplete; ") != std::string::npos,
              frame.error().message().c_str());
     QVERIFY(source->counts().damaged >= 5);
     camera.cutRows = 0;
@@ -215,12 +215,11 @@ void TestAravisStreaming::whatTheCameraCannotDoIsSaid_data()
     QTest::addColumn<QByteArray>("query");
     QTest::addColumn<QByteArray>("words");
     QTest::newRow("size") << QByteArray("size=9999x9999")
-                          << QByteArray("its pictures have 640x480 pixels at most; ");
-    QTest::newRow("odd size") << QByteArray("size=8x8") << QByteArray("it does not take this size (");
+                          << QByteArray("its frames have at most 640x480 pixels; ");
+    QTest::newRow("odd size") << QByteArray("size=8x8") << QByteArray("it rejects this size (");
     QTest::newRow("format") << QByteArray("format=Bayer17") << QByteArray("it has no format Bayer17 (");
-    QTest::newRow("exposure") << QByteArray("exposure_ms=0.0005")
-                              << QByteArray("it does not take this exposure (");
-    QTest::newRow("gain") << QByteArray("gain=90") << QByteArray("it does not take this gain (");
+    QTest::newRow("exposure") << QByteArray("exposure_ms=0.0005") << QByteArray("it rejects this exposure (");
+    QTest::newRow("gain") << QByteArray("gain=90") << QByteArray("it rejects this gain (");
 }
 
 void TestAravisStreaming::whatTheCameraCannotDoIsSaid()

@@ -167,7 +167,7 @@ void TestClassesDialog::teamsAreMadeRenamedAndMoved()
     QVERIFY(!find("Otter"));
     button(dialog, "&Delete")->click(); // Heron has trials
     QVERIFY(find("Heron").has_value());
-    QVERIFY(named<QLabel>(dialog, "What was done")->text().contains(QLatin1String("a trial is its")));
+    QVERIFY(named<QLabel>(dialog, "What was done")->text().contains(QLatin1String("it has a trial")));
     QSignalSpy roster(&dialog, &ClassesDialog::rosterRequested);
     button(dialog, "&Import roster…")->click();
     QCOMPARE(roster.count(), 1);

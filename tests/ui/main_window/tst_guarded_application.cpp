@@ -42,7 +42,7 @@ private Q_SLOTS:
     {
         QTest::addColumn<bool>("isShortage");
         QTest::addColumn<QString>("words");
-        QTest::newRow("memory") << true << QStringLiteral("not enough free memory");
+        QTest::newRow("memory") << true << QStringLiteral("not have enough free memory");
         QTest::newRow("unexpected") << false << QStringLiteral("something unexpected happened (no such row)");
     }
     void anExceptionEndsTheEventOnly()

@@ -89,7 +89,7 @@ private Q_SLOTS:
     {
         QTest::addColumn<QByteArray>("content");
         QTest::addColumn<QString>("words");
-        QTest::newRow("missing") << QByteArray() << "there is no such file";
+        QTest::newRow("missing") << QByteArray() << "the file does not exist";
         QTest::newRow("no project") << QByteArray(4096, 'x') << "it is not a project file";
     }
 

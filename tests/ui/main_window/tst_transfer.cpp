@@ -108,7 +108,7 @@ void TestTransfer::aProjectIsNeverReplaced()
     run(action.toUtf8().constData(), {chooseFile(taken.fileName())});
     QVERIFY(!isAsked);
     QTRY_VERIFY2(message().contains(QStringLiteral("taken.odo")) &&
-                     message().contains(QStringLiteral("a file of that name is there already")),
+                     message().contains(QStringLiteral("a file of that name already exists")),
                  qPrintable(message()));
     QVERIFY(taken.open(QIODevice::ReadOnly));
     QCOMPARE(taken.readAll(), QByteArray("precious"));

@@ -62,7 +62,7 @@ private Q_SLOTS:
         QVERIFY(window.openProject(folder / "example.odo"));
         QVERIFY(!window.workspace().isReadOnly());
         QVERIFY2(message(window).startsWith(
-                     QLatin1String("project 'example.odo': it lies in a folder that Dropbox copies")),
+                     QLatin1String("project 'example.odo': it is in a folder that Dropbox copies")),
                  qPrintable(message(window)));
         std::filesystem::remove_all(folder);
     }

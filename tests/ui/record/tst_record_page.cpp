@@ -406,7 +406,7 @@ void TestRecordPage::whatCannotBeginIsTold()
     QSignalSpy failed(m_page.get(), &RecordPage::failed);
     button()->click();
     QTRY_COMPARE_WITH_TIMEOUT(failed.size(), 1, startMs);
-    QVERIFY(failed.front().front().value<Error>().why.english().find("is being recorded into it just now") !=
+    QVERIFY(failed.front().front().value<Error>().why.english().find("is being recorded into it now") !=
             std::string::npos);
     QVERIFY(!m_page->isRecording());
     QVERIFY(trials().empty());

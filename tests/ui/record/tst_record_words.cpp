@@ -84,7 +84,7 @@ void TestRecordWords::tellsHowAllDo()
     QVERIFY2(facts[0].value.contains(QStringLiteral("none lost, 12 ms")), qPrintable(facts[0].value));
     QVERIFY(facts[0].value.endsWith(QStringLiteral("not registered")));
     QCOMPARE(facts[1].badge.state, BadgeState::Warning);
-    QVERIFY(facts[2].value.startsWith(QStringLiteral("in step to 1.2 ms")));
+    QVERIFY(facts[2].value.startsWith(QStringLiteral("synchronised to 1.2 ms")));
     QCOMPARE(facts[3].value, QStringLiteral("the map is 38 ms behind, no frame skipped"));
     health.disk.recording = true;
     health.disk.bytes = 12'400'000;
@@ -121,13 +121,12 @@ void TestRecordWords::tellsTheWorstTrouble()
     health.views[0].slow = Trouble{slowCameraError("v4l2:/dev/video2", 12.4, 30), {}};
     QCOMPARE(troubleWords(health, cameras),
              QStringLiteral(
-                 "Camera A: camera v4l2:/dev/video2: it takes only 12 pictures a second of the 30 it was "
-                 "asked for; give it more light or a shorter exposure, or ask for a lower rate."));
+                 "Camera A: camera v4l2:/dev/video2: it delivers only 12 frames per second instead of the "
+                 "requested 30; give it more light or a shorter exposure, or ask for a lower rate."));
     health.sleep = Trouble{machineSleptError(std::chrono::minutes(3)), {}};
     QCOMPARE(troubleWords(health, cameras),
-             QStringLiteral(
-                 "this computer: it slept for 3 min, and nothing was recorded meanwhile; what came before is "
-                 "kept; keep it awake while it records."));
+             QStringLiteral("this computer: it slept for 3 min and recorded nothing meanwhile; the recording "
+                            "up to then is kept; keep it awake while it records."));
     health.views[1].trouble = Trouble{gone, {}};
     QCOMPARE(troubleWords(health, cameras),
              QStringLiteral("Camera B: camera v4l2:/dev/video0: it was unplugged; plug it in again."));

@@ -308,7 +308,7 @@ private Q_SLOTS:
         const std::string said = failure("Trial 1", settings());
         setrlimit(RLIMIT_FSIZE, &before);
         QVERIFY2(said.starts_with("cannot write the video " + file().string() + ": "), said.c_str());
-        QVERIFY2(said.ends_with("; check that the folder exists, may be written to and has room"),
+        QVERIFY2(said.ends_with("; check that the folder exists, may be written to and has free space"),
                  said.c_str());
         QCOMPARE(left(), QStringList());
     }
@@ -337,10 +337,10 @@ private Q_SLOTS:
         again.target.existing = Existing::Refuse;
         std::ofstream(again.target.file) << "an older video";
         QCOMPARE(failure("Trial 1", again),
-                 "file '" + file().string() + "': it is there already; choose another name or folder");
+                 "file '" + file().string() + "': it already exists; choose another name or folder");
         AnnotatedVideoSettings nowhere = settings();
         nowhere.target = file().parent_path() / "no" / "run.mp4";
-        QVERIFY(failure("Trial 1", nowhere).find("there is no folder") != std::string::npos);
+        QVERIFY(failure("Trial 1", nowhere).find("does not exist") != std::string::npos);
         nowhere.target = file("run.xyz");
         QVERIFY(failure("Trial 1", nowhere).find("neither .mkv nor .mp4") != std::string::npos);
         QVERIFY(failure("Trial 9", settings()).find("Trial 9") != std::string::npos);

@@ -102,7 +102,7 @@ private Q_SLOTS:
         QCOMPARE(written.error().code, ErrorCode::NotFound);
         const QString words = QString::fromStdString(written.error().message());
         QVERIFY2(words.contains(QStringLiteral("nowhere/report.pdf")) &&
-                     words.contains(QStringLiteral("there is no folder")),
+                     words.contains(QStringLiteral("does not exist")),
                  qPrintable(words));
     }
     void aReportWithoutAPageIsNone()

@@ -135,7 +135,7 @@ Result<void> setAravisControl(ArvCamera *camera, const std::string &uri, const s
         return fail(
             ErrorCode::InvalidInput, cameraAtAddress(uri),
             ODO_TEXT("capture.control_automatic", "%1 cannot be set while it is automatic")(control->name),
-            ODO_TEXT("capture.turn_automatic_off", "turn the automatic off"));
+            ODO_TEXT("capture.turn_automatic_off", "turn automatic mode off"));
     if (!(value >= control->minimum && value <= control->maximum))
         return fail(ErrorCode::InvalidInput, cameraAtAddress(uri),
                     controlGoes(control->name, quantity(control->minimum, 2), quantity(control->maximum, 2)),
@@ -158,8 +158,8 @@ Result<void> setAravisControl(ArvCamera *camera, const std::string &uri, const s
     if (failure)
         return fail(ErrorCode::InvalidInput, cameraAtAddress(uri),
                     ODO_TEXT("capture.control_not_taken",
-                             "it does not take this for %1 (%2)")(control->name, failure.words()),
-                    ODO_TEXT("capture.set_to_something_else", "set it to something else"));
+                             "it rejects this value for %1 (%2)")(control->name, failure.words()),
+                    ODO_TEXT("capture.set_to_something_else", "set another value"));
     return {};
 }
 

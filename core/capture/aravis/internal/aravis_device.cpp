@@ -224,7 +224,7 @@ tl::unexpected<Error> AravisDevice::refused(const AravisAddress &wanted, Message
         return noAnswerTo(wanted);
     return fail(
         ErrorCode::InvalidInput, cameraAtAddress(wanted.uri), std::move(why),
-        ODO_TEXT("capture.ask_for_something_else", "ask it for something else, or leave that to the camera"));
+        ODO_TEXT("capture.ask_for_something_else", "use another value, or leave the choice to the camera"));
 }
 
 /// The order matters: what a picture looks like sets the bounds of the rate, and setting the rate turns a
@@ -248,9 +248,9 @@ Result<void> AravisDevice::chooseSize(const AravisAddress &wanted)
     ArvFailure failure;
     if (sensorWidth > 0 && (width > sensorWidth || height > sensorHeight))
         return fail(ErrorCode::InvalidInput, cameraAtAddress(wanted.uri),
-                    ODO_TEXT("capture.largest_picture", "its pictures have %1 pixels at most")(
+                    ODO_TEXT("capture.largest_picture", "its frames have at most %1 pixels")(
                         std::to_string(sensorWidth) + "x" + std::to_string(sensorHeight)),
-                    ODO_TEXT("capture.ask_within_sensor", "ask it for a size within that"));
+                    ODO_TEXT("capture.ask_within_sensor", "choose a size within that"));
     const auto middle = [](int sensor, int size) {
         return std::max(0, (sensor - size) / 2 / offsetStep * offsetStep);
     };
@@ -258,7 +258,7 @@ Result<void> AravisDevice::chooseSize(const AravisAddress &wanted)
                           height, failure.out());
     if (failure)
         return refused(wanted,
-                       ODO_TEXT("capture.size_not_taken", "it does not take this size (%1)")(failure.words()),
+                       ODO_TEXT("capture.size_not_taken", "it rejects this size (%1)")(failure.words()),
                        failure);
     return {};
 }
@@ -286,9 +286,9 @@ Result<void> AravisDevice::chooseFormat(const AravisAddress &wanted)
             return {};
     }
     return fail(ErrorCode::InvalidInput, cameraAtAddress(wanted.uri),
-                ODO_TEXT("capture.no_usable_format", "it has no pixel format that is understood"),
+                ODO_TEXT("capture.no_usable_format", "it offers no supported pixel format"),
                 ODO_TEXT("capture.take_camera_with_format",
-                         "take a camera that has one of %1")(namesOfUsableFormats()));
+                         "use a camera that offers one of %1")(namesOfUsableFormats()));
 }
 
 Result<void> AravisDevice::choosePace(const AravisAddress &wanted)
@@ -299,10 +299,9 @@ Result<void> AravisDevice::choosePace(const AravisAddress &wanted)
     if (wanted.framesPerSecond) {
         arv_camera_set_frame_rate(camera, *wanted.framesPerSecond, failure.out());
         if (failure)
-            return refused(
-                wanted,
-                ODO_TEXT("capture.rate_not_taken", "it does not take this rate (%1)")(failure.words()),
-                failure);
+            return refused(wanted,
+                           ODO_TEXT("capture.rate_not_taken", "it rejects this rate (%1)")(failure.words()),
+                           failure);
     } else {
         arv_camera_clear_triggers(camera, failure.out());
     }
@@ -311,20 +310,19 @@ Result<void> AravisDevice::choosePace(const AravisAddress &wanted)
             arv_camera_set_exposure_time_auto(camera, ARV_AUTO_OFF, failure.out());
         arv_camera_set_exposure_time(camera, toSeconds(*wanted.exposure) * 1e6, failure.out());
         if (failure)
-            return refused(wanted,
-                           ODO_TEXT("capture.exposure_not_taken",
-                                    "it does not take this exposure (%1)")(failure.words()),
-                           failure);
+            return refused(
+                wanted,
+                ODO_TEXT("capture.exposure_not_taken", "it rejects this exposure (%1)")(failure.words()),
+                failure);
     }
     if (wanted.gain) {
         if (arv_camera_is_gain_auto_available(camera, failure.out()))
             arv_camera_set_gain_auto(camera, ARV_AUTO_OFF, failure.out());
         arv_camera_set_gain(camera, *wanted.gain, failure.out());
         if (failure)
-            return refused(
-                wanted,
-                ODO_TEXT("capture.gain_not_taken", "it does not take this gain (%1)")(failure.words()),
-                failure);
+            return refused(wanted,
+                           ODO_TEXT("capture.gain_not_taken", "it rejects this gain (%1)")(failure.words()),
+                           failure);
     }
     if (wanted.trigger == AravisAddress::Trigger::Software) {
         arv_camera_set_trigger(camera, "Software", failure.out());
@@ -350,17 +348,17 @@ Result<void> AravisDevice::setUpTransport(const AravisAddress &wanted)
     else if (has(camera, "GevSCPSFireTestPacket"))
         arv_camera_gv_auto_packet_size(camera, failure.out());
     if (failure && wanted.packetSize)
-        return refused(wanted,
-                       ODO_TEXT("capture.packet_size_not_taken",
-                                "it does not take this packet size (%1)")(failure.words()),
-                       failure);
+        return refused(
+            wanted,
+            ODO_TEXT("capture.packet_size_not_taken", "it rejects this packet size (%1)")(failure.words()),
+            failure);
     if (wanted.packetDelay)
         arv_camera_gv_set_packet_delay(camera, wanted.packetDelay->count(), failure.out());
     if (failure && wanted.packetDelay)
-        return refused(wanted,
-                       ODO_TEXT("capture.packet_delay_not_taken",
-                                "it does not take this packet delay (%1)")(failure.words()),
-                       failure);
+        return refused(
+            wanted,
+            ODO_TEXT("capture.packet_delay_not_taken", "it rejects this packet delay (%1)")(failure.words()),
+            failure);
     arv_camera_gv_set_packet_size_adjustment(camera, ARV_GV_PACKET_SIZE_ADJUSTMENT_NEVER);
     // Packet sockets, which root would get, hold packets back for 5 ms and lose some at the start.
     arv_camera_gv_set_stream_options(camera, ARV_GV_STREAM_OPTION_PACKET_SOCKET_DISABLED);
@@ -375,29 +373,29 @@ Result<void> AravisDevice::readBack(const AravisAddress &wanted)
     if (failure)
         return refused(
             wanted,
-            ODO_TEXT("capture.format_not_told", "it does not tell its pixel format (%1)")(failure.words()),
+            ODO_TEXT("capture.format_not_told", "it does not report its pixel format (%1)")(failure.words()),
             failure);
     if (!format)
-        return fail(
-            ErrorCode::InvalidInput, cameraAtAddress(wanted.uri),
-            ODO_TEXT("capture.format_not_understood", "its pixel format is not understood"),
-            ODO_TEXT("capture.ask_for_usable_format", "ask it for one of %1")(namesOfUsableFormats()));
+        return fail(ErrorCode::InvalidInput, cameraAtAddress(wanted.uri),
+                    ODO_TEXT("capture.format_not_understood", "its pixel format is not supported"),
+                    ODO_TEXT("capture.ask_for_usable_format", "choose one of %1")(namesOfUsableFormats()));
     m_mode.format = *format;
     int x = 0, y = 0;
     arv_camera_get_region(camera, &x, &y, &m_mode.widthPx, &m_mode.heightPx, failure.out());
     if (failure)
         return refused(wanted,
-                       ODO_TEXT("capture.size_not_told", "it does not tell its size (%1)")(failure.words()),
+                       ODO_TEXT("capture.size_not_told",
+                                "it does not report its width and height (%1)")(failure.words()),
                        failure);
     if (m_mode.widthPx < 2 || m_mode.heightPx < 2)
         return fail(ErrorCode::InvalidInput, cameraAtAddress(wanted.uri),
-                    ODO_TEXT("capture.pictures_without_size", "its pictures have no size"),
+                    ODO_TEXT("capture.pictures_without_size", "its frames have no size"),
                     ODO_TEXT("capture.set_width_and_height", "set its width and height"));
     m_mode.payload = arv_camera_get_payload(camera, failure.out());
     if (failure)
         return refused(wanted,
                        ODO_TEXT("capture.payload_not_told",
-                                "it does not tell how large its pictures are (%1)")(failure.words()),
+                                "it does not report how many bytes a frame has (%1)")(failure.words()),
                        failure);
     m_mode.payload = std::max(m_mode.payload, m_mode.imageSize());
     m_mode.framesPerSecond = arv_camera_get_frame_rate(camera, failure.out());

@@ -25,7 +25,7 @@ Result<CapturedFrame> AravisSession::next(Nanoseconds patience)
     if (m_trouble)
         return tl::unexpected(*m_trouble);
     return fail(ErrorCode::Unavailable, cameraAtAddress(m_uri),
-                ODO_TEXT("capture.no_picture_came", "no picture came for half a second"),
+                ODO_TEXT("capture.no_picture_came", "no frame arrived for half a second"),
                 ODO_TEXT("capture.wait_or_check_cable", "wait, or check its cable"));
 }
 

@@ -42,7 +42,7 @@ CameraDescription describe(const AravisAddress &address, const AravisDevice &dev
 Message takenUpByItself(Message advice)
 {
     return joined(
-        {std::move(advice), ODO_TEXT("capture.taken_up_by_itself", "it is taken up again by itself")},
+        {std::move(advice), ODO_TEXT("capture.taken_up_by_itself", "Odograph reconnects automatically")},
         Join::Semicolon);
 }
 
@@ -95,12 +95,11 @@ Result<AravisPlace> AravisWorker::findAgain()
 {
     auto found = AravisDevice::find(m_address);
     if (found && m_place && found->serial != m_place->serial)
-        return fail(
-            ErrorCode::Unavailable, cameraAtAddress(m_address.uri),
-            ODO_TEXT("capture.other_serial_in_place",
-                     "another camera (%1) is in the place of camera %2")(found->serial, m_place->serial),
-            ODO_TEXT("capture.connect_right_camera",
-                     "connect the one that belongs there, or begin anew with this one"));
+        return fail(ErrorCode::Unavailable, cameraAtAddress(m_address.uri),
+                    ODO_TEXT("capture.other_serial_in_place",
+                             "another camera (%1) has replaced camera %2")(found->serial, m_place->serial),
+                    ODO_TEXT("capture.connect_right_camera",
+                             "reconnect the original camera, or start over with this one"));
     return found;
 }
 
@@ -119,11 +118,10 @@ Result<void> AravisWorker::setAsBefore(AravisDevice &device)
     }
     if (mode.widthPx != m_mode.widthPx || mode.heightPx != m_mode.heightPx ||
         mode.format.code != m_mode.format.code)
-        return fail(
-            ErrorCode::Unavailable, cameraAtAddress(m_address.uri),
-            ODO_TEXT("capture.came_back_changed", "it came back with pictures of another size or format"),
-            ODO_TEXT("capture.set_as_before",
-                     "set it as before, or begin anew with size and format in its address"));
+        return fail(ErrorCode::Unavailable, cameraAtAddress(m_address.uri),
+                    ODO_TEXT("capture.came_back_changed", "it came back with another frame size or format"),
+                    ODO_TEXT("capture.set_as_before",
+                             "restore its settings, or start over with size and format in its address"));
     for (const auto &[id, value] : m_settings)
         setAravisControl(device.camera(), m_address.uri, id, value);
     device.readExposure();
@@ -293,7 +291,7 @@ bool AravisWorker::stillStreams(AravisDevice &device, AravisStream &stream)
     if (silence < std::max(shortestSilence, usual))
         return true;
     if (!device.place().onNetwork) {
-        tell(ODO_TEXT("capture.sends_no_pictures", "it sends no pictures"),
+        tell(ODO_TEXT("capture.sends_no_pictures", "it sends no frames"),
              takenUpByItself(ODO_TEXT("capture.check_cable", "check its cable")));
         if (silence < longestStall + usual)
             return true;
@@ -310,19 +308,19 @@ bool AravisWorker::stillStreams(AravisDevice &device, AravisStream &stream)
     }
     m_unanswered = 0;
     if (!*controlled || device.isLost()) {
-        tell(ODO_TEXT("capture.has_been_away", "it has been away"),
-             ODO_TEXT("capture.wait_for_it", "wait: it is taken up again"));
+        tell(ODO_TEXT("capture.has_been_away", "the connection was lost"),
+             ODO_TEXT("capture.wait_for_it", "wait: Odograph is reconnecting"));
         return false;
     }
     if (stream.damaged() > m_damagedBefore)
-        tell(ODO_TEXT("capture.pictures_incomplete", "its pictures come incomplete"),
+        tell(ODO_TEXT("capture.pictures_incomplete", "its frames arrive incomplete"),
              stream.warning().isEmpty()
                  ? joined({ODO_TEXT("capture.check_cable_and_network", "check its cable and the network"),
-                           ODO_TEXT("capture.ask_for_less", "ask for a smaller size or rate")},
+                           ODO_TEXT("capture.ask_for_less", "choose a smaller size or a lower rate")},
                           Join::Semicolon)
                  : stream.warning());
     else
-        tell(ODO_TEXT("capture.answers_but_silent", "it answers, but sends no pictures"),
+        tell(ODO_TEXT("capture.answers_but_silent", "it answers but sends no frames"),
              ODO_TEXT("capture.answers_but_silent_advice", "check its trigger and this computer's firewall"));
     return silence < longestStall + usual;
 }

@@ -79,9 +79,9 @@ Error v4l2Failure(const std::string &uri, int errorNumber)
     const Message what = cameraAtAddress(uri);
     switch (errorNumber) {
     case ENOENT:
-        return {ErrorCode::NotFound, what, ODO_TEXT("capture.not_there", "it is not there"),
+        return {ErrorCode::NotFound, what, ODO_TEXT("capture.not_there", "it is not connected"),
                 ODO_TEXT("capture.plug_in_or_choose",
-                         "plug it in, or choose one of those that odograph cameras lists")};
+                         "plug it in, or choose a camera that odograph cameras lists")};
     case EACCES:
     case EPERM:
         return {ErrorCode::Io, what, ODO_TEXT("capture.forbidden", "you may not use it"),
@@ -96,15 +96,15 @@ Error v4l2Failure(const std::string &uri, int errorNumber)
     case ENOSPC:
         return {ErrorCode::Unavailable, what,
                 ODO_TEXT("capture.usb_bus_full",
-                         "its USB bus has no room left for its pictures (the bus is full, not the disk)"),
+                         "its USB bus has no bandwidth left for its frames (the bus is full, not the disk)"),
                 ODO_TEXT("capture.usb_bus_full_advice",
-                         "plug it in where it shares no bus with another camera, or choose MJPEG, a "
-                         "smaller picture or a lower rate (?format=MJPG&size=640x480&rate=30)")};
+                         "plug it into a port whose bus no other camera uses, or choose MJPEG, a smaller "
+                         "frame size or a lower rate (?format=MJPG&size=640x480&rate=30)")};
     default:
         return {ErrorCode::Unavailable, what,
                 ODO_TEXT("capture.failed",
                          "it failed (%1)")(foreignWords(std::generic_category().message(errorNumber))),
-                ODO_TEXT("capture.failed_advice", "unplug it and plug it in again if that lasts")};
+                ODO_TEXT("capture.failed_advice", "if this continues, unplug it and plug it in again")};
     }
 }
 
@@ -136,8 +136,8 @@ Result<std::shared_ptr<V4l2Device>> V4l2Device::open(const std::filesystem::path
         capability.capabilities & V4L2_CAP_DEVICE_CAPS ? capability.device_caps : capability.capabilities;
     if (failure != 0 || (abilities & needed) != needed)
         return fail(ErrorCode::InvalidInput, cameraAtAddress(uri),
-                    ODO_TEXT("capture.gives_no_pictures", "%1 gives no pictures")(Named::file(node)),
-                    ODO_TEXT("capture.choose_listed", "choose one of those that odograph cameras lists"));
+                    ODO_TEXT("capture.gives_no_pictures", "%1 sends no frames")(Named::file(node)),
+                    ODO_TEXT("capture.choose_listed", "choose a camera that odograph cameras lists"));
     device->m_identity = {textOf(capability.driver), textOf(capability.card), textOf(capability.bus_info),
                           v4l2Sysfs::serialOf(node), v4l2Sysfs::indexOf(node)};
     return device;
@@ -361,7 +361,7 @@ Result<void> write(const V4l2Device &device, const std::string &uri, const Contr
     case ERANGE:
         return fail(
             ErrorCode::InvalidInput, cameraAtAddress(uri),
-            ODO_TEXT("capture.control_value_refused", "it refuses this value of %1")(control.shown.name),
+            ODO_TEXT("capture.control_value_refused", "it rejects this value of %1")(control.shown.name),
             ODO_TEXT("capture.choose_another_value", "choose another one"));
     default:
         return tl::unexpected(v4l2Failure(uri, failure));
@@ -415,8 +415,9 @@ Result<void> setV4l2Control(const V4l2Device &device, const std::string &uri, co
     if (shown.readOnly)
         return fail(
             ErrorCode::InvalidInput, cameraAtAddress(uri),
-            ODO_TEXT("capture.control_inactive", "%1 cannot be set as the camera stands now")(shown.name),
-            ODO_TEXT("capture.turn_off_automatic_first", "turn off the automatic that moves it first"));
+            ODO_TEXT("capture.control_inactive", "%1 cannot be set in the camera's current mode")(shown.name),
+            ODO_TEXT("capture.turn_off_automatic_first",
+                     "first turn off the automatic mode that controls it"));
     if (!(value >= shown.minimum && value <= shown.maximum))
         return fail(ErrorCode::InvalidInput, cameraAtAddress(uri),
                     controlGoes(shown.name, quantity(shown.minimum, 0), quantity(shown.maximum, 0)),

@@ -176,11 +176,11 @@ Result<V4l2Mode> chooseMode(const std::vector<V4l2Mode> &modes, const V4l2Reques
         return *best;
     if (modes.empty())
         return fail(ErrorCode::NotFound, cameraAtAddress(uri),
-                    ODO_TEXT("capture.no_readable_format", "it has no format that can be read"),
-                    ODO_TEXT("capture.take_another_camera", "take another camera"));
+                    ODO_TEXT("capture.no_readable_format", "it offers no supported format"),
+                    ODO_TEXT("capture.take_another_camera", "use another camera"));
     return fail(ErrorCode::NotFound, cameraAtAddress(uri),
-                ODO_TEXT("capture.not_offered", "it does not offer what was asked for"),
-                joined({ODO_TEXT("capture.choose_of_offer", "choose of what it offers"), offerWords(modes)},
+                ODO_TEXT("capture.not_offered", "it does not offer the requested mode"),
+                joined({ODO_TEXT("capture.choose_of_offer", "choose one that it offers"), offerWords(modes)},
                        Join::Colon));
 }
 

@@ -141,8 +141,8 @@ Result<std::unique_ptr<V4l2Stream>> V4l2Stream::start(std::shared_ptr<V4l2Device
                          static_cast<int>(stream->m_format->width) != mode.widthPx ||
                          static_cast<int>(stream->m_format->height) != mode.heightPx))
         return fail(ErrorCode::Unavailable, cameraAtAddress(uri),
-                    ODO_TEXT("capture.mode_not_taken", "it does not take %1")(modeWords(mode)),
-                    ODO_TEXT("capture.ask_for_other_mode", "ask for another size or format"));
+                    ODO_TEXT("capture.mode_not_taken", "it rejects %1")(modeWords(mode)),
+                    ODO_TEXT("capture.ask_for_other_mode", "choose another size or format"));
     if (failure == 0)
         failure = stream->makeBuffers();
     int type = V4L2_BUF_TYPE_VIDEO_CAPTURE;

@@ -205,7 +205,7 @@ void TestThroughWizard::tellsWhatIsWrong()
 {
     const auto wizard = makeWizard(m_folder.filePath(QStringLiteral("none.png")), picture(0, true));
     walkToPoints(*wizard);
-    QTRY_VERIFY_WITH_TIMEOUT(says(*wizard, "no such file"), patienceMs);
+    QTRY_VERIFY_WITH_TIMEOUT(says(*wizard, "the file does not exist"), patienceMs);
     QVERIFY(!button(*wizard, "Save")->isEnabled());
 }
 
