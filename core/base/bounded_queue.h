@@ -12,7 +12,7 @@ namespace odo {
 
 /// A queue between one or more producing and one or more consuming threads, with a fixed capacity and an end.
 /// Every member may be called from any thread. A queue to the disk is filled with push (which waits) or
-/// tryPush (which says so when there is no room), a queue to the screen with pushOrDrop (which never waits
+/// tryPush (which returns false when it is full), a queue to the screen with pushOrDrop (which never waits
 /// and counts what it threw away).
 template <class T>
 class BoundedQueue

@@ -32,7 +32,7 @@ struct CrashReport
     std::string signal;                           ///< "SIGSEGV"
     std::optional<std::filesystem::path> project; ///< that was open; empty: none
 };
-/// Those that nobody was told of yet, oldest first. Reports no longer than 1 MB are read; nothing else in the
+/// Those not reported yet, oldest first. Reports no longer than 1 MB are read; nothing else in the
 /// folder is.
 std::vector<CrashReport> newCrashReports(const std::filesystem::path &folder);
 /// It is not new any more: it gets another name, which is given back, and only the newest ten such are kept.

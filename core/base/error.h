@@ -16,7 +16,7 @@ enum class ErrorCode {
     AlreadyExists, ///< something of that name is there already
     Io,            ///< reading or writing failed
     NewerFormat,   ///< a project written by a newer Odograph
-    ReadOnly,      ///< the place cannot be written to
+    ReadOnly,      ///< the location cannot be written to
     Undetermined,  ///< the data do not determine what was asked (too few points, no board, no robot)
     WrongCall,     ///< the command line was not understood
     Unavailable,   ///< not there for the moment; it may come back by itself
@@ -24,12 +24,12 @@ enum class ErrorCode {
     Internal,      ///< a library failed in a way that no input should cause
 };
 
-/// An expected failure, told in one line: "WHAT: WHY; DO THIS". Plain value, safe to pass between threads.
+/// An expected failure, shown in one line: "WHAT: WHY; DO THIS". Plain value, safe to pass between threads.
 struct Error
 {
     ErrorCode code = ErrorCode::Internal;
     Message what;   ///< what could not be done, with the file or name at fault
-    Message why;    ///< the cause, with line or figure where there is one
+    Message why;    ///< the cause, with line or number where there is one
     Message advice; ///< what the user can do now
 
     /// "what: why; advice" in English, on one line: control characters are replaced by spaces, and of a part
@@ -42,7 +42,7 @@ Message wholeMessage(Message what, Message why, Message advice = {});
 /// What went wrong as a message, alone or as a part of another one.
 Message wholeMessage(const Error &error);
 
-/// A value, or the Error that stood in its way. Expected failures travel so; broken invariants assert.
+/// A value, or the Error that prevented it. Expected failures travel this way; broken invariants assert.
 template <class T>
 using Result = tl::expected<T, Error>;
 

@@ -157,7 +157,7 @@ fs::path linkTarget(const fs::path &link, std::error_code &problem)
 std::vector<std::string> namesIn(const fs::path &folder, std::error_code &problem)
 {
     std::vector<std::string> names;
-    errno = 0; // readdir tells its end from a failure by that alone
+    errno = 0; // only this distinguishes readdir's end from a failure
     const std::unique_ptr<DIR, CloseFolder> open(::opendir(folder.c_str()));
     while (const dirent *entry = open ? ::readdir(open.get()) : nullptr) {
         const std::string name = entry->d_name;

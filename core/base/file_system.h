@@ -19,18 +19,18 @@ namespace odo::files {
 
 enum class Kind { Missing, File, Folder, Link, Pipe, Socket, Device };
 
-/// What is there, through links. Missing with a problem: it cannot be looked at.
+/// What is there, through links. Missing with a problem: it cannot be accessed.
 Kind kindOf(const std::filesystem::path &path, std::error_code &problem);
-/// What is there itself: a link is a Link. Missing where it cannot be looked at.
+/// What is there itself: a link is a Link. Missing where it cannot be accessed.
 Kind kindOfItself(const std::filesystem::path &path);
 /// What is there in place of a file: "it is a named pipe". Empty for a file, a link and nothing.
 Message insteadOfFile(Kind kind);
 
-/// Through links; false where it cannot be looked at.
+/// Through links; false where it cannot be accessed.
 bool exists(const std::filesystem::path &path);
 bool isFile(const std::filesystem::path &path);
 bool isFolder(const std::filesystem::path &path);
-/// Whether both lead to one file or folder; false where either cannot be looked at.
+/// Whether both lead to one file or folder; false where either cannot be accessed.
 bool isSame(const std::filesystem::path &a, const std::filesystem::path &b);
 
 /// In bytes; 0 with a problem.
@@ -46,8 +46,8 @@ std::filesystem::file_time_type lastWritten(const std::filesystem::path &file, s
 
 /// From the root; as it was given where the working directory is gone.
 std::filesystem::path absolute(const std::filesystem::path &path);
-/// From the root, through all links as far as the path exists; as absolute() gives it where that cannot be
-/// told.
+/// From the root, through all links as far as the path exists; as absolute() gives it where that is
+/// not known.
 std::filesystem::path realPath(const std::filesystem::path &path);
 std::filesystem::path realPath(const std::filesystem::path &path, std::error_code &problem);
 /// Where a link leads, as it was written; empty with a problem.

@@ -43,7 +43,7 @@ struct WorkCancelled
 };
 
 /// While it lives, what its thread computes ends where it asks: for long work on values, far below those who
-/// have a JobControl, that holds nothing which has to be put right. Scopes may lie within one another, and in
+/// have a JobControl, that holds nothing that has to be cleaned up. Scopes may lie within one another, and in
 /// sideBySide() hold for all parts.
 class CancelScope
 {
@@ -64,18 +64,18 @@ private:
 void endIfCancelled();
 
 /// From now on SIGINT (Ctrl-C), SIGTERM and SIGHUP ask this program to stop in good order: each cancels the
-/// token and is told by the descriptor. A second SIGINT ends it at once. SIGHUP stays ignored where it was
-/// (nohup). Once, at the start.
+/// token and makes the descriptor readable. A second SIGINT ends it at once. SIGHUP stays ignored where it
+/// was (nohup). Once, at the start.
 void watchStopSignals();
 
 /// Cancelled by the first of them. Any thread.
 const CancelToken &stopToken();
 /// Which came first, SIGINT before the others; 0: none. Any thread.
 int stopSignal();
-/// Can be read from once one came; nobody reads from it. -1: there was none to be had.
+/// Can be read from once one came; nobody reads from it. -1: none was available.
 int stopDescriptor();
 
-/// The exit status of a program that was asked to stop, as a shell tells it: 130 of Ctrl-C, or where no
+/// The exit status of a program that was asked to stop, as a shell reports it: 130 of Ctrl-C, or where no
 /// signal came; 143 of SIGTERM, 129 of SIGHUP.
 int exitStatusOfStop();
 

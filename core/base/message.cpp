@@ -139,7 +139,7 @@ const MessageText &textOf(MessageArgument::Joint joint)
     return textOf(Join::Comma);
 }
 
-/// Words with what stands for their placeholders; what is put in is not looked through again.
+/// Text with its placeholders filled in; placeholders in the arguments are not expanded.
 template <class Value>
 std::string filled(const std::string &words, const Value &value)
 {

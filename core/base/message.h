@@ -78,7 +78,7 @@ struct MessageArgument
 /// arguments. Nobody takes a sentence apart again. Plain value; safe to pass between threads.
 struct Message
 {
-    const MessageText *text = nullptr; ///< static; null: nothing is said
+    const MessageText *text = nullptr; ///< static; null: empty
     std::vector<MessageArgument> arguments;
 
     Message() = default;
@@ -198,7 +198,7 @@ namespace message_internal {
 
 bool enrol(const MessageText &text);
 
-/// One for each place that says something: Source is the type of a lambda, which no two places share.
+/// One for each ODO_TEXT: Source is the type of a lambda, unique to that use.
 template <class Source>
 struct Enrolled
 {
@@ -214,7 +214,7 @@ struct Enrolled
 } // namespace message_internal
 
 /// Words of a message, read here by the translation tool too: ODO_TEXT("layout.twice", "%1 is there twice").
-/// The code is "folder.subject", in lower case with underscores, and used at one place only.
+/// The code is "folder.subject", in lower case with underscores, and used only once.
 #define ODO_TEXT(code, english)                                                                              \
     (::odo::message_internal::Enrolled<decltype([] { return ::odo::MessageText{code, english}; })>::get())
 

@@ -9,7 +9,7 @@ namespace odo {
 
 namespace {
 
-/// The only thing that stands in OpenSSL's way here is a lack of memory.
+/// Here OpenSSL can only fail for lack of memory.
 void orThrow(int done)
 {
     if (done != 1)

@@ -13,8 +13,8 @@ namespace odo {
 /// What to do when this computer has run out of memory, threads or open files: the standard library throws,
 /// and here that becomes an Error, code Unavailable, before it can end the program. Any thread.
 
-/// What is said of it, to be had without any memory.
-const MessageText &cannotDoThis() noexcept; ///< what a job is told as that ends by a shortage
+/// Its messages, available without allocating.
+const MessageText &cannotDoThis() noexcept; ///< subject of a job that ends by a shortage
 const MessageText &closeOtherPrograms() noexcept;
 const MessageText &noFurtherThread() noexcept; ///< a reason of it
 
@@ -25,11 +25,11 @@ Message shortageAdvice();
 /// with its own words.
 Error shortageNow(Message what);
 
-/// That there is no thread to be had, where something else than the standard library found out.
+/// Reports that no thread is available, where something other than the standard library found out.
 Error noThread(Message what);
 
 /// Does work that gives a Result; an exception in it is its Error. what: the Message that says what could not
-/// be done, or, for what is done for each picture, a function that gives it.
+/// be done, or, for work on each frame, a function that gives it.
 template <class What, class Work>
 std::invoke_result_t<Work &> orShortage(const What &what, Work &&work)
 {
@@ -51,7 +51,7 @@ Result<std::thread> startThread(const Message &what, Work &&work)
     return orShortage(what, [&]() -> Result<std::thread> { return std::thread(std::forward<Work>(work)); });
 }
 
-/// Does the work of each of so many parts side by side, on as many threads as there are to be had; on the
+/// Does the work of each of so many parts in parallel, on as many threads as are available; on the
 /// caller's where there are none. Returns when all are done; what one of them threw is thrown on here.
 void sideBySide(std::size_t parts, const std::function<void(std::size_t)> &work);
 
@@ -71,7 +71,7 @@ const MessageText *shortageNowOfSystem() noexcept;
 /// in a signal handler.
 [[noreturn]] void endForShortage(const MessageText &why) noexcept;
 
-/// Ends it so where not so many more files may be opened, of 64 at most: before a library would tell of it in
+/// Ends it so where not so many more files may be opened, of 64 at most: before a library would report it in
 /// lines of its own.
 void needFiles(std::size_t count) noexcept;
 
@@ -80,7 +80,7 @@ void needFiles(std::size_t count) noexcept;
 void catchWhatNobodyCatches();
 
 /// Has all threads of this program take their memory from two of the C library's pools (glibc's arenas)
-/// instead of up to eight for each processor. Pictures are asked for by one thread and given back by another:
+/// instead of up to eight for each processor. One thread allocates frames and another frees them:
 /// each pool then keeps what it once held: thirty trials in a row grew the program from 110 MB to 310 MB,
 /// with two pools it stays at 150. Call it first in main().
 void shareMemoryPools();

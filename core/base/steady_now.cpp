@@ -11,7 +11,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// Between the readings of two clocks this thread may have to wait; it looks again for a quicker look.
+// Between the readings of two clocks this thread may be interrupted; it tries again for a quicker reading.
 constexpr Nanoseconds quickLook = 20us, shortestSleep = 1ms;
 constexpr int mostLooks = 10;
 

@@ -10,7 +10,7 @@
 
 namespace odo {
 
-/// Time everywhere inside: a count of nanoseconds. What event it stamps and from which zero is said where it
+/// Time everywhere inside: a count of nanoseconds. Its event and zero are documented where it
 /// is kept.
 using Nanoseconds = std::chrono::nanoseconds;
 

@@ -17,13 +17,13 @@
 
 namespace odo {
 
-/// A picture as a camera delivered it.
+/// A frame as a camera delivered it.
 struct CapturedFrame
 {
-    Frame frame;                ///< time: by the camera's own clock, since its first picture
-    std::uint64_t sequence = 0; ///< the camera's count; a gap is a picture that was lost
+    Frame frame;                ///< time: by the camera's own clock, since its first frame
+    std::uint64_t sequence = 0; ///< the camera's count; a gap is a lost frame
     Nanoseconds hostTime{0};    ///< when it arrived, by this machine's steady clock
-    /// Where the camera codes its pictures itself: the JPEG file as it came, complete with its tables. It is
+    /// Where the camera codes its frames itself: the JPEG file as it came, complete with its tables. It is
     /// what is recorded.
     std::shared_ptr<const std::vector<std::uint8_t>> jpeg = {};
     /// on the same time scale as frame.time, where the camera can be asked
@@ -32,7 +32,7 @@ struct CapturedFrame
     std::uint64_t lostHere = 0;
 };
 
-/// A kind of picture that a camera offers.
+/// A kind of frame that a camera offers.
 struct CameraFormat
 {
     Message words;           ///< "MJPG 1280×720 at 30 frames/s", or why the camera cannot be used
@@ -54,7 +54,7 @@ struct CameraDescription
 };
 
 /// What a source has counted since it was opened. Gaps in CapturedFrame::sequence are counted by who takes
-/// the pictures.
+/// the frames.
 struct CameraCounts
 {
     /// arrived incomplete and were thrown away; each leaves a gap in the sequence
@@ -73,7 +73,7 @@ struct CameraControl
     double minimum = 0, maximum = 0, step = 0, value = 0, standard = 0; ///< of Choice: places in choices
     std::vector<std::string> choices;
     std::string unit;
-    bool readOnly = false; ///< cannot be set, or not as other controls stand now
+    bool readOnly = false; ///< cannot be set, or not with the current values of other controls
 };
 
 /// A camera, or what stands for one. One thread calls next(); everything else may be called from any thread.
@@ -82,21 +82,21 @@ class CameraSource
 public:
     virtual ~CameraSource() = default;
     virtual const CameraDescription &description() const = 0;
-    /// Waits for the next picture. Errors: Unavailable when none came for half a second, with the cause as
-    /// far as it is known: call again, the source takes its camera up anew as soon as it can, with its
+    /// Waits for the next frame. Errors: Unavailable when none came for half a second, with the cause as
+    /// far as it is known: call again, the source reconnects to its camera as soon as it can, with its
     /// settings, and the time scale goes on; Cancelled after stop(); Io where nothing more will come (a file
-    /// has ended). Another camera in its place: Unavailable.
+    /// has ended). Another camera at its port: Unavailable.
     virtual Result<CapturedFrame> next() = 0;
     virtual void stop() = 0;
 
     virtual CameraCounts counts() const { return {}; }
-    /// What can be set, as it stands now. Errors: Unavailable.
+    /// The controls with their current values. Errors: Unavailable.
     virtual Result<std::vector<CameraControl>> controls() { return std::vector<CameraControl>{}; }
     /// Errors: NotFound without such a control; InvalidInput out of its bounds or read-only; Unavailable.
     virtual Result<void> set(const std::string &id, double value);
-    /// Turns off whatever changes picture or rate by itself (exposure, gain, white balance, focus), each held
-    /// where it is now, so that colour and timing hold while recording. Gives the names of what could not be
-    /// turned off.
+    /// Turns off whatever changes image or rate automatically (exposure, gain, white balance, focus), each
+    /// held where it is now, so that colour and timing hold while recording. Gives the names of what could
+    /// not be turned off.
     virtual std::vector<Message> holdAutomatics() { return {}; }
     /// Gives them back: what holdAutomatics has turned off is on again, at once or when the camera is back.
     /// Does nothing where nothing is held.
@@ -139,7 +139,7 @@ struct CameraUri
 /// scheme: with its colon; the address must begin with it.
 CameraUri splitCameraUri(std::string_view uri, std::string_view scheme);
 
-/// Which camera an address means, without what is wanted of it: "v4l2:/dev/video0".
+/// Which camera an address means, without its settings: "v4l2:/dev/video0".
 std::string withoutWishes(const std::string &uri);
 /// With these in place of whatever the address wanted before.
 std::string withWishes(const std::string &uri, const std::vector<CameraWish> &wishes);
@@ -149,14 +149,14 @@ bool takesWishes(const std::string &uri);
 /// Stands for a camera that could not be opened, so that others can run without it: opens it, again and again
 /// on a thread of its own, until it is there, and is that camera from then on. Until then next() says
 /// Unavailable, with the reason that the last attempt gave. An address that is not understood (InvalidInput)
-/// is not tried again, and nothing comes of it. The destructor waits for an attempt that is under way.
+/// is not tried again. The destructor waits for an attempt in progress.
 std::unique_ptr<CameraSource> awaitCamera(const std::string &uri, Error why,
                                           std::function<Result<std::unique_ptr<CameraSource>>()> open,
                                           Nanoseconds betweenAttempts = std::chrono::seconds(2));
 
-/// One picture of a camera that was just opened, as soon as it has settled: the first ones of a webcam are
-/// dark, its exposure is being found. Takes half a second at least; a camera that is not there for the moment
-/// is waited for some three. Any thread. Errors: those of the camera; Cancelled.
+/// One frame of a camera that was just opened, as soon as it has settled: the first ones of a webcam are
+/// dark, its exposure is being found. Takes half a second at least; waits some three seconds
+/// for a camera that is missing. Any thread. Errors: those of the camera; Cancelled.
 Result<Frame> settledPicture(CameraSource &camera, const JobControl &control);
 
 /// What errors of a camera are about: "camera v4l2:/dev/video0".

@@ -13,7 +13,7 @@
 
 namespace odo {
 
-/// What stands in the way now, and since when by this machine's steady clock.
+/// The current problem, and since when by this machine's steady clock.
 struct Trouble
 {
     Error error;
@@ -24,30 +24,30 @@ struct Trouble
 struct ViewHealth
 {
     enum class State {
-        Starting, ///< no picture has come yet
+        Starting, ///< no frame has come yet
         Delivering,
-        Waiting, ///< it does not deliver, and is taken up again as soon as it does
+        Waiting, ///< it does not deliver, and is used again as soon as it does
         Ended    ///< nothing more will come
     };
     State state = State::Starting;
     double framesPerSecond = 0; ///< over the last two seconds
     std::uint64_t delivered = 0;
     std::uint64_t lostOnWire = 0; ///< gaps in the camera's own count
-    /// false: its pictures are made, or read, by this program, not sent by a camera
+    /// false: this program generates or reads its frames; no camera sends them
     bool hasWire = true;
     std::uint64_t lostByUs = 0; ///< that this program or the disk was too slow for
     CameraCounts source;        ///< damaged, resent, reconnections
-    double latencyS = 0; ///< 95 % of the last two seconds' pictures were here so soon after they were taken
+    double latencyS = 0;        ///< of the last two seconds' frames, 95th percentile
     /// Whether exposure, gain, white balance and focus hold still; nullopt: not asked for yet.
     std::optional<bool> automaticsHeld;
     std::vector<Message> notHeld;  ///< names of what goes on changing by itself
-    std::optional<ClockFit> clock; ///< with its source and σ; nullopt before the first picture
+    std::optional<ClockFit> clock; ///< with its source and σ; nullopt before the first frame
     std::optional<Trouble> trouble;
-    std::optional<Trouble> slow; ///< it delivers, but takes fewer pictures a second than it was asked for
+    std::optional<Trouble> slow; ///< it delivers fewer frames per second than requested
 };
 
-/// How well the views are in step. Errors are of the last ten seconds: how much later the other view's
-/// picture was taken.
+/// How well the views are synchronised. Errors are of the last ten seconds: how much later the other view's
+/// frame was taken.
 struct PairHealth
 {
     std::uint64_t pairs = 0, unpaired = 0;      ///< since the session began
@@ -62,10 +62,10 @@ struct DiskHealth
     bool recording = false;
     double recordedS = 0;    ///< length of what is on the disk, of the view that has the least
     std::uint64_t bytes = 0; ///< written so far, all views
-    double waiting = 0;      ///< how full the fullest queue to the disk is; 1: pictures are being lost
+    double waiting = 0;      ///< how full the fullest queue to the disk is; 1: frames are being lost
     std::optional<double> secondsLeft; ///< until the disk is as full as it may get; nullopt: not known yet
     bool ended = false; ///< the recording of a view has ended by itself; what there is of it is kept
-    /// Why it has ended; or that the disk is too slow, which is told long before anything is lost.
+    /// Why it has ended; or that the disk is too slow, reported long before anything is lost.
     std::optional<Trouble> trouble;
 };
 
@@ -80,16 +80,16 @@ struct CaptureHealth
 
 /// That this machine slept so long, and what that means.
 Error machineSleptError(Nanoseconds howLong);
-/// That a camera takes so many pictures a second of those it was asked for.
+/// That a camera delivers only so many of the requested frames per second.
 Error slowCameraError(const std::string &uri, double framesPerSecond, double asked);
 
-/// "30.0 frames/s, none lost", or what is the matter.
+/// "30.0 frames/s, none lost", or the problem.
 Message healthWords(const ViewHealth &view);
-/// "in step to 1.2 ms; at 2 m/s that is 2.4 mm"; 95 % of the pairs are within it.
+/// "synchronised to 1.2 ms; at 2 m/s that is 2.4 mm"; 95 % of the pairs are within it.
 Message inStepWords(double p95S);
-/// Whether the pictures of a kind of camera come by a cable or a network.
+/// Whether the frames of a kind of camera come by a cable or a network.
 bool comesByWire(const std::string &kind);
-/// "room for 42 min"; empty where it is not known.
+/// "remaining recording time 42 min"; empty where not known.
 Message roomWords(const DiskHealth &disk);
 
 struct DiskRoom

@@ -17,7 +17,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// ClockMap remembers 30 s: what it knows 15 s later has a picture in its middle.
+// ClockMap remembers 30 s: what it knows 15 s later has a frame in its middle.
 constexpr Nanoseconds lookAhead = 15s, knotEach = 10s, shortestStep = 1us;
 
 /// The clock as it was known around a device time.
@@ -27,10 +27,10 @@ struct Knot
     ClockFit fit;
 };
 
-/// Pictures between which the camera's clock was not set anew.
+/// Frames between which the camera's clock was not reset.
 using Stretch = std::span<const RawTime>;
 
-/// Feeds a clock map with a stretch, the readings among the pictures as they came.
+/// Feeds a clock map with such a run of frames, the readings among them as they came.
 std::vector<Knot> knotsOf(Stretch pictures, std::span<const ClockReading> readings)
 {
     std::vector<Knot> knots;
@@ -53,7 +53,7 @@ std::vector<Knot> knotsOf(Stretch pictures, std::span<const ClockReading> readin
     return knots;
 }
 
-/// Between two knots from the one to the other, so that no picture jumps.
+/// Interpolates between two knots, so that no frame's time jumps.
 Nanoseconds hostTime(const std::vector<Knot> &knots, Nanoseconds device)
 {
     const auto after =
@@ -77,9 +77,9 @@ bool isSetAnewBetween(const ClockReading &a, const ClockReading &b)
     return (b.before - a.after) - step > bound || step - (b.after - a.before) > bound;
 }
 
-/// The first picture on the new scale, where the clock was set anew between two readings: that whose step
-/// from the one before is least like the usual one, of those between the readings. Arrivals do not tell:
-/// pictures from before may be late by seconds.
+/// The first frame on the new scale, where the clock was reset between two readings: that whose step
+/// from the one before is least like the usual one, of those between the readings. Arrivals do not show it:
+/// earlier frames may be late by seconds.
 std::size_t firstOnNewScale(Stretch pictures, const ClockReading &before, const ClockReading &after)
 {
     const auto [from, to] = std::minmax(before.device, after.device);
@@ -99,7 +99,7 @@ std::size_t firstOnNewScale(Stretch pictures, const ClockReading &before, const 
     return first;
 }
 
-/// How many pictures and readings lie before the next time the camera's clock was set anew.
+/// How many frames and readings come before the next reset of the camera's clock.
 struct StretchSize
 {
     std::size_t pictures, readings;
@@ -200,7 +200,7 @@ CaptureSession::~CaptureSession()
 {
     if (isRecording())
         stopRecording();
-    for (const auto &view : m_views) // all at once, before the first is waited for
+    for (const auto &view : m_views) // all at once, before waiting for the first
         view->stop();
     const auto deadline = std::chrono::steady_clock::now() + longestEnd;
     for (const auto &view : m_views)

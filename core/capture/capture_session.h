@@ -19,8 +19,8 @@ namespace odo {
 /// The camera delivered nothing for a while.
 struct RecordingGap
 {
-    std::size_t before = 0; ///< the picture after it, by its place in the file
-    Nanoseconds length{0};  ///< from the arrival of the picture before
+    std::size_t before = 0; ///< the frame after it, by its index in the file
+    Nanoseconds length{0};  ///< from the arrival of the frame before
     Error why;
 };
 
@@ -31,15 +31,15 @@ struct ViewRecording
     FrameFormat format;
     RecordedTimes times;
     std::vector<Nanoseconds>
-        taken; ///< of each picture in the file, by this machine's steady clock; derived from times
-    double clockSigmaS = 0;       ///< of all of these alike
+        taken;              ///< of each frame in the file, by this machine's steady clock; derived from times
+    double clockSigmaS = 0; ///< of all of these alike
     std::uint64_t frames = 0;     ///< that the camera delivered
     std::uint64_t lostOnWire = 0; ///< gaps in the camera's own count
     /// that this program or the disk was too slow for; not what `problem` cost
     std::uint64_t lostByUs = 0;
-    std::vector<double> latenciesS; ///< of each picture, from when it was taken to when it was written
+    std::vector<double> latenciesS; ///< of each frame, from when it was taken to when it was written
     std::vector<RecordingGap> gaps;
-    double longestWaitS = 0;      ///< that a picture waited for the disk
+    double longestWaitS = 0;      ///< that a frame waited for the disk
     std::optional<Error> problem; ///< why it ended by itself
 };
 
@@ -47,17 +47,17 @@ struct ViewRecording
 struct RecordingOutcome
 {
     std::vector<ViewRecording> views; ///< in the order of the cameras
-    PairFigures pairs;                ///< of the pictures recorded
+    PairFigures pairs;                ///< of the frames recorded
 };
 
-/// When recorded pictures were taken, by this machine's steady clock.
+/// When recorded frames were taken, by this machine's steady clock.
 struct DerivedTimes
 {
-    std::vector<Nanoseconds> taken; ///< one for each picture, increasing
+    std::vector<Nanoseconds> taken; ///< one for each frame, increasing
     double sigmaS = 0;              ///< of all of them alike
 };
 
-/// Derives from the raw times of a recording when each picture was taken: the camera's clock as ClockMap
+/// Derives when each frame was taken from the raw times of a recording: the camera's clock as ClockMap
 /// learns it, with what came before and after. Pure.
 DerivedTimes deriveTimes(const RecordedTimes &times);
 
@@ -68,26 +68,26 @@ class FramePairing;
 class ViewCapture;
 class ViewWriter;
 
-/// What a subscriber takes pictures from: pop() waits for the next and gives nullopt once the session has
+/// What a subscriber takes frames from: pop() waits for the next and gives nullopt once the session has
 /// ended; dropped() says how many he was too slow for. close() ends the subscription.
 using FrameFeed = BoundedQueue<TimedFrame>;
 
 struct CaptureSettings
 {
     /// How much is kept back in memory, coded, so that a recording can begin before it was asked for. 0:
-    /// none, and pictures are only coded while a recording goes on.
+    /// none, and frames are only coded while a recording goes on.
     Nanoseconds preRoll = std::chrono::seconds(3);
     DiskWatch disk = {};
 };
 
-/// Runs several cameras at once, for as long as it lives: their pictures are shown and tracked live, how well
-/// they do and how well they are in step is known at any time, and on demand every picture of every view goes
-/// to the disk.
+/// Runs several cameras at once, for as long as it lives: shows and tracks their frames live, reports how
+/// well they work and are synchronised at any time, and on demand writes every frame of every view to the
+/// disk.
 ///
-/// A camera that is not there for the moment is waited for while the others go on. Of a view, a thread takes
-/// the pictures, a second one codes them (those of a camera that codes them itself stay as they came), a
-/// third one writes while a recording goes on. What finds no room on the way to the disk is counted, never
-/// waited for, so that a slow disk does not make a camera lose pictures unseen; a subscriber who is too slow
+/// If a camera is missing, the session waits for it while the others go on. For each view, a thread takes
+/// the frames, a second one codes them (those of a camera that codes them itself stay as they came), a
+/// third one writes while a recording goes on. What finds its queue to the disk full is counted, never
+/// waited for, so that a slow disk does not make a camera lose frames unnoticed; a subscriber who is too slow
 /// loses the oldest ones, and the recording none.
 ///
 /// startRecording, stopRecording and the end of the session are for one thread at a time; everything else for
@@ -99,7 +99,7 @@ public:
     /// once.
     explicit CaptureSession(std::vector<std::unique_ptr<CameraSource>> cameras,
                             CaptureSettings settings = {});
-    /// Ends a recording as stopRecording does, and all subscriptions. A camera that hangs is waited for no
+    /// Ends a recording as stopRecording does, and all subscriptions. Waits for a camera that hangs no
     /// longer than a second.
     ~CaptureSession();
     CaptureSession(const CaptureSession &) = delete;
@@ -107,21 +107,21 @@ public:
 
     std::size_t viewCount() const { return m_views.size(); }
     const CameraDescription &description(std::size_t view) const;
-    /// What can be set at a camera, as it stands now. May take seconds where it does not answer. Errors:
+    /// The controls of a camera with their current values. May take seconds where it does not answer. Errors:
     /// Unavailable.
     Result<std::vector<CameraControl>> controls(std::size_t view) const;
 
     /// The robots that simulated cameras show from their next frames on (CameraSource::showRobots).
     void showRobots(const std::vector<RobotAppearance> &robots);
 
-    /// Every picture of a view, as it arrives, its time as it is known by then. capacity: how many may wait.
+    /// Every frame of a view as it arrives, with its time as known by then. capacity: how many may wait.
     std::shared_ptr<FrameFeed> subscribeFrames(std::size_t view, std::size_t capacity = 1);
 
     /// A value that was true just now; cheap, never waits for a camera or the disk.
     CaptureHealth health() const;
 
-    /// How long there would be room for on the disk of a folder, at what the cameras send now, before a
-    /// recording is begun; nullopt while that is not known, and without a pre-roll. Asks the disk: quick for
+    /// The remaining recording time on the disk of a folder, at what the cameras send now, before a
+    /// recording starts; nullopt while that is not known, and without a pre-roll. Asks the disk: quick for
     /// one in this machine.
     std::optional<double> secondsOfRoom(const std::filesystem::path &folder) const;
     /// Records all views from so long ago, but no longer ago than the settings keep, each to its own new MKV
@@ -133,7 +133,7 @@ public:
     /// What has reached the disk of a view since the last call: what a project keeps of it while it is being
     /// recorded.
     RecordedTimes takeWritten(std::size_t view);
-    /// Ends the recording with the pictures that have arrived by now, and waits until they are on the disk.
+    /// Ends the recording with the frames that have arrived by now, and waits until they are on the disk.
     /// Only while one goes on.
     RecordingOutcome stopRecording();
 

@@ -82,7 +82,7 @@ Nanoseconds ClockFit::hostTime(Nanoseconds deviceTime) const
 void ClockMap::startAnewIfSet(std::optional<Nanoseconds> &last, Nanoseconds device, Nanoseconds host)
 {
     const bool backwards = last && device < *last;
-    // A picture may be late by any time, but is never early.
+    // A frame may be late by any time, but is never early.
     const bool jumped = m_fit && m_fit->hostTime(device) - host > largestClockJump;
     if (backwards || jumped) {
         m_arrivals.clear();
@@ -116,7 +116,7 @@ void ClockMap::addArrival(Nanoseconds device, Nanoseconds host)
 void ClockMap::addLatch(Nanoseconds device, Nanoseconds before, Nanoseconds after)
 {
     const Nanoseconds host = before + (after - before) / 2;
-    startAnewIfSet(m_lastLatch, device, after); // like a picture it may be late, and is never early
+    startAnewIfSet(m_lastLatch, device, after); // like a frame it may be late, and is never early
     m_latches.push_back({device, host, after - before});
     while (m_latches.front().device < device - memory)
         m_latches.pop_front();
@@ -150,7 +150,7 @@ ClockFit ClockMap::fitArrivals() const
 }
 
 /// The line of least squares, each reading weighed by how well its round trip bounds it: one that was held up
-/// counts next to nothing, and those that are far apart in time still tell the rate when few were quick.
+/// counts next to nothing, and those far apart in time still determine the rate when few were quick.
 std::optional<ClockFit> ClockMap::fitLatches() const
 {
     if (m_latches.size() < fewestLatches)

@@ -10,14 +10,14 @@ namespace odo {
 
 /// No clock runs faster or slower than this.
 inline constexpr double fastestClockRate = 500e-6;
-/// A clock that is further than this from where it is expected, but for its rate, was set anew.
+/// A clock that is further than this from where it is expected, apart from its rate, was reset.
 inline constexpr Nanoseconds largestClockJump = std::chrono::milliseconds(50);
 
-/// How a camera's clock goes against this machine's.
+/// How a camera's clock relates to this machine's.
 struct ClockFit
 {
     enum class Source {
-        Arrival, ///< from when pictures arrived: late by exposure and transfer, the same for all pictures
+        Arrival, ///< from when frames arrived: late by exposure and transfer, the same for all frames
         Latch    ///< from reading the camera's clock: no such lateness
     };
     Source source = Source::Arrival;
@@ -28,10 +28,10 @@ struct ClockFit
     Nanoseconds hostTime(Nanoseconds deviceTime) const;
 };
 
-/// Learns, while pictures come in, how the time stamps of a camera's own clock translate into this machine's
+/// Learns, while frames come in, how the time stamps of a camera's own clock translate into this machine's
 /// steady clock.
 ///
-/// From arrivals: a picture cannot arrive before it was taken and often arrives late, so the truth lies at
+/// From arrivals: a frame cannot arrive before it was taken and often arrives late, so the truth lies at
 /// the lower edge of host − device over device. The line is the one below all points with the least sum of
 /// distances to them, which is the edge of their lower convex hull at their mean device time (Moon, Skelly
 /// and Towsley 1999, "Estimation and removal of clock skew from network delay measurements"). A least-squares
@@ -41,19 +41,19 @@ struct ClockFit
 /// two readings of ours; by least squares, each weighed by how short its round trip was.
 ///
 /// Both forget what is older than 30 s, so that a quartz that warms up is followed. A device time that goes
-/// backwards, or that jumps against ours by more than largestClockJump, is a clock that was set anew: all is
+/// backwards, or that jumps against ours by more than largestClockJump, is a clock that was reset: all is
 /// forgotten and a new epoch begins. The rate is held at fastestClockRate. Not thread-safe.
 class ClockMap
 {
 public:
-    /// A picture with the camera's time stamp arrived.
+    /// A frame with the camera's time stamp arrived.
     void addArrival(Nanoseconds device, Nanoseconds host);
     /// The camera's clock was read; the answer came between these two times of ours.
     void addLatch(Nanoseconds device, Nanoseconds before, Nanoseconds after);
 
     /// nullopt before the first arrival or the third latch.
     const std::optional<ClockFit> &fit() const { return m_fit; }
-    /// How often the camera's clock was found to be set anew.
+    /// How often a reset of the camera's clock was found.
     int epoch() const { return m_epoch; }
 
 private:

@@ -17,11 +17,11 @@ namespace {
 using Verdict = SetupFinding::Verdict;
 
 constexpr std::int64_t enoughReceiveBuffer =
-    4 << 20; // some pictures of a megapixel camera (packets come in bursts)
+    4 << 20; // some frames of a megapixel camera (packets come in bursts)
 constexpr int largePackets = 8000;
 constexpr double usb2Mbps = 480;
 constexpr double rateApart =
-    0.05; // of the rate; measured over two seconds it is known to half a picture a second
+    0.05; // of the rate; measured over two seconds it is known to half a frame per second
 constexpr double badStepS = 0.017;   // half an interval of 30 frames/s
 constexpr double flickerPart = 0.05; // of a lamp's period that an exposure may be off
 
@@ -369,7 +369,7 @@ std::optional<Value> valueIn(const std::filesystem::path &file)
 
 std::vector<std::string> sortedNamesIn(const std::filesystem::path &folder)
 {
-    std::error_code unread; // what cannot be looked at is not there
+    std::error_code unread; // what cannot be accessed counts as missing
     std::vector<std::string> names = files::namesIn(folder, unread);
     std::ranges::sort(names);
     return names;

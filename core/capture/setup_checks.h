@@ -16,7 +16,7 @@ struct CheckedCamera
 {
     std::string name; ///< in the project
     CameraDescription description;
-    std::vector<CameraControl> controls = {};          ///< as they stand; none: not known
+    std::vector<CameraControl> controls = {};          ///< with their current values; none: not known
     int registeredWidthPx = 0, registeredHeightPx = 0; ///< 0: not registered
     ViewHealth health = {};
     std::string usbBus = {}; ///< "usb1"; empty: no USB camera, or not known
@@ -54,7 +54,7 @@ struct SetupFinding
 {
     enum class Verdict { Good, Warning, Bad, NotKnown };
     Verdict verdict = Verdict::NotKnown;
-    Message what;   ///< that was looked at: "USB buses"
+    Message what;   ///< that was checked: "USB buses"
     Message words;  ///< what is
     Message advice; ///< what to do; empty where nothing need be
 };
@@ -63,7 +63,7 @@ struct SetupFinding
 SetupFinding checkUsbBuses(const std::vector<CheckedCamera> &cameras);
 /// Who may open /dev/video*.
 SetupFinding checkPermissions(const std::vector<VideoNode> &nodes);
-/// Network cameras lose packets where the system's receive buffer is smaller than a picture.
+/// Network cameras lose packets where the system's receive buffer is smaller than a frame.
 SetupFinding checkReceiveBuffer(const std::vector<CheckedCamera> &cameras, std::optional<std::int64_t> bytes);
 /// Large packets save network cameras most of their work.
 SetupFinding checkPacketSize(const std::vector<CheckedCamera> &cameras,
@@ -72,9 +72,9 @@ SetupFinding checkPacketSize(const std::vector<CheckedCamera> &cameras,
 SetupFinding checkFlicker(const CheckedCamera &camera);
 /// Exposure, gain, white balance and focus that change by themselves change colours and the rate.
 SetupFinding checkAutomatics(const CheckedCamera &camera);
-/// Cameras of different rates, or whose pictures are taken far apart.
+/// Cameras of different rates, or whose frames are taken far apart.
 SetupFinding checkStep(const std::vector<CheckedCamera> &cameras, const PairHealth &pairs);
-/// A registration holds for one picture size.
+/// A registration is valid for one frame size.
 SetupFinding checkPictureSize(const CheckedCamera &camera);
 
 /// All of them, the worst first.

@@ -33,9 +33,9 @@ void Synchroniser::add(std::size_t view, TimedFrame frame)
     m_waiting[view].push_back(std::move(frame));
 }
 
-/// Whether no picture that is still to come can change which ones belong to a picture of the first view that
+/// Whether no frame that is still to come can change which ones belong to a frame of the first view that
 /// was taken then: the other views have gone past its reach, and its own follower is there, for which a
-/// picture in between might be the nearer one.
+/// frame in between might be the nearer one.
 bool Synchroniser::isDecided(Nanoseconds time, Nanoseconds now) const
 {
     if (now - time >= m_settings.longestWait)
@@ -51,7 +51,7 @@ std::vector<FrameSet> Synchroniser::take(Nanoseconds now)
     std::vector<FrameSet> sets;
     while (!m_waiting.front().empty() && isDecided(m_waiting.front().front().taken, now))
         sets.push_back(takeFirst());
-    // Where the first view stalls, nothing else would ever take the others' pictures away.
+    // Where the first view stalls, nothing else would ever remove the others' frames.
     const Nanoseconds givenUp = now - m_settings.longestWait - m_settings.tolerance;
     for (std::size_t view = 1; view < m_waiting.size(); ++view) {
         while (!m_waiting[view].empty() && m_waiting[view].front().taken < givenUp)
@@ -111,7 +111,7 @@ std::optional<TimedFrame> Synchroniser::takePartner(std::size_t view, Nanosecond
                                                     std::optional<Nanoseconds> following)
 {
     auto &waiting = m_waiting[view];
-    // Before the nearest one, all are further from this picture, and further still from those after it.
+    // Before the nearest one, all are further from this frame, and further still from those after it.
     while (waiting.size() > 1 && apart(waiting[1].taken, time) <= apart(waiting[0].taken, time))
         dropUnpaired(view);
     if (!waiting.empty() && waiting.front().taken + m_settings.tolerance < time)
@@ -119,7 +119,7 @@ std::optional<TimedFrame> Synchroniser::takePartner(std::size_t view, Nanosecond
     if (waiting.empty() || apart(waiting.front().taken, time) > m_settings.tolerance)
         return std::nullopt;
     if (following && apart(*following, waiting.front().taken) < apart(waiting.front().taken, time))
-        return std::nullopt; // it is the nearest of the picture after this one
+        return std::nullopt; // it is the nearest of the frame after this one
     TimedFrame partner = std::move(waiting.front());
     waiting.pop_front();
     return partner;

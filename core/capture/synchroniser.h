@@ -11,32 +11,32 @@
 
 namespace odo {
 
-/// A captured picture with the time at which it was taken, by this machine's steady clock.
+/// A captured frame with the time at which it was taken, by this machine's steady clock.
 struct TimedFrame
 {
     CapturedFrame captured;
     Nanoseconds taken{0};
 };
 
-/// Pictures of several views that were taken together: one of the first view and, of each other view, the one
+/// Frames of several views that were taken together: one of the first view and, of each other view, the one
 /// that is nearest to it in time, where there is one.
 struct FrameSet
 {
     std::vector<std::optional<TimedFrame>> views;
 };
 
-/// How well the views are in step. A pair is a picture of the first view with one of another view.
+/// How well the views are synchronised. A pair is a frame of the first view with one of another view.
 struct PairFigures
 {
     std::uint64_t pairs = 0;
-    std::uint64_t unpaired = 0; ///< pictures of any view that were left without a partner
-    /// Of each pair, in seconds: how much later the other view's picture was taken.
+    std::uint64_t unpaired = 0; ///< frames of any view that were left without a partner
+    /// Of each pair, in seconds: how much later the other view's frame was taken.
     std::vector<double> errorsS;
 };
 
-/// Finds which pictures of several cameras belong together, by when they were taken, never by when or in
-/// which order they arrived. Two pictures belong together when each is the other's nearest and they lie no
-/// further apart than the tolerance. A set is given out as soon as no picture that is still to come could be
+/// Finds which frames of several cameras belong together, by when they were taken, never by when or in
+/// which order they arrived. Two frames belong together when each is the other's nearest and they lie no
+/// further apart than the tolerance. A set is given out as soon as no frame that is still to come could be
 /// nearer, or when it has waited for the longest time allowed: one camera that stalls does not hold up the
 /// others for longer. Not thread-safe.
 class Synchroniser
@@ -46,11 +46,11 @@ public:
     {
         std::size_t views = 2;
         Nanoseconds tolerance{0};   ///< half a frame interval for cameras that run free
-        Nanoseconds longestWait{0}; ///< by host time, from when a picture was taken
+        Nanoseconds longestWait{0}; ///< by host time, from when a frame was taken
     };
     explicit Synchroniser(Settings settings);
 
-    /// Pictures of one view come in the order in which they were taken; one that does not is counted as
+    /// Frames of one view come in the order in which they were taken; one that does not is counted as
     /// unpaired and dropped.
     void add(std::size_t view, TimedFrame frame);
     /// Sets that are complete, or have waited long enough at this host time, in the order of the first view.
@@ -58,7 +58,7 @@ public:
     /// The end: all that are left.
     std::vector<FrameSet> takeRest();
 
-    /// The figures since they were last taken.
+    /// The statistics since they were last taken.
     PairFigures takeFigures();
 
 private:
@@ -74,7 +74,7 @@ private:
     PairFigures m_figures;
 };
 
-/// Pairs the pictures of live cameras, and watches how well the views are in step. Any thread.
+/// Pairs the frames of live cameras, and monitors how well the views are synchronised. Any thread.
 class FramePairing
 {
 public:
@@ -97,7 +97,7 @@ private:
     std::uint64_t m_pairs = 0, m_unpaired = 0;
 };
 
-/// How the pictures of several views pair, by when they were taken; each view's in order.
+/// How the frames of several views pair, by when they were taken; each view's in order.
 PairFigures pairFigures(const std::vector<std::vector<Nanoseconds>> &takenOfViews, Nanoseconds tolerance);
 
 } // namespace odo

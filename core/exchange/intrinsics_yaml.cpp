@@ -147,7 +147,7 @@ private:
     Result<LensModel> lensModel(int line, std::size_t count) const
     {
         const YamlNode *told = m_root.find("distortion_model");
-        if (told == nullptr) { // OpenCV: the number of coefficients tells
+        if (told == nullptr) { // OpenCV: given by the number of coefficients
             const YamlNode *fisheye = m_root.find("fisheye_model");
             if (fisheye != nullptr && fisheye->text != "0")
                 return LensModel::Fisheye;

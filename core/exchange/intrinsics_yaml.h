@@ -16,7 +16,7 @@ enum class IntrinsicsFormat {
     OpenCv, ///< as OpenCV's calibration samples write it
 };
 
-/// What a calibration file tells.
+/// The contents of a calibration file.
 struct ImportedIntrinsics
 {
     Intrinsics intrinsics;
@@ -24,7 +24,7 @@ struct ImportedIntrinsics
     std::optional<double> reprojectionPx; ///< avg_reprojection_error, where the file has it
 };
 
-/// Reads ROS camera_info YAML or OpenCV YAML, told apart by content, with a parser of our own
+/// Reads ROS camera_info YAML or OpenCV YAML, distinguished by content, with a parser of our own
 /// (cv::FileStorage can be crashed by a file). At most 1 MiB. Errors, with file and line: not such a file, a
 /// missing entry, wrong dimensions, values that are not finite, a lens model that is not known, a skewed
 /// matrix. Any thread.

@@ -9,7 +9,7 @@
 
 namespace odo {
 
-/// A team of a class, as a roster tells it.
+/// A team of a class, as a roster lists it.
 struct RosterEntry
 {
     int line = 0; ///< of the file

@@ -30,7 +30,7 @@ struct SslFrame
     std::vector<SslRobot> robots;
 };
 
-/// The bytes of one packet. The pixels that the format demands of every robot are 0: a place may come of
+/// The bytes of one packet. The pixels that the format demands of every robot are 0: a position may come from
 /// several views.
 std::string sslVisionPacket(const SslFrame &frame);
 

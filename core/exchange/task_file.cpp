@@ -20,7 +20,7 @@ Message taskAdvice()
 
 using Kind = YamlNode::Kind;
 
-/// Takes a task out of a parsed file; errors name the line of the entry.
+/// Reads a task from a parsed file; errors name the line of the entry.
 class TaskReader
 {
 public:
@@ -64,7 +64,7 @@ private:
         return failure(node.line, ODO_TEXT("exchange.not_a_list", "'%1' is not a list in brackets")(name));
     }
 
-    /// An error of the model, at the line where its cause stands.
+    /// An error of the model, at the line of its cause.
     tl::unexpected<Error> at(int line, const Error &error) const
     {
         return failure(line, wholeMessage(error.what, error.why), error.advice);

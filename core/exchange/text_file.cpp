@@ -34,7 +34,7 @@ struct TextFile::Impl
             return fail(
                 ErrorCode::InvalidInput, what, ODO_TEXT("exchange.is_utf16", "it is written in UTF-16"),
                 ODO_TEXT("exchange.save_as_csv_utf8", "save it again as \"CSV UTF-8\" or as a UTF-8 text"));
-        // what was begun must have ended before
+        // the sequence before must be complete
         static_cast<void>(QString(decoder(isLast ? QByteArrayLiteral("\n") : block)));
         if (decoder.hasError() || block.contains('\0'))
             return fail(ErrorCode::InvalidInput, what,

@@ -92,9 +92,9 @@ Result<std::string> readTextFile(const std::filesystem::path &file, std::size_t 
 /// locale.
 std::string numberText(double value);
 
-/// What is said of files that others have written, the same words whatever they hold.
+/// Messages about files from elsewhere, the same whatever they contain.
 Message separatedBySemicolons();
-Message notAFiniteNumber(std::string what); ///< the name of an entry, or what stands there
+Message notAFiniteNumber(std::string what); ///< the name of an entry, or its content
 Message entryIsMissing(std::string key);
 
 Message checkRightFile();                       ///< advice

@@ -195,7 +195,7 @@ std::string trackTum(const AnalysisRecord &analysis)
 
 std::string trackerName(std::string name)
 {
-    // Tracker separates by blanks too, and looks for data and remarks from the first line on.
+    // Tracker separates by blanks too, and reads data and comments from the first line on.
     std::replace_if(
         name.begin(), name.end(),
         [](char c) { return std::string_view(" ,;\t\"").find(c) != std::string_view::npos; }, '_');

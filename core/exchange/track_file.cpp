@@ -37,7 +37,7 @@ struct TrackHeader
     UnitColumn time;
     std::vector<TrackColumns> tracks; ///< at least one
     std::size_t columns = 0;          ///< of them all
-    bool hasUnits = false;            ///< of the time or a place, but for `xNAME`
+    bool hasUnits = false;            ///< of the time or a position, except for `xNAME`
 };
 
 namespace {

@@ -16,7 +16,7 @@ enum class TrackFormat { Tum, Csv, Tracker };
 /// "tum", "csv", "tracker".
 std::string_view trackFormatWord(TrackFormat format);
 
-/// One track of a file. A place that is not there is one that the file leaves blank.
+/// One track of a file. A missing position is one that the file leaves blank.
 struct FileTrack
 {
     std::string name; ///< as the file has it; may be empty
@@ -31,12 +31,12 @@ struct TrackFile
     std::vector<FileTrack> tracks;
 };
 
-/// Reads a file of finished tracks and tells by its content what it is: TUM (`timestamp tx ty tz qx qy qz
+/// Reads a file of finished tracks, recognising by its content what it is: TUM (`timestamp tx ty tz qx qy qz
 /// qw`), a table with a header (readTrackHeader; parted by tabs, `;`, `,` or blanks, decimals with a point or
-/// comma), or Tracker's text. Metres and seconds, as they stand there: times are not counted anew. At most
+/// comma), or Tracker's text. Metres and seconds, as in the file: times are not shifted to zero. At most
 /// 256 MiB. Any thread; asks for cancellation. Errors, with file and line: no such content, a wrong number of
-/// cells, a value that is no finite number, times that do not increase, a place beyond 100 km, a track over
-/// more than a week or with fewer than three positions.
+/// cells, a value that is no finite number, times that do not increase, a position beyond 100 km, a track
+/// over more than a week or with fewer than three positions.
 Result<TrackFile> readTrackFile(const std::filesystem::path &file, const JobControl &control);
 
 } // namespace odo

@@ -164,8 +164,8 @@ void addColumn(TextPieces &text, const char *name, std::size_t count, const Valu
     text.add("]");
 }
 
-/// Direction of motion without steps of a whole turn (also while the robot stands, then without σ), and turn
-/// rate; SI units.
+/// Direction of motion without steps of a whole turn (also while the robot stands still, then without σ), and
+/// turn rate; SI units.
 void addHeadings(TextPieces &text, const Profile &profile)
 {
     using Number = std::optional<double>;

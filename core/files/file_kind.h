@@ -28,10 +28,10 @@ enum class FileKind {
     Other, ///< any other bytes
 };
 
-/// Whether one may take the other's place unasked: a table of a track does so in any of its forms.
+/// Whether one may replace the other without asking: a table of a track does so in any of its forms.
 bool isSameKind(FileKind a, FileKind b);
 
-/// How many bytes from its beginning tell a file's kind.
+/// How many bytes from the start identify a file's kind.
 inline constexpr std::size_t kindBytes = 8192;
 
 /// Of the file behind a descriptor; nothing, with errno, where it cannot be read.

@@ -9,7 +9,7 @@
 
 namespace odo {
 
-/// What is said of a file that cannot be used, the same words everywhere. because: the system's own words.
+/// Messages about a file that cannot be used, the same everywhere. because: the system's own words.
 Message cannotBeRead(std::string because);
 Message cannotBeRead();
 Message cannotBeWritten(std::string because);

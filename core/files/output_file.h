@@ -45,7 +45,7 @@ struct OutputPlace
     unsigned permissions = 0;        ///< of the file that exists
 };
 
-/// Looks whether an output may be written. What must never be lost is refused (WrongCall), whatever is said
+/// Checks whether an output may be written. Refuses what must never be lost (WrongCall), whatever the choice
 /// about existing files, through links and under all of its names: projects that this process has open, other
 /// projects and databases, their logs, locks and backups, whatever is in a project's media folder, inputs
 /// (InputFiles), folders, devices and the like, and names that end in .odo for what is no project. Other
@@ -53,14 +53,14 @@ struct OutputPlace
 /// known yet, so the kind of an existing file doesn't count. Any thread; reads at most kindBytes.
 Result<OutputPlace> checkOutput(const OutputTarget &target, std::optional<FileKind> kind);
 
-/// Looks whether a project may be made there: not under the name of another one's log, lock or backup, nor in
-/// its media folder (WrongCall), nor where a log or journal is left that SQLite would apply to it
+/// Checks whether a project may be created there: not under the name of another one's log, lock or backup,
+/// nor in its media folder (WrongCall), nor where a log or journal is left that SQLite would apply to it
 /// (AlreadyExists). Whether something has that name already, or its folder is missing, is not asked. what:
 /// for the message. Any thread.
 Result<void> checkNewProject(const std::filesystem::path &file, const Message &what);
 
 /// The one way by which a file is written for a person: checked against what must never be overwritten
-/// (checkOutput), written beside its place under a name that nobody can foresee, and given its name only when
+/// (checkOutput), written beside its target under an unpredictable name, and given its name only when
 /// all its bytes are on the disk. Under the name there is the old file or the whole new one; what is not
 /// committed leaves nothing. One thread.
 class OutputFile

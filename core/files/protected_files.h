@@ -53,7 +53,7 @@ private:
 /// fcntl(2).) Doesn't open it. Any thread.
 Result<void> checkMayBeRead(const std::filesystem::path &file, const Message &what);
 
-/// As long as it lives, files count as inputs: what is made of them must not take their place. One thread;
+/// As long as it lives, files count as inputs: what is made of them must not replace them. One thread;
 /// the list is shared by all.
 class InputFiles
 {

@@ -132,7 +132,7 @@ Result<std::pair<std::filesystem::path, int>> madeIn(const std::filesystem::path
         }
         const int descriptor = ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
         if (descriptor >= 0) {
-            static_cast<void>(::flock(descriptor, LOCK_EX)); // where there are no locks, its age tells
+            static_cast<void>(::flock(descriptor, LOCK_EX)); // without locks, its age decides
             if (setMark(path))                               // nobody sweeps it before
                 return std::pair(path, descriptor);
         }
@@ -406,7 +406,7 @@ ClaimedFile::Outcome<ClaimedFile> ClaimedFile::create(const std::filesystem::pat
         if (descriptor < 0)
             return tl::unexpected(systemError(errno));
         ClaimedFile file(path, descriptor, Made::Here);
-        lock(descriptor, LOCK_EX);  // waits for who looks whether it is held
+        lock(descriptor, LOCK_EX);  // waits for whoever checks whether it is held
         if (isAt(path, descriptor)) // who removes stray files may have been faster
             return file;
     }

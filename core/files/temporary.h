@@ -17,21 +17,21 @@ namespace odo {
 /// What is being written lies in a folder with a name that nobody can foresee, ".odograph-XXXXXXXXXXXX.part",
 /// and gets its own name when it is whole. Such folders that a killed program has left are removed when the
 /// next one is made beside them: as long as somebody writes to one, it is locked (flock). A file in it with
-/// the folder's name tells that it was made here: without that mark it is somebody's own, and stays. Any
+/// the folder's name shows that it was made here: without that mark it is somebody's own, and stays. Any
 /// thread, one at a time.
 
 /// A new folder for what takes several files to make, or is opened by others; removed with all that is in it.
 class TemporaryFolder
 {
 public:
-    /// Only this user may look into it. Errors as of TemporaryFile.
+    /// Only this user may read it. Errors as of TemporaryFile.
     static Result<std::unique_ptr<TemporaryFolder>> make(const std::filesystem::path &folder,
                                                          const Message &what);
     ~TemporaryFolder();
     TemporaryFolder(const TemporaryFolder &) = delete;
     TemporaryFolder &operator=(const TemporaryFolder &) = delete;
 
-    /// May be given another name and place.
+    /// May be renamed and moved.
     std::filesystem::path path() const { return m_outer / "new"; }
 
 private:
@@ -83,7 +83,7 @@ bool isTemporaryName(const std::filesystem::path &name);
 /// error.
 bool syncToDisk(const std::filesystem::path &path);
 
-/// Gives a file its name, in the same file system, without ever taking the place of another. 0, or errno.
+/// Gives a file its name, in the same file system, without ever replacing another. 0, or errno.
 int giveFreeName(const std::filesystem::path &from, const std::filesystem::path &to);
 
 /// What the writers of this folder, and the locks of projects, do with files that they hold open. Any thread.
@@ -102,9 +102,9 @@ std::string randomLetters(std::size_t count);
 /// A file that nobody else works on: a new one under a name that no file had, or one that is there and is not
 /// to go away meanwhile. A name is claimed by giving it to a file, which fails where another one has it,
 /// never by asking whether it is free: two programs never get the same. A claim is a lock (flock(2)) that
-/// ends with this object or its program, however that ends (HeldFile::isHeld tells). A new file is removed by
-/// the destructor unless it is kept: that file, and never another one under its name. Not through links. One
-/// thread.
+/// ends with this object or its program, however that ends (HeldFile::isHeld reports it). A new file is
+/// removed by the destructor unless it is kept: that file, and never another one under its name. Not through
+/// links. One thread.
 class ClaimedFile
 {
 public:
@@ -134,7 +134,7 @@ public:
     std::error_code write(std::span<const char> bytes) const;
     /// All that was written is on the disk.
     std::error_code sync() const;
-    /// Of one that was begun: from now on it has a name as those of create().
+    /// Of one that was started: from now on it has a name as those of create().
     std::error_code publish(const std::string &stem, const std::string &ending);
     /// The destructor leaves it. It stays claimed.
     void keep() { m_goes = false; }

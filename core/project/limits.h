@@ -7,7 +7,7 @@
 namespace odo {
 
 /// What a project may hold: refused where it is entered, and where a file holds more, the rest is not read.
-/// docs/limits.md tells them with those that stand elsewhere (isOnFloor, checkTask, maxBlobRows).
+/// docs/limits.md lists them with those defined elsewhere (isOnFloor, checkTask, maxBlobRows).
 
 /// In characters of Unicode.
 constexpr int maxNameLength = 200, maxTextLength = 20'000;
@@ -23,7 +23,7 @@ constexpr std::size_t mostMarkers = 1000;                             ///< of a 
 constexpr int largestRobotM = 10;
 /// Frames a second that a camera may be said to have taken.
 constexpr double lowestFrameRate = 0.1, highestFrameRate = 100'000;
-/// How much later, or earlier, a view or a run may be said to have begun than another.
+/// The largest time offset that may be given between two views or runs.
 constexpr double largestOffsetS = 3600;
 
 } // namespace odo

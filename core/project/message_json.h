@@ -11,7 +11,7 @@ namespace odo {
 /// Messages as data, for a project and for whoever reads one. Pure functions, any thread.
 
 /// {"code": "trajectory.jump_of", "arguments": {"1": {"number": 40, "decimals": 0, "unit": "mm"}}};
-/// docs/project_file.md tells what arguments there are. What joined() has put together has all of its parts
+/// docs/project_file.md lists the kinds of arguments. What joined() has combined has all of its parts
 /// as arguments. {} of an empty message.
 QJsonObject toJson(const Message &message);
 /// What toJson() gave. Empty where there is no code; what is no argument is an empty label.

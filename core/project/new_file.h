@@ -10,7 +10,7 @@ namespace odo {
 
 class TemporaryFolder;
 
-/// A database file in the making: written in a temporary folder beside its place, and given its name only
+/// A database file in the making: written in a temporary folder beside its target, and given its name only
 /// when it is whole and on the disk. What was not published is removed, with SQLite's side files.
 class NewFile
 {

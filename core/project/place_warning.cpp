@@ -78,7 +78,7 @@ std::string fileSystemOf(const std::filesystem::path &file, const std::string &m
         words >> device >> place >> name;
         const std::filesystem::path mounted = withSpaces(place);
         const auto [rest, ignored] = std::mismatch(mounted.begin(), mounted.end(), file.begin(), file.end());
-        // the last one of a place counts
+        // the last one of a mount point counts
         if (rest == mounted.end() && mounted.native().size() >= longest && !name.empty()) {
             longest = mounted.native().size();
             kind = name;

@@ -13,9 +13,9 @@ namespace odo {
 /// "ext4", "nfs4", "fuse.sshfs". Empty where the list does not say.
 std::string fileSystemOf(const std::filesystem::path &file, const std::string &mounts);
 
-/// A sentence of warning where a project lies on a network disk, or in a folder that a program such as
-/// Dropbox keeps the same on several computers: it is copied while it changes, by parts. Told by the kind of
-/// file system, the folders' names and the marks that such programs leave. Any thread; quick.
+/// A warning where a project is on a network disk, or in a folder that a program such as
+/// Dropbox keeps the same on several computers: it is copied while it changes, by parts. Recognised by the
+/// kind of file system, the folders' names and the marks that such programs leave. Any thread; quick.
 std::optional<Message> placeWarning(const std::filesystem::path &project);
 std::optional<Message> placeWarning(const std::filesystem::path &project, const std::string &mounts);
 

@@ -152,7 +152,7 @@ Result<std::unique_ptr<Project>> Project::open(const std::filesystem::path &file
     const auto version = checkContent(**connection, migrator);
     if (!version && (*connection)->access() == DatabaseAccess::Immutable && hasLog(file)) {
         connection->reset();
-        return open(file, access); // somebody who may write there has begun to
+        return open(file, access); // another process with write access has started one
     }
     if (!version)
         return tl::unexpected(namingABackup(version.error(), file));

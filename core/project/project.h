@@ -55,9 +55,10 @@ public:
     /// it is opened for reading as well. Errors: missing, not a project, corrupt, newer (NewerFormat), no
     /// write access, or of an older format without it (ReadOnly).
     static Result<std::unique_ptr<Project>> open(const std::filesystem::path &file, Access access);
-    /// What can be told of a file at once: that it is missing, no project, cut off, or of a newer Odograph.
+    /// What can be checked of a file at once: that it is missing, no project, cut off, or of a newer
+    /// Odograph.
     static Result<void> checkHeader(const std::filesystem::path &file);
-    /// A file that open() has looked through and brought up to date just now, on another thread. Quick.
+    /// A file that open() has just checked and updated, on another thread. Quick.
     static Result<std::unique_ptr<Project>> openChecked(const std::filesystem::path &file, Access access);
     /// Once more a file that this program has open and keeps open meanwhile: for another thread, which must
     /// open it itself. As quick. Of all that a program has open of one file, one writes at a time; the others
@@ -91,14 +92,14 @@ public:
     /// Runs work in one transaction that is rolled back when work fails; inside another one it is a savepoint
     /// of it.
     Result<void> inTransaction(const std::function<Result<void>()> &work);
-    /// As inTransaction, of a change that a person made and can take back. words: what it does ("rename team
+    /// As inTransaction, of a change that a person made and can undo. words: what it does ("rename team
     /// Falcon"), also for the list of changes. Inside another change it is a part of that one; work that
     /// changes nothing leaves no trace.
     Result<void> change(const Message &words, const std::function<Result<void>()> &work);
-    /// As change, of what cannot be taken back because it adds much (what was recorded, imported, measured)
-    /// or removes for good: it is told in the list of changes. Inside a change it is a part of that one.
+    /// As change, for what cannot be undone because it adds much (what was recorded, imported, measured)
+    /// or deletes permanently: it is in the list of changes. Inside a change it is a part of that one.
     Result<void> note(const Message &words, const std::function<Result<void>()> &work);
-    /// Takes the last change of this sitting back, or makes it again; gives its words. NotFound where there
+    /// Undoes the last change of this session, or redoes it; returns its description. NotFound where there
     /// is none; InvalidInput, and nothing done, where what it concerns has been changed since in another way.
     Result<Message> undo();
     Result<Message> redo();
@@ -119,7 +120,7 @@ public:
     bool isOverwritten() const;
     /// Where the file is now that was opened; nothing where it was deleted.
     std::optional<std::filesystem::path> presentPlace() const;
-    /// What tells whether anything was changed since.
+    /// Shows whether anything was changed since.
     Result<ProjectState> state() const;
     /// Writes what the log holds into the project file, without waiting for those who read: a copy of the
     /// file has it then. False where somebody still reads an older state, or another program writes.
@@ -130,7 +131,7 @@ public:
     Result<void> saveCopy(const std::filesystem::path &file) const;
     /// Integrity of the database, references, files (present, size), and whether analyses are what they were
     /// when they were made, by their digests. withHashes, which takes as long as reading all recordings: the
-    /// content of the files as well, and every metric computed again from the stored positions. Cancelled.
+    /// content of the files as well, and every metric recomputed from the stored positions. Cancelled.
     Result<std::vector<ProjectProblem>> check(bool withHashes, const JobControl &control = {}) const;
 
 private:

@@ -123,7 +123,7 @@ Result<ReferredFiles> filesUsedBeside(const std::filesystem::path &project)
 
 namespace {
 
-/// A recording whose file is not where the project looks for it.
+/// A recording whose file is not where the project expects it.
 struct MissingRecording
 {
     std::string fileName, sha256; ///< no hash: it was cut off
@@ -215,8 +215,8 @@ Result<std::vector<std::filesystem::path>> unusedFiles(Project &project)
     addAllBelow(media, files, problem);
     if (problem && problem != std::errc::no_such_file_or_directory)
         return cannotLookIn(media, problem);
-    // Who adds a trial holds its files until it is in the project: looked at in this order, none of them is
-    // taken for a stray one.
+    // Who adds a trial holds its files until it is in the project: checked in this order, none of them is
+    // mistaken for a stray one.
     std::erase_if(files, [&](const std::filesystem::path &file) {
         return file.filename() == RecordingLock::fileIn(media).filename() ||
                (isOrdinary(file) && HeldFile::isHeld(file));

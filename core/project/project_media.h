@@ -25,7 +25,7 @@ private:
 };
 
 /// What the other projects in the folder of a project refer to: a copy of a project uses the first one's
-/// media. Error where one of them cannot be read, so that nobody can tell.
+/// media. Error where one of them cannot be read: then it is not known.
 Result<ReferredFiles> filesUsedBeside(const std::filesystem::path &project);
 
 /// What lies in a project's media folder and no recording, lens calibration or floor registration refers to,
@@ -37,8 +37,8 @@ struct StrayMedia
     /// Likewise, but what neither the program nor a camera makes: texts, documents, links. They are named,
     /// and left where they are.
     std::vector<std::filesystem::path> foreign;
-    /// None of these is stray: missing recordings, by their content, under another name or in another place
-    /// than where the project looks.
+    /// None of these is stray: missing recordings, by their content, under another name or in another folder
+    /// than the project expects.
     std::vector<std::filesystem::path> lost;
     /// Nor these: other projects, which do not belong in a media folder. What belongs to them is left out.
     std::vector<std::filesystem::path> projects;
@@ -48,7 +48,7 @@ struct StrayMedia
 /// those of the repositories; Io where the folder cannot be read; Cancelled.
 Result<StrayMedia> strayMedia(Project &project, const JobControl &control = {});
 
-/// For Project::check: a problem for each, or why it cannot be told.
+/// For Project::check: a problem for each, or why that is not known.
 void addStrayMedia(Project &project, std::vector<ProjectProblem> &problems, const JobControl &control);
 
 /// Removes a stray file that strayMedia has found. False, and it stays, where it has become a trial's since,

@@ -107,7 +107,7 @@ std::filesystem::path freeName(const std::filesystem::path &first)
     return name;
 }
 
-/// Gives a project and what lies beside it a second name, and takes that back unless it is told to keep it.
+/// Gives a project and the files beside it a second name, and removes it unless keep() is called.
 class KeptAside
 {
 public:
@@ -220,7 +220,7 @@ std::vector<std::filesystem::path> foldersFor(const Project &project)
 Result<std::filesystem::path> rescueProject(const Project &project)
 {
     constexpr int mostNames = 1000;
-    project.emptyLog(); // or whoever opens a file that took this one's place would apply the log to that
+    project.emptyLog(); // or whoever opens a file that replaced this one would apply the log to that
     const Message what = projectSubject(project.file().filename());
     Result<void> done = fail(ErrorCode::NotFound, what,
                              ODO_TEXT("project.no_place_to_rescue_to",

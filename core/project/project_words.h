@@ -22,7 +22,7 @@ Message isMissing(Message what); ///< "the recording of view 'A' is missing"
 Message recordingWasCutOff();
 Message readingFile(const std::filesystem::path &file); ///< of a job, by the file's name alone
 
-/// The Io of a folder that cannot be looked into, and the InvalidInput of a trial with more than mostViews.
+/// The Io of a folder that cannot be searched, and the InvalidInput of a trial with more than mostViews.
 tl::unexpected<Error> cannotLookIn(const std::filesystem::path &folder, const std::error_code &problem);
 tl::unexpected<Error> tooManyViews(Message what, std::size_t views);
 

@@ -19,7 +19,7 @@ namespace odo {
 
 namespace {
 
-constexpr int largestSidePx = 32'000; // of a picture that is read at all
+constexpr int largestSidePx = 32'000; // of an image that is read at all
 constexpr const char *mediaEnding = ".media";
 
 const QString recordingColumns = QStringLiteral(

@@ -14,7 +14,7 @@ struct ProjectConnection;
 
 /// Recordings and their frame times as rows; TrialRepository's part of them.
 Result<RecordId> addRecording(ProjectConnection &connection, const RecordingRecord &recording);
-/// Position, file size and hash, picture size, rate, sync and frame times of a recording that is there, by
+/// Position, file size and hash, image size, rate, sync and frame times of a recording that is there, by
 /// its id.
 Result<void> updateRecording(ProjectConnection &connection, const RecordingRecord &recording);
 Result<std::vector<RecordingRecord>> recordingsOf(const ProjectConnection &connection, RecordId trial);
@@ -26,7 +26,7 @@ Result<std::optional<RecordingRecord>> newestRecordingOf(const ProjectConnection
 /// that folder and project can move together; absolute otherwise.
 std::string storedPath(const std::filesystem::path &projectFile, const std::filesystem::path &file);
 
-/// The project's file, links followed, absolute and without "." and "..": what belongs to a project lies
+/// The project's file, links followed, absolute and without "." and "..": what belongs to a project is
 /// beside the file itself, by whatever name it was opened.
 std::filesystem::path realProjectFile(const std::filesystem::path &projectFile);
 /// "<name>.media" beside that.

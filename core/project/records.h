@@ -31,7 +31,7 @@ struct CameraRecord
     std::string deviceUri; ///< may be empty
 };
 
-/// A picture of a calibration or of a registration, in the project's media folder.
+/// An image of a calibration or of a registration, in the project's media folder.
 struct StoredPicture
 {
     std::string path; ///< as a recording's; empty: it was not kept
@@ -45,9 +45,9 @@ struct IntrinsicsRecord
     RecordId id = 0;
     RecordId camera = 0;
     Instant made;
-    Message origin; ///< "calibrated from 14 pictures", "imported from A.yaml"
-    /// For an import: rmsPx 0 and no pictures. What follows from the rest is not stored: onFloor
-    /// (expectedOnFloor gives it), halvesApart, lensTrials. With its pictures' corners it can be solved again
+    Message origin; ///< "calibrated from 14 images", "imported from A.yaml"
+    /// For an import: rmsPx 0 and no images. What follows from the rest is not stored: onFloor
+    /// (expectedOnFloor gives it), halvesApart, lensTrials. With its images' corners it can be recomputed
     /// (recalibrate); those of projects before format 5 have none.
     IntrinsicCalibration calibration;
     BoardSpec board;                  ///< as it was found out; 0 columns: not known
@@ -55,7 +55,7 @@ struct IntrinsicsRecord
     std::vector<StoredPicture> files; ///< one for each of calibration.pictures, or none at all
 };
 
-/// Whether a camera still stood where it was registered, by its markers in a newer picture.
+/// A check of the camera position, by the camera's markers in a newer image.
 struct RegistrationCheck
 {
     Instant made;
@@ -71,7 +71,7 @@ struct RegistrationRecord
     RecordId id = 0;
     RecordId camera = 0;
     RecordId layout = 0;
-    RecordId intrinsics = 0; ///< 0: the camera was taken as free of distortion
+    RecordId intrinsics = 0; ///< 0: no distortion was assumed
     Instant made;
     Intrinsics assumedIntrinsics; ///< what was used when intrinsics is 0
     std::vector<MarkerPixel> pixels;
@@ -87,17 +87,17 @@ struct LayoutRecord
     MarkerLayout layout;
 };
 
-/// In what colour of the charts' palette (Okabe and Ito 2008) a robot is drawn; by itself as its place in the
-/// trial says.
+/// In what colour of the charts' palette (Okabe and Ito 2008) a robot is drawn; by default by its position in
+/// the trial.
 enum class DrawingColour { Automatic, Blue, Vermilion, Green, Purple, Orange, SkyBlue };
 
 struct RobotRecord
 {
     RecordId id = 0;
     std::string name;
-    std::optional<RgbColour> colour; ///< by which it is tracked; none: by how it differs from the background
+    std::optional<RgbColour> colour; ///< by which it is tracked; none: by background subtraction
     enum class Height { Told, Automatic, Free } heightMode = Height::Automatic;
-    std::optional<double> heightM; ///< when Told
+    std::optional<double> heightM; ///< when the mode is Told
     std::optional<double> lengthM, widthM;
     DrawingColour drawingColour = DrawingColour::Automatic;
     /// forward and left from its footprint's centre: the point that is measured
@@ -140,7 +140,7 @@ struct TrialRecord
     double syncOffsetS = 0; ///< how much later the second view's first frame was taken than the first's
     double syncOffsetSigmaS = 0;
     double syncRate = 0;      ///< by how much the second view's clock runs faster than the first's
-    double syncRateSigma = 0; ///< 0: not looked for
+    double syncRateSigma = 0; ///< 0: not estimated
     double syncScore = 0;
     std::vector<RecordId> robots;        ///< that are expected in it
     std::vector<std::string> robotNames; ///< read only, joined
@@ -149,7 +149,7 @@ struct TrialRecord
     bool starred = false;
     std::vector<std::string> tags;   ///< in alphabetical order
     std::optional<Instant> archived; ///< since when it is out of the way; it counts as before
-    /// since when it lies in the bin: it counts nowhere, and can be taken out again
+    /// since when it is in the bin: it counts nowhere, and can be restored
     std::optional<Instant> binned;
     /// read only: it is being recorded, or was when that was cut off; its recordings have raw times only
     bool unfinished = false;
@@ -183,8 +183,8 @@ struct RecordingRecord
     std::vector<Nanoseconds> frameTimes;
 };
 
-/// Whether a view was put in step by something that was measured, with a σ: not told by hand, nor left out of
-/// step.
+/// Whether a view was synchronised by a measurement, with a σ: not by hand, nor left
+/// unsynchronised.
 inline bool isStepMeasured(const RecordingRecord &view)
 {
     return view.syncMethod == "auto" || view.syncMethod == "flash" || view.syncMethod == "clock";
@@ -215,7 +215,7 @@ struct ImportedTrack
     double noiseM = 0; ///< read only: the root mean square σ of a coordinate
 };
 
-/// A stretch of a trial in which it could not be told which of several robots of one look a robot is, so that
+/// An interval in which it is ambiguous which of several robots of the same appearance a robot is:
 /// it may be another one from then on.
 struct DoubtfulName
 {
@@ -224,7 +224,7 @@ struct DoubtfulName
     std::vector<std::string> otherNames; ///< read only, joined
 };
 
-/// Where a person says that a robot of any look is in one picture of a trial. The tracker follows what is
+/// Where a person marked a robot of any appearance in one frame of a trial. The tracker follows what is
 /// there.
 struct PointedOutRobot
 {
@@ -248,21 +248,21 @@ struct AnalysisRecord
     std::vector<RecordId> registrations; ///< one a view, in the views' order; 0 where unregistered
     std::vector<std::string> views;      ///< names of the views, bit i of Sample::views
     Profile profile;
-    /// in order; found as the observations were made, so an analysis made again keeps them
+    /// in order; found as the observations were made, so a reanalysis keeps them
     std::vector<DoubtfulName> doubtfulNames;
     /// Read only: whether positions and metrics are as they were when it was made. NotKept: it is older than
     /// digests.
     enum class Proof { NotKept, Holds, Broken } proof = Proof::NotKept;
 };
 
-/// One figure of a trial's newest analysis.
+/// One metric of a trial's newest analysis.
 struct TrialFigure
 {
     RecordId trial = 0, robot = 0;
     Metric metric;
 };
 
-/// That something was changed by a person, or that the change was taken back.
+/// That a person changed something, or undid the change.
 struct ChangeEntry
 {
     enum class Kind { Made, Undone, Redone };
@@ -271,7 +271,7 @@ struct ChangeEntry
     Message words; ///< what was changed
 };
 
-/// A figure from elsewhere that belongs to a trial: the demo's truth.
+/// Values from elsewhere that belong to a trial: the demo's truth.
 struct TruthSeries
 {
     RecordId trial = 0;

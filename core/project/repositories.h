@@ -62,7 +62,7 @@ public:
     Result<std::vector<LayoutRecord>> all() const;
     Result<LayoutRecord> find(const std::string &name) const;
     Result<LayoutRecord> get(RecordId id) const;
-    /// Puts the markers to other places; the labels and their order must be the stored ones.
+    /// Moves the markers; the labels and their order must be the stored ones.
     Result<void> setPlaces(const LayoutRecord &layout);
 
 private:
@@ -132,8 +132,8 @@ public:
     Result<void> rename(RecordId task, const std::string &name);
     /// Out of the way, or back again; its trials stay as they are.
     Result<void> setArchived(RecordId task, bool archived);
-    /// Gives a task another course; name, archive and scoring stay. A task is not altered where it stands: a
-    /// new one takes its name and its trials over. Where analyses were measured by the one before, it is kept
+    /// Gives a task another course; name, archive and scoring stay. A task is never altered in place: a
+    /// new one takes over its name and its trials. Where analyses used the one before, it is kept
     /// for them as "NAME (version 1)", so that they stay true; else it goes. Gives the stored task, with
     /// another id unless nothing was to change.
     Result<TaskRecord> change(const TaskRecord &task);
@@ -174,7 +174,7 @@ public:
     /// out.
     Result<std::vector<RecordingRecord>> unhashed() const;
     Result<void> setHash(RecordId recording, const std::string &sha256);
-    /// Removes an unfinished trial: of one that was given up, or that no picture was recorded of.
+    /// Removes an unfinished trial: of one that was abandoned, or of which no frame was recorded.
     Result<void> removeUnfinished(RecordId trial);
     Result<std::vector<TrialRecord>> all() const; ///< newest first
     /// The next of them, after the last one of the page before (nullptr: the first page): count, and those of
@@ -215,11 +215,11 @@ public:
     /// A new series for a recording and robot joins the older ones; the newest is the current one.
     Result<void> addObservations(const ObservationSeries &series);
     Result<std::optional<ObservationSeries>> currentObservations(RecordId recording, RecordId robot) const;
-    /// A person's word on samples of a robot; replaces what was said before. At most one a frame.
+    /// Manual overrides of samples of a robot; replaces the previous ones. At most one a frame.
     Result<void> setOverrules(RecordId trial, RecordId robot, const std::vector<Overrule> &overrules);
     /// In order of the frames.
     Result<std::vector<Overrule>> overrules(RecordId trial, RecordId robot) const;
-    /// Where a person says that robots are in the pictures of a trial; replaces what was said before. At most
+    /// Where a person marked robots in the frames of a trial; replaces the previous marks. At most
     /// one a robot and recording.
     Result<void> setPointedOut(RecordId trial, const std::vector<PointedOutRobot> &robots);
     Result<std::vector<PointedOutRobot>> pointedOut(RecordId trial) const;
@@ -264,7 +264,7 @@ public:
     /// The newest analysis of each robot of the trial, with all its series, and whether they are as they were
     /// stored.
     Result<std::vector<AnalysisRecord>> current(RecordId trial) const;
-    /// When it could not be told which robot an analysis is of, in order.
+    /// When it was ambiguous which robot an analysis is of, in order.
     Result<std::vector<DoubtfulName>> doubtfulNames(RecordId analysis) const;
     /// Metrics alone, for lists: the newest of each robot, cheap.
     Result<std::vector<AnalysisRecord>> currentMetrics(RecordId trial) const;

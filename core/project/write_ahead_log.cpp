@@ -25,7 +25,7 @@ namespace odo {
 
 namespace {
 
-constexpr unsigned randomBits = 15; // the others, below SQLite's sign, tell the mark before
+constexpr unsigned randomBits = 15; // the others, below SQLite's sign, encode the mark before
 constexpr LogMark randomMask = (1U << randomBits) - 1, signlessMask = 0x7fffffff;
 
 std::uint32_t randomNumber()
@@ -223,7 +223,7 @@ Belongs look(const std::filesystem::path &file, const std::filesystem::path &log
     const auto found = Log::in(logged, headers.log);
     if (!headers.areRead || !found || found->belongsTo(headers.database, found->writtenFrames()))
         return Belongs::Yes;
-    // What is half written, or was never committed, tells nothing. Looked for only now, because it takes
+    // What is half written, or was never committed, proves nothing. Checked only now, because it takes
     // long.
     if (found->belongsTo(headers.database, found->committedFrames()))
         return Belongs::Yes;
@@ -255,13 +255,13 @@ Result<void> checkLog(const std::filesystem::path &file)
         if (belongs == Belongs::Yes)
             return {};
         if (belongs == Belongs::No)
-            return fail(
-                ErrorCode::Unavailable, projectSubject(file.filename()),
-                ODO_TEXT("project.foreign_log",
-                         "the log beside it ('%1') belongs to another file or to another "
-                         "state of this one")(Named::file(log.filename())),
-                ODO_TEXT("project.move_log_away", "move the log to another folder to open the file without "
-                                                  "it, or restore the file that the log belongs to"));
+            return fail(ErrorCode::Unavailable, projectSubject(file.filename()),
+                        ODO_TEXT("project.foreign_log",
+                                 "the log beside it ('%1') belongs to another file or to another "
+                                 "state of this one")(Named::file(log.filename())),
+                        ODO_TEXT("project.move_log_away",
+                                 "move the log to another folder to open the file without "
+                                 "it, or restore the file that the log belongs to"));
     }
     return {}; // whoever writes to it all the time has looked before
 }
@@ -378,7 +378,7 @@ std::size_t unitsFor(std::size_t bytes)
     return (bytes + sizeof(std::max_align_t) - 1) / sizeof(std::max_align_t);
 }
 
-/// Without links on its way, through which SQLite opens nothing; empty where it is too long.
+/// Without links, through which SQLite opens nothing; empty where it is too long.
 std::string wholeName(sqlite3_vfs &system, const std::filesystem::path &file)
 {
     std::string name(static_cast<std::size_t>(system.mxPathname) + 1, '\0');

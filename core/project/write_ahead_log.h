@@ -22,10 +22,10 @@ namespace odo {
 /// Ties a write-ahead log to its database. SQLite applies whatever log it finds beside a file, also one that
 /// a killed program left beside another file of that name. Each transaction that changes rows therefore
 /// writes a mark into the file's header, made from the mark before it and a random number. So the log holds
-/// the header of each state that it leads to, and its first mark tells which state it begins with. 0: not
+/// the header of each state that it leads to, and its first mark shows which state it begins with. 0: not
 /// marked yet.
 ///
-/// The place is the "suggested cache size" (https://www.sqlite.org/fileformat.html, section 1.3.13), which
+/// It is stored as the "suggested cache size" (https://www.sqlite.org/fileformat.html, section 1.3.13), which
 /// SQLite keeps and copies but does not need; each connection sets its own. The header's change counter does
 /// not serve: in WAL mode a connection writes the same count again and again.
 using LogMark = std::uint32_t;
@@ -40,12 +40,12 @@ LogMark nextLogMark(LogMark before);
 /// processes may write meanwhile. Changes nothing. Any thread.
 Result<void> checkLog(const std::filesystem::path &file);
 
-/// Whether a write-ahead log with anything in it lies beside a database; beside the file itself, where the
+/// Whether a write-ahead log with anything in it is beside a database; beside the file itself, where the
 /// path is a link.
 bool hasLog(const std::filesystem::path &file);
 
 /// A database and its log, copied into a folder of their own below the one for temporary files, which goes
-/// with this object: for a place that cannot be written to, where SQLite cannot make the index that it needs
+/// with this object: for a folder that cannot be written to, where SQLite cannot make the index that it needs
 /// to read a log.
 class LogCopy
 {

@@ -81,8 +81,8 @@ DemoTrial spikes()
         15, demoRobot("Blue 1", {.colour = demoBlue}, makeFigureEightMotion({1.5, 1.1}, 0.95, 0.6, 6.0, 1.2)),
         10.0);
     scene.cameras[1].startOffsetS = 0.014;
-    // The first and the third join the robot's outline in both pictures, and no view is left to trust; the
-    // second one is seen by one camera alone, and the last lies where no robot is.
+    // The first and the third join the robot's outline in both frames, and no view is left to trust; the
+    // second one is seen by one camera alone, and the last is where no robot is.
     scene.reflections = {besideRobot(scene, 3.25, 0.09, {0.05, 0.16}, 0.13, -1),
                          besideRobot(scene, 5.10, 0.12, {-0.24, -0.02}, 0.12, 1),
                          besideRobot(scene, 7.88, 0.08, {0.16, -0.10}, 0.15, -1),

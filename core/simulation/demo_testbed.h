@@ -9,7 +9,7 @@
 
 namespace odo {
 
-/// A camera looking at a point of the floor from a place in the room, with a mild barrel distortion.
+/// A camera looking at a point of the floor from a position in the room, with a mild barrel distortion.
 FloorView simulatedView(const Eigen::Vector3d &cameraInWorld, const Eigen::Vector3d &lookAtInWorld,
                         int widthPx, int heightPx, double focalPx);
 
@@ -42,7 +42,7 @@ SimulatedRobot demoRobot(std::string name, const RobotAppearance &appearance,
 /// and later ones, eight in all, a smaller circle inside it. None given: a blue box.
 std::vector<SimulatedRobot> circlingRobots(const std::vector<RobotAppearance> &appearances);
 
-/// A wheel that stands on the floor, the middle of its axle above (xM, yM) of the robot's frame.
+/// A wheel on the floor, the middle of its axle above (xM, yM) of the robot's frame.
 RobotPart wheelOnFloor(RgbColour colour, double xM, double yM, double radiusM, double widthM);
 
 /// Parts with four wheels added: the middles of their axles at ±xM, ±yM.

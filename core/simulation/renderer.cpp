@@ -32,7 +32,7 @@ std::vector<PixelRect> disjoint(const std::vector<PixelRect> &rects)
 {
     std::vector<PixelRect> result;
     for (PixelRect rect : rects) {
-        // What it meets is taken out and joined to it, until it meets nothing.
+        // Every rectangle it touches is merged into it, until it touches none.
         for (auto other = result.begin(); other != result.end();) {
             if (!other->meets(rect)) {
                 ++other;
@@ -105,7 +105,7 @@ struct SceneRenderer::Impl
     const PictureOutline outline;
     const RgbPicture still;
     Sensor sensor;
-    std::vector<PixelRect> dirty; ///< where the sensor differs from the still picture; disjoint
+    std::vector<PixelRect> dirty; ///< where the sensor differs from the still frame; disjoint
 };
 
 SceneRenderer::SceneRenderer(SimulatedScene scene, int camera)
@@ -265,7 +265,7 @@ constexpr double borderPx = 8; // a corner nearer to the edge than this lacks it
 bool allCornersVisible(const CameraModel &camera, const SimulatedBoard &board,
                        const RigidTransform &cameraFromBoard)
 {
-    // One square beyond the inner corners, so that the outer squares are in the picture as well.
+    // One square beyond the inner corners, so that the outer squares are in the frame as well.
     for (const double column : {-1.0, double(board.columns)}) {
         for (const double row : {-1.0, double(board.rows)}) {
             const Eigen::Vector3d corner(column * board.squareM, row * board.squareM, 0);
@@ -286,7 +286,7 @@ RigidTransform randomPose(const CameraModel &camera, const SimulatedBoard &board
     };
     const Intrinsics &lens = camera.intrinsics();
     const double boardWidthM = (board.columns + 1) * board.squareM;
-    const double share = uniform(0.3, 0.7); // of the picture's width
+    const double share = uniform(0.3, 0.7); // of the frame's width
     const double distanceM = lens.fxPx * boardWidthM / (share * lens.widthPx);
     const Eigen::Vector2d target(uniform(0.2, 0.8) * lens.widthPx, uniform(0.2, 0.8) * lens.heightPx);
     const double tilt = uniform(0.2, 0.7), towards = uniform(0, 2 * std::numbers::pi);

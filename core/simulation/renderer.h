@@ -55,8 +55,8 @@ struct SimulatedBoard
 Frame renderBoard(const CameraModel &camera, const SimulatedBoard &board, double noiseSigma,
                   std::uint32_t seed);
 
-/// Poses (cameraFromBoard) as a careful person would hold a board: spread over the picture, near and far,
-/// tilted up to 40° to all sides, all corners in the picture. The same for a seed.
+/// Poses (cameraFromBoard) as a careful person would hold a board: spread over the frame, near and far,
+/// tilted up to 40° to all sides, all corners in the frame. The same for a seed.
 std::vector<RigidTransform> heldBoardPoses(const CameraModel &camera, const SimulatedBoard &board, int count,
                                            std::uint32_t seed);
 

@@ -37,7 +37,7 @@ struct SimulatedRobot
     SimulatedShape shape = SimulatedShape::Box;           ///< Box or Cylinder
     double lengthM = 0.26, widthM = 0.19, heightM = 0.06; ///< cylinder: length is the diameter
     std::shared_ptr<const Motion> motion;
-    /// what it is made of; empty: one solid of that shape, colour and size, which stands on the floor
+    /// what it is made of; empty: one solid of that shape, colour and size, which is on the floor
     std::vector<RobotPart> parts = {};
 };
 
@@ -75,7 +75,7 @@ struct LightChange
     double startS = 0, durationS = 1e9;
 };
 
-/// A lamp over the floor: what stands in its light casts a shadow, which is the softer the larger the lamp
+/// A lamp over the floor: what is in its light casts a shadow, which is the softer the larger the lamp
 /// is.
 struct Lamp
 {
@@ -85,7 +85,7 @@ struct Lamp
 };
 
 /// Light that comes to a part of the floor, or leaves it, slowly: the sun through a window, a cloud before
-/// it. It fades out to its edge; things that stand in it are not lit.
+/// it. It fades out to its edge; things in it are not lit.
 struct LocalLight
 {
     Eigen::Vector2d position{0, 0};
@@ -94,11 +94,11 @@ struct LocalLight
     double startS = 0, rampS = 4; ///< from nothing to all of it
 };
 
-/// What a simulated camera adds to the perfect picture.
+/// What a simulated camera adds to the perfect image.
 struct SensorModel
 {
     double exposureS = 0.008; ///< motion blur, averaged over sub-steps
-    /// a rolling shutter's, from the first row to the last; the picture's time is that of its middle row
+    /// a rolling shutter's, from the first row to the last; the frame's time is that of its middle row
     double readoutS = 0;
     double noiseSigma = 2.0;     ///< of 255, luma; chroma the same before subsampling
     double flickerAmplitude = 0; ///< of light, 0.05 = ±5 %
@@ -106,7 +106,7 @@ struct SensorModel
     double gainDriftPerS = 0; ///< relative, 0.01 = +1 % a second
     ChromaSiting siting = ChromaSiting::Left;
     std::vector<std::int64_t> droppedFrames; ///< frames, as taken, that are never delivered
-    std::vector<std::int64_t> doubledFrames; ///< frames, as taken, that show the picture before them again
+    std::vector<std::int64_t> doubledFrames; ///< frames, as taken, that repeat the frame before
 };
 
 struct SimulatedCamera
@@ -117,12 +117,12 @@ struct SimulatedCamera
     double startOffsetS = 0;  ///< when the first frame is taken, in the scene's time
     double clockDriftPpm = 0; ///< the camera's clock runs faster by this much
     SensorModel sensor;
-    /// Frames are taken up to this much before or after their turn, and their stamps say so (a camera of a
+    /// Frames are taken up to this much before or after their turn, as their stamps show (a camera of a
     /// variable rate). Less than half a period.
     double jitterS = 0;
 };
 
-/// What lies at a marker's place: a tag (numbered in the layout's order), a black ring with a hole of half
+/// What is at a marker's position: a tag (numbered in the layout's order), a black ring with a hole of half
 /// its diameter, or a black disc.
 enum class MarkerFigure { Tag, Ring, Dot };
 
@@ -164,10 +164,10 @@ struct SimulatedScene
 
 /// The camera's own number of delivered frames in the scene's duration.
 std::int64_t frameCount(const SimulatedScene &scene, int camera);
-/// Number, among the frames the camera took (delivered or not), of the picture that delivered frame i shows;
+/// Number, among the frames the camera took (delivered or not), of the frame that delivered frame i shows;
 /// a doubled frame shows the one taken before it.
 std::int64_t framePicture(const SimulatedScene &scene, int camera, std::int64_t frame);
-/// Scene time of the middle of the exposure of the picture that delivered frame i shows.
+/// Scene time of the middle of the exposure of the frame that delivered frame i shows.
 double frameSceneTime(const SimulatedScene &scene, int camera, std::int64_t frame);
 /// The time stamp that the camera gives it (its own, drifting clock), zero at its first frame.
 Nanoseconds frameStamp(const SimulatedScene &scene, int camera, std::int64_t frame);
@@ -175,7 +175,7 @@ Nanoseconds frameStamp(const SimulatedScene &scene, int camera, std::int64_t fra
 double sceneTimeOfStamp(const SimulatedScene &scene, int camera, Nanoseconds stamp);
 
 /// A number that looks random but depends only on its arguments (SplitMix64's finaliser, Steele et al. 2014):
-/// what makes pictures the same whatever the order in which they are asked for.
+/// what makes frames the same whatever the order in which they are asked for.
 inline std::uint64_t randomHash(std::uint64_t a, std::uint64_t b)
 {
     std::uint64_t z = a * 0x9e3779b97f4a7c15ull + b + 0x9e3779b97f4a7c15ull;

@@ -143,7 +143,7 @@ void BayerSplitter::smoothLumaRow(int y)
     gatherMissing(y);
     std::uint8_t *luma = m_frame.yRow(y);
     const int *sums = m_column.data() + margin, *cells = m_cells.data() + 1;
-    // Sixteenths of the smoothed picture in 1/1024, and of the correction likewise.
+    // Sixteenths of the smoothed image in 1/1024, and of the correction likewise.
     constexpr int half = 512, shift = 10;
     for (int x = 0; x < m_raw.width; ++x) {
         const int cx = x / 2, missing = 3 * cells[cx] + cells[x % 2 == 0 ? cx - 1 : cx + 1];

@@ -11,15 +11,15 @@ namespace odo {
 /// The colours of a raw sensor's top-left 2×2 cell: its first row, then its second.
 enum class BayerOrder { Rggb, Grbg, Gbrg, Bggr };
 
-/// Planes of a raw Bayer picture without guessing the missing colours: luma at full size, U and V once a 2×2
+/// Planes of a raw Bayer image without guessing the missing colours: luma at full size, U and V once a 2×2
 /// cell; full range, BT.601, siting Center.
 ///
-/// Luma is the raw picture smoothed by (1 2 1)/4 both ways, which takes the colours' pattern out wherever it
-/// lies and leaves R/4 + G/2 + B/4 at its place (Alleysson, Süsstrunk and Hérault 2005, "Linear demosaicing
-/// inspired by the human visual system", eq. 5), plus what BT.601 weighs otherwise, from the colour
-/// differences of the cells around. These are taken from the 4×4 pixels about the middle of a cell, weighed
-/// (1 3 3 1)/8 both ways: of each colour alone these weights have their centre there and the same spread, so
-/// that red, green and blue of an edge lie in one place. Beyond the border the picture is mirrored at its
+/// Luma is the raw image smoothed by (1 2 1)/4 both ways, which removes the colour pattern wherever it
+/// lies and leaves R/4 + G/2 + B/4 at its position (Alleysson, Süsstrunk and Hérault 2005, "Linear
+/// demosaicing inspired by the human visual system", eq. 5), plus what BT.601 weighs otherwise, from the
+/// colour differences of the cells around. These are taken from the 4×4 pixels about the middle of a cell,
+/// weighed (1 3 3 1)/8 both ways: of each colour alone these weights have their centre there and the same
+/// spread, so that red, green and blue of an edge coincide. Beyond the border the image is mirrored at its
 /// outermost pixels, which keeps the colours' order.
 ///
 /// raw: at least 2×2, any stride. Any thread.
@@ -35,15 +35,15 @@ struct RgbView
     Order order = Order::Rgb;
 };
 
-/// Planes of a picture of packed colours: luma at full size, U and V the mean of each 2×2 pixels, so that
+/// Planes of an image of packed colours: luma at full size, U and V the mean of each 2×2 pixels, so that
 /// they lie in their middle (siting Center; of an odd last column or row, of what there is); full range,
 /// BT.601 as JFIF 1.02 defines it. Any thread.
 Frame rgbPlanes(const RgbView &picture, std::int64_t index, Nanoseconds time);
 
-/// Planes of a picture without colours: luma as it is, no chroma (128, 4:2:0); full range. Any thread.
+/// Planes of an image without colours: luma as it is, no chroma (128, 4:2:0); full range. Any thread.
 Frame monoPlanes(const PlaneView &picture, std::int64_t index, Nanoseconds time);
 
-/// How a camera lays luma and chroma into memory. Yuyv, Uyvy: 4:2:2, samples in the order of the name. Nv12:
+/// The memory layout of luma and chroma. Yuyv, Uyvy: 4:2:2, samples in the order of the name. Nv12:
 /// 4:2:0, a plane of luma, then one of U and V in turn.
 enum class PackedLayout { Yuyv, Uyvy, Nv12 };
 
@@ -56,14 +56,14 @@ struct PackedFormat
     bool fullRange = false;
 };
 
-/// Takes pictures of one packed format apart into planes (libyuv). Chroma lies midway between the luma
+/// Takes images of one packed format apart into planes (libyuv). Chroma lies midway between the luma
 /// samples it belongs to, which is where the V4L2 interface puts it ("Color Sample Location"). Any thread,
 /// one at a time.
 class PackedPlanes
 {
 public:
     explicit PackedPlanes(const PackedFormat &format);
-    /// Index and time are left as they are. nullopt when there are fewer bytes than a picture has.
+    /// Index and time are left as they are. nullopt when there are fewer bytes than an image has.
     std::optional<Frame> toPlanes(std::span<const std::uint8_t> packed) const;
 
 private:

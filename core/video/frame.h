@@ -74,17 +74,17 @@ struct FrameFormat
     bool fullRange = false; ///< false: luma 16–235, chroma 16–240
 
     /// Luma pixel coordinates of the chroma sample (cx, cy): x = (cx << shift) + chromaOffsetX(). Unknown
-    /// siting is taken as Left where chroma is halved (the default of H.264 and MPEG-2).
+    /// siting is treated as Left where chroma is halved (the default of H.264 and MPEG-2).
     double chromaOffsetX() const;
     double chromaOffsetY() const;
 };
 
-/// Whether samples of both lie at the same places and mean the same, but for where chroma is sited.
+/// Whether samples of both have the same positions and meaning, except for the chroma siting.
 bool sameLayout(const FrameFormat &a, const FrameFormat &b);
 
 struct Frame;
 
-/// A picture as it was coded, kept so that more of it can be decoded later. Any thread.
+/// A frame as it was coded, kept so that more of it can be decoded later. Any thread.
 class CodedPicture
 {
 public:
@@ -93,13 +93,13 @@ public:
     virtual Result<Frame> decodeWhole() const = 0;
 };
 
-/// One picture as planes of 8 bits, exactly as the decoder or camera gave it. A value that is cheap to copy:
+/// One frame as planes of 8 bits, exactly as the decoder or camera gave it. A value that is cheap to copy:
 /// copies share the immutable memory, which `owner` keeps alive. Safe to pass between threads.
 struct Frame
 {
     FrameFormat format;
     PlaneView y, u, v;
-    std::int64_t index = 0; ///< 0-based place in its recording
+    std::int64_t index = 0; ///< 0-based index in its recording
     Nanoseconds time{0}; ///< since the recording's first frame, from the file's time stamps (or the device's)
     std::shared_ptr<const void> owner;
     /// Set when only a part was decoded: samples outside it are of no meaning, wholeFrame() gives the rest.
@@ -107,7 +107,7 @@ struct Frame
     std::shared_ptr<const CodedPicture> coded; ///< set together with validRegion
 };
 
-/// The same frame (index and time as here) with all of its picture; itself when it has it already.
+/// The same frame (index and time as here), fully decoded; itself when it already is.
 Result<Frame> wholeFrame(const Frame &frame);
 
 /// Owns the memory of a frame that is filled by us (simulator, converters).
@@ -131,13 +131,13 @@ private:
 };
 
 /// Memory for the planes of frames, used again once the last share in it is gone: memory fresh from the
-/// system costs a page fault every 4096 bytes, a tenth of what decoding a JPEG picture does. Any thread; what
+/// system costs a page fault every 4096 bytes, a tenth of what decoding a JPEG frame does. Any thread; what
 /// was taken may outlive the pool.
 class PlanePool
 {
 public:
     explicit PlanePool(std::size_t bytes);
-    /// So many bytes as told to the constructor; what is in them is of no meaning.
+    /// As many bytes as given to the constructor; their content is undefined.
     std::shared_ptr<std::uint8_t[]> take();
 
 private:

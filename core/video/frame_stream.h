@@ -17,8 +17,8 @@ public:
     /// `ahead`: frames kept ready at most. Errors: those of VideoReader::open.
     static Result<std::unique_ptr<FrameStream>> open(const std::filesystem::path &file, std::size_t ahead = 8,
                                                      const CancelToken &cancel = {});
-    /// Takes over a reader. With `ahead` 0 there is no thread: pop() decodes, and only the region that it is
-    /// told.
+    /// Takes over a reader. With `ahead` 0 there is no thread: pop() decodes, and only the region that it
+    /// receives.
     explicit FrameStream(std::unique_ptr<VideoReader> reader, std::size_t ahead);
     ~FrameStream();
     FrameStream(const FrameStream &) = delete;

@@ -10,16 +10,16 @@
 
 namespace odo {
 
-/// How far apart the pictures of a video are.
+/// How far apart the frames of a video are.
 struct FrameSpacing
 {
-    /// the mean of all intervals within 10 % of their median; 0 of fewer than two pictures
+    /// the mean of all intervals within 10 % of their median; 0 of fewer than two frames
     Nanoseconds usual{0};
     bool isVariable = false; ///< some are not within that
 };
 FrameSpacing spacingOf(const std::vector<Nanoseconds> &frameTimes);
 
-/// The shortest and the longest interval of a camera that takes its pictures unevenly, as phones do: at least
+/// The shortest and the longest interval of a camera that takes its frames unevenly, as phones do: at least
 /// one interval in twenty is off a whole number of the usual ones by more than a tenth. Nothing where they
 /// are even, though some may be missing.
 struct UnevenRate
@@ -38,7 +38,7 @@ struct ClockReading
     Nanoseconds device{0}, before{0}, after{0};
 };
 
-/// A recorded picture's own times, from which the time it was taken is derived.
+/// A recorded frame's own times, from which the time it was taken is derived.
 struct RawTime
 {
     std::uint64_t sequence = 0; ///< the camera's count
@@ -46,7 +46,7 @@ struct RawTime
     Nanoseconds arrival{0};     ///< by this machine's steady clock
 };
 
-/// The times of pictures in the order of the file, and the readings of the camera's clock that came with
+/// The times of frames in the order of the file, and the readings of the camera's clock that came with
 /// them.
 struct RecordedTimes
 {

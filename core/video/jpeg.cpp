@@ -23,8 +23,8 @@ namespace {
 constexpr int mostBlockPixels =
     MAX_SAMP_FACTOR * DCTSIZE; ///< side of the largest unit that is coded together
 constexpr double mostRegionShare =
-    0.5; ///< of the picture; more is decoded as a whole, without a detour over pixels
-constexpr int mostExtraBytes = 64; ///< between the coded picture and its end; cameras pad it
+    0.5;                           ///< of the image; more is decoded as a whole, without a detour over pixels
+constexpr int mostExtraBytes = 64; ///< between the coded image and its end; cameras pad it
 
 /// What libjpeg calls when something is wrong. It may not return from an error, and no exception may pass
 /// through its C code, so errors jump.
@@ -107,7 +107,7 @@ JpegDecoder::Impl::Impl(const FrameFormat &pictureFormat) : format(pictureFormat
     jpeg_create_decompress(&decoder); // fails only when libjpeg is not the one it was built for
 }
 
-/// Whether the picture whose header was read is of the stream's format, and coded in one pass of Huffman
+/// Whether the image whose header was read is of the stream's format, and coded in one pass of Huffman
 /// codes.
 bool JpegDecoder::Impl::isSuitable() const
 {
@@ -145,8 +145,8 @@ void JpegDecoder::Impl::decodeWhole(std::uint8_t *memory)
     jpeg_finish_decompress(&decoder);
 }
 
-/// The region grown to whole units of what is coded together (those at the right and at the bottom may be
-/// cut); none when it costs less to decode the whole picture, or when it is empty.
+/// The region grown to whole coding units (those at the right and at the bottom may be
+/// cut); none when it costs less to decode the whole image, or when it is empty.
 std::optional<PixelRect> JpegDecoder::Impl::worthwhile(const PixelRect &region) const
 {
     const int unitX = decoder.max_h_samp_factor * DCTSIZE, unitY = decoder.max_v_samp_factor * DCTSIZE;
@@ -369,7 +369,7 @@ struct Segment
     Bytes content;         ///< without marker and length
 };
 
-/// The segments before the coded picture, the start of the scan being the last; nothing where they do not
+/// The segments before the coded image, the start of the scan being the last; nothing where they do not
 /// lead there.
 std::vector<Segment> segmentsOf(Bytes jpeg)
 {

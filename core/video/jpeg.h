@@ -11,9 +11,9 @@
 
 namespace odo {
 
-/// Decodes the pictures of an MJPEG stream to planes with libjpeg-turbo, faster than libavcodec by a quarter,
-/// and only a part of a picture for a third of the cost. Samples differ from libavcodec's by one code value
-/// at most (another inverse cosine transform); those of a part are exactly those of the whole. Pictures
+/// Decodes the images of an MJPEG stream to planes with libjpeg-turbo, faster than libavcodec by a quarter,
+/// and only a part of an image for a third of the cost. Samples differ from libavcodec's by one code value
+/// at most (another inverse cosine transform); those of a part are exactly those of the whole. Images
 /// without Huffman tables, as USB cameras send them, get the standard ones (ITU-T T.81, Annex K.3). Any
 /// thread, one at a time.
 class JpegDecoder
@@ -26,12 +26,12 @@ public:
                     ///< format, ...
     };
 
-    /// For pictures of this format; all others are not suitable.
+    /// For images of this format; all others are not suitable.
     explicit JpegDecoder(const FrameFormat &format);
     ~JpegDecoder();
 
     /// Fills in the frame's format and planes; with a region only what lies in the blocks that the region
-    /// touches, which is then the frame's valid region (none when it is most of the picture, which costs less
+    /// touches, which is then the frame's valid region (none when it is most of the image, which costs less
     /// as a whole). Damage below the region is not seen.
     Outcome decode(std::span<const std::uint8_t> coded, const std::optional<PixelRect> &region, Frame &frame);
 
@@ -40,7 +40,7 @@ private:
     std::unique_ptr<Impl> m_impl;
 };
 
-/// Encodes frames as JPEG pictures for a recording of a camera that gives raw ones, from their planes and
+/// Encodes frames as JPEG images for a recording of a camera that gives raw ones, from their planes and
 /// with their chroma as it is. JPEG is full range by definition: samples of a limited range are stretched.
 /// Keeps its memory; any thread, one at a time.
 class JpegEncoder
@@ -60,8 +60,8 @@ private:
     std::unique_ptr<Impl> m_impl;
 };
 
-/// How the picture of a JPEG file (ITU-T T.81) lies in planes, by its header alone: full range, chroma
-/// centred (JFIF). nullopt where the header is damaged or the picture has not luma and two planes of equal
+/// How the image of a JPEG file (ITU-T T.81) lies in planes, by its header alone: full range, chroma
+/// centred (JFIF). nullopt where the header is damaged or the image has not luma and two planes of equal
 /// chroma. Any thread.
 std::optional<FrameFormat> jpegFormat(std::span<const std::uint8_t> jpeg);
 

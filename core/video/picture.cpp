@@ -16,7 +16,7 @@ namespace odo {
 
 namespace {
 
-/// Every n-th sample of sides that are longer than libyuv's places of 16.16 bits can count. No file is read
+/// Every n-th sample of sides that are longer than libyuv's 16.16-bit positions can count. No file is read
 /// with such sides, but nothing keeps a camera from having them.
 PlaneView thinned(const PlaneView &plane, std::vector<std::uint8_t> &samples)
 {
@@ -45,8 +45,8 @@ struct ScaledPlane
         const PlaneView plane = thinned(whole, samples);
         memory = std::make_unique_for_overwrite<std::uint8_t[]>(static_cast<std::size_t>(width) *
                                                                 static_cast<std::size_t>(height));
-        // Bilinear keeps things within half a pixel of their place; over more than two source pixels it would
-        // skip some and shimmer, there the average is better.
+        // Bilinear keeps things within half a pixel of their position; over more than two source pixels it
+        // would skip some and shimmer, there the average is better.
         const bool shrinksMuch = plane.width > 2 * width || plane.height > 2 * height;
         libyuv::ScalePlane(plane.data, static_cast<int>(plane.stride), plane.width, plane.height,
                            memory.get(), width, width, height,

@@ -12,15 +12,15 @@
 
 namespace odo {
 
-/// A picture for the screen: 0xffRRGGBB in native byte order (Qt's Format_RGB32), rows without padding.
+/// An image for the screen: 0xffRRGGBB in native byte order (Qt's Format_RGB32), rows without padding.
 struct ScreenPicture
 {
     int width = 0, height = 0;
-    std::unique_ptr<std::uint32_t[]> pixels; ///< null: no picture
+    std::unique_ptr<std::uint32_t[]> pixels; ///< null: no image
 };
 
 /// Scales a frame to this size and converts it for the screen, by its own matrix and range (libyuv). No
-/// picture for a size of 0 or less. Any thread.
+/// image for a size of 0 or less. Any thread.
 ScreenPicture toScreen(const Frame &frame, int width, int height);
 
 /// The way back, for what was painted to be encoded: pixels as in ScreenPicture, rows `strideBytes` apart, to
@@ -28,7 +28,7 @@ ScreenPicture toScreen(const Frame &frame, int width, int height);
 Frame fromScreen(const std::uint32_t *pixels, int width, int height, std::ptrdiff_t strideBytes,
                  Nanoseconds time);
 
-/// Writes a frame as a still picture in colour; the ending names the format (.png, .jpg). Errors: those of
+/// Writes a frame as a still image in colour; the ending names the format (.png, .jpg). Errors: those of
 /// OutputFile.
 Result<void> writePicture(const Frame &frame, const OutputTarget &target);
 
@@ -38,7 +38,7 @@ Result<std::vector<unsigned char>> colourPng(const Frame &frame);
 /// A frame's luma as a grey PNG, unchanged.
 Result<std::vector<unsigned char>> greyPng(const Frame &frame);
 
-/// The advice where a picture makes trouble that is not known better.
+/// The general advice where an image cannot be used.
 Message useAnotherPicture();
 
 } // namespace odo

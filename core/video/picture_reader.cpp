@@ -100,7 +100,7 @@ libav::FramePtr decodedByLibav(libav::PacketPtr file, PictureFormat format)
     return isWhole ? std::move(picture) : nullptr;
 }
 
-/// Some rows in RGB; null where libswscale does not know the picture's own format.
+/// Some rows in RGB; null where libswscale does not know the image's own format.
 libav::FramePtr withRgbPixels(const AVFrame &picture, int firstRow, int rows)
 {
     libav::FramePtr rgb(libav::allocated(av_frame_alloc()));
@@ -173,7 +173,7 @@ std::optional<Frame> fromLibav(libav::FramePtr picture)
     return FrameBuffer::toFrame(std::move(buffer), 0, Nanoseconds(0));
 }
 
-/// Whether the end of the picture follows its last scan (ITU-T T.81 §B.1.1): libavcodec fills what is missing
+/// Whether the end of the image follows its last scan (ITU-T T.81 §B.1.1): libavcodec fills what is missing
 /// with grey.
 bool hasItsEnd(Bytes jpeg)
 {
@@ -182,7 +182,7 @@ bool hasItsEnd(Bytes jpeg)
     return scan != std::string_view::npos && end != std::string_view::npos && scan < end;
 }
 
-/// As the pictures of a video: what is suitable by libjpeg-turbo, which tells what is damaged.
+/// As the images of a video: what is suitable by libjpeg-turbo, which reports damage.
 std::optional<Frame> decodeJpeg(libav::PacketPtr file, const PictureHeader &header)
 {
     const Bytes bytes = bytesOf(file);
@@ -274,7 +274,7 @@ bool startsWith(Bytes file, std::string_view magic)
 }
 
 /// Walks the segments up to the first start of frame (ITU-T T.81 §B.1). A stuffed zero (ff 00) is no marker:
-/// a decoder would look for the next one among the bytes that it would cover as a segment.
+/// a decoder would search for the next one among the bytes that it would cover as a segment.
 Size jpegSize(Bytes file)
 {
     std::size_t at = 2;

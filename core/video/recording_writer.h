@@ -10,8 +10,8 @@
 
 namespace odo {
 
-/// Writes the pictures of a camera while they come, as JPEG in Matroska, so that what was written can be read
-/// whatever happens to the program or the machine: each picture stands by itself, clusters are half a second,
+/// Writes the frames of a camera as they come, as JPEG in Matroska, so that what was written can be read
+/// whatever happens to the program or the machine: each frame stands alone, clusters are half a second,
 /// every packet goes to the system at once and to the disk with each cluster. Its time stamps are whole
 /// milliseconds; whoever needs them exactly keeps them beside it. Not thread-safe.
 class RecordingWriter
@@ -25,7 +25,7 @@ public:
     RecordingWriter(const RecordingWriter &) = delete;
     RecordingWriter &operator=(const RecordingWriter &) = delete;
 
-    /// time: since the first picture; increasing. Once writing has failed the file is closed, and stays
+    /// time: since the first frame; increasing. Once writing has failed the file is closed, and stays
     /// readable.
     Result<void> write(std::span<const std::uint8_t> jpeg, Nanoseconds time);
     Result<void> finish();

@@ -107,7 +107,7 @@ Result<void> VideoInput::findStream()
         libav::forgetUnknownColours(*m_container->streams[i]->codecpar);
         stated.push_back(m_container->streams[i]->codecpar->chroma_location);
     }
-    // It decodes pictures to find out; none that are too large to be read.
+    // It decodes frames to find out; none that are too large to read.
     std::vector<AVDictionary *> limits(m_container->nb_streams, nullptr);
     for (AVDictionary *&limit : limits)
         av_dict_set_int(&limit, "max_pixels", libav::mostPixels, 0);
@@ -162,7 +162,7 @@ constexpr std::size_t firstPackets = 5;
 constexpr AVRational nanosecondBase{1, 1'000'000'000};
 constexpr std::int64_t longestVideoNs = 100LL * 24 * 3600 * 1'000'000'000LL;
 
-/// A VP8 packet may hold a picture that is only referred to and never shown (RFC 6386 §9.1: bit 4,
+/// A VP8 packet may hold a frame that is only referred to and never shown (RFC 6386 §9.1: bit 4,
 /// show_frame).
 bool isNeverShown(const AVPacket &packet, AVCodecID codec)
 {
@@ -227,7 +227,7 @@ void sortByPresentation(PacketIndex &index)
 }
 
 /// What lies between two stamps of a file, of which the second is not the earlier one; a moment more than the
-/// longest video where that is more, or cannot be told: stamps may be any number.
+/// longest video where that is more, or not known: stamps may be any number.
 Nanoseconds timeBetween(std::int64_t first, std::int64_t stamp, AVRational base)
 {
     const std::int64_t time = av_rescale_q(av_sat_sub64(stamp, first), base, nanosecondBase);
@@ -351,7 +351,7 @@ bool ffv1ChecksumsHold(std::span<const std::uint8_t> packet)
 {
     constexpr std::size_t footer = 8;
     const AVCRC *table = av_crc_get_table(AV_CRC_32_IEEE);
-    while (packet.size() >= footer) { // only the footers tell where slices begin: from the last to the first
+    while (packet.size() >= footer) { // only the footers give the start of slices: from the last to the first
         const auto foot = packet.last(footer);
         const std::size_t size = (static_cast<std::size_t>(foot[0]) << 16 | foot[1] << 8 | foot[2]) + footer;
         if (size > packet.size() || av_crc(table, 0, packet.last(size).data(), size) != 0)

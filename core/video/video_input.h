@@ -77,12 +77,13 @@ struct PacketIndex
     struct ShownFrame
     {
         std::int64_t pts = AV_NOPTS_VALUE;
-        std::size_t packet = 0; ///< place in `packets`
+        std::size_t packet = 0; ///< index in `packets`
     };
     std::vector<Packet> packets;
     std::vector<ShownFrame> frames; ///< by pts, each once; empty pts where `counted`
     std::vector<Nanoseconds> times; ///< of `frames`, since the first, strictly increasing
-    /// Packets do not say when their frame is shown: frames can only be told by counting them from the start.
+    /// Packets do not say when their frame is shown: frames can only be identified by counting from the
+    /// start.
     bool counted = false;
     /// empty, or such as "ends early at 12.40 s: …"
     Message warning;
@@ -92,23 +93,23 @@ struct PacketIndex
     /// the file and in presentation (frames that follow a key frame in the file but are shown before it need
     /// the key frame before that).
     std::size_t keyPacketFor(std::size_t frame) const;
-    /// The place of the frame with this time stamp; -1 when there is none.
+    /// The index of the frame with this time stamp; -1 when there is none.
     std::int64_t frameOf(std::int64_t pts) const;
-    /// The place of the packet with this time stamp; -1 when there is none.
+    /// The index of the packet with this time stamp; -1 when there is none.
     std::int64_t packetOf(std::int64_t pts) const;
 };
 
-/// Reads the input from where it stands (its start) to its end, without decoding. Error Cancelled, beside
-/// those of a file without a frame.
+/// Reads the input from its current position (its start) to its end, without decoding. Error Cancelled,
+/// beside those of a file without a frame.
 Result<PacketIndex> indexPackets(VideoInput &input);
 
-/// The time stamp by which packets are told apart: pts, else dts.
+/// The time stamp that identifies a packet: pts, else dts.
 std::int64_t timeStampOf(const AVPacket &packet);
 
 /// Whether every slice of an FFV1 packet carries a CRC and it holds. libav's decoder hides a slice whose CRC
-/// fails behind the picture before and says nothing, so it has to be asked beforehand. A packet coded without
-/// CRCs gives false too. Source: RFC 9043 §4.5 and §4.9 (slice footer: 24 bits of size, error status, CRC
-/// parity).
+/// fails behind the frame before and reports nothing, so it must be checked beforehand. A packet coded
+/// without CRCs gives false too. Source: RFC 9043 §4.5 and §4.9 (slice footer: 24 bits of size, error status,
+/// CRC parity).
 bool ffv1ChecksumsHold(std::span<const std::uint8_t> packet);
 
 } // namespace odo

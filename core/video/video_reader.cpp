@@ -12,7 +12,7 @@
 
 namespace odo {
 
-/// A picture of an MJPEG stream of which only a part was decoded, with its packet.
+/// A frame of an MJPEG stream of which only a part was decoded, with its packet.
 class JpegPicture : public CodedPicture
 {
 public:
@@ -95,11 +95,11 @@ struct VideoReader::Impl
 
     std::size_t nextIndex = 0;       ///< of the frame that next() gives
     std::optional<Frame> ahead;      ///< decoded already, index >= nextIndex
-    std::optional<PixelRect> region; ///< all that is wanted of the next frame
+    std::optional<PixelRect> region; ///< all that is requested of the next frame
     libav::PacketPtr packet{libav::allocated(av_packet_alloc())};
     bool packetWaits = false;    ///< `packet` is read but not yet given to the decoder
-    std::size_t packetsRead = 0; ///< place of the next packet to be read
-    std::int64_t counted = 0;    ///< pictures since the start, where frames are told by counting
+    std::size_t packetsRead = 0; ///< index of the next packet to read
+    std::int64_t counted = 0;    ///< frames since the start, where frames are identified by counting
     bool draining = false;
     bool beganMidway = false;  ///< nothing has come out of the decoder since it began at a key frame
     bool hasChecksums = false; ///< of FFV1: known as soon as one held
@@ -144,8 +144,8 @@ Result<void> VideoReader::Impl::restart()
     return {};
 }
 
-/// Makes this packet the next one that is decoded. False when the container could not lead there; then where
-/// the input stands is unknown.
+/// Makes this packet the next one that is decoded. False when the container could not seek there; then the
+/// position of the input is unknown.
 bool VideoReader::Impl::startAt(std::size_t keyPacket)
 {
     const PacketIndex::Packet &key = index.packets[keyPacket];
@@ -239,7 +239,7 @@ std::optional<Frame> VideoReader::Impl::frameFrom(libav::FramePtr picture, std::
     return frame;
 }
 
-/// The next good picture of an MJPEG stream, where every packet is a picture by itself; nullopt at the end.
+/// The next good frame of an MJPEG stream, where every packet is a frame by itself; nullopt at the end.
 std::optional<Frame> VideoReader::Impl::decodeJpegFrame()
 {
     while (readPacket()) {
@@ -266,7 +266,7 @@ std::optional<Frame> VideoReader::Impl::decodeJpegFrame()
     return std::nullopt;
 }
 
-/// The next good picture as a frame with its index; nullopt at the end.
+/// The next good frame with its index; nullopt at the end.
 std::optional<Frame> VideoReader::Impl::decodeFrame()
 {
     if (jpegDecoder)

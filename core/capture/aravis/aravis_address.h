@@ -12,7 +12,7 @@ namespace odo {
 
 /// What an address of a GigE Vision or USB3 Vision camera says: "aravis:192.168.1.20" or "aravis:SERIAL", and
 /// behind a '?', joined by
-/// '&', what is wanted of the camera: rate=30 (pictures/s), exposure_ms=5, gain=6 (as the camera counts it),
+/// '&', the requested settings: rate=30 (frames/s), exposure_ms=5, gain=6 (as the camera counts it),
 /// format=BayerRG8, size=640x480, trigger=software, packet_size=9000 (bytes), packet_delay_us=10. What is not
 /// said stays as the camera has it, but for the format, which is the best one for tracking.
 struct AravisAddress

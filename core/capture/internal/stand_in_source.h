@@ -12,7 +12,7 @@
 
 namespace odo {
 
-/// Lets pictures out at their time. Without a pace (tests) they come as fast as they are asked for.
+/// Releases frames at their time. Without a pace (tests) they come as fast as requested.
 class Pace
 {
 public:
@@ -43,7 +43,7 @@ std::unique_ptr<CameraSource> simulatedBoardSource(CameraDescription description
                                                    std::vector<RigidTransform> cameraFromBoard,
                                                    Pace::Kind pace);
 
-/// A camera of a scene, which begins anew when it is over. Cameras that are told one start see it at one
+/// A camera of a scene that restarts when it is over. Cameras with the same start see it at the same
 /// time. The robots that it is to show instead of the scene's drive as circlingRobots.
 std::unique_ptr<CameraSource> simulatedSceneSource(CameraDescription description, SimulatedScene scene,
                                                    int camera, Pace::Kind pace,

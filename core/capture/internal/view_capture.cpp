@@ -155,8 +155,8 @@ void ViewCapture::take(CapturedFrame captured)
     m_pairing->add(m_view, std::move(timed), now);
 }
 
-/// Pictures that had come before it slept may be taken only now; then the gap is yet to come. How long it
-/// slept a machine knows to a second at best, so that what was known of the camera's clock is known no more.
+/// Frames that arrived before it slept may be taken only now; then the gap is yet to come. How long it
+/// slept a machine knows to a second at best, so what was known of the camera's clock no longer holds.
 /// The mutex is held.
 void ViewCapture::noteSleep(const CapturedFrame &captured)
 {
@@ -173,7 +173,7 @@ void ViewCapture::noteSleep(const CapturedFrame &captured)
     m_interruption = machineSleptError(std::exchange(m_sleep, Nanoseconds(0)));
 }
 
-/// By the camera's own clock and count, so that what is late, or lost on its way, makes no difference; the
+/// By the camera's own clock and count, so that late or lost frames make no difference; the
 /// mutex is held.
 std::optional<Trouble> ViewCapture::slowness(const CapturedFrame &captured, Nanoseconds now)
 {

@@ -13,8 +13,8 @@
 
 namespace odo {
 
-/// One camera of a session: takes its pictures on one thread, has them coded and written on another, gives
-/// them to whoever subscribed, and knows how the camera fares. Its threads keep it alive.
+/// One camera of a session: takes its frames on one thread, has them coded and written on another, gives
+/// them to subscribers, and knows the camera's health. Its threads keep it alive.
 class ViewCapture : public std::enable_shared_from_this<ViewCapture>
 {
 public:
@@ -25,7 +25,7 @@ public:
     ViewCapture &operator=(const ViewCapture &) = delete;
 
     void start();
-    /// Takes no more pictures, and gives the camera's automatics back, where they are held. Any thread.
+    /// Takes no more frames, and gives the camera's automatics back, where they are held. Any thread.
     void stop();
     /// Waits, after stop(), for the threads to end; leaves the camera's to itself when it does not by then.
     void join(std::chrono::steady_clock::time_point deadline);
@@ -35,7 +35,7 @@ public:
     void showRobots(const std::vector<RobotAppearance> &robots) { m_camera->showRobots(robots); }
     std::shared_ptr<BoundedQueue<TimedFrame>> subscribe(std::size_t capacity);
     ViewHealth health(Nanoseconds now) const;
-    /// What its pictures take on the disk, as they come now; 0 while that is not known.
+    /// Bytes per second of its frames on the disk at present; 0 while that is not known.
     double bytesPerSecond() const { return m_coder.bytesPerSecond(); }
     /// Why nothing more will come; nullopt while something may.
     std::optional<Error> end() const;
@@ -77,15 +77,15 @@ private:
 
     mutable std::mutex m_mutex; ///< guards what follows
     ClockMap m_clock;
-    ViewHealth m_health; ///< all but what is counted anew each time
+    ViewHealth m_health; ///< all but what is recounted each time
     std::optional<std::uint64_t> m_lastSequence;
     std::deque<Recent> m_recent;   ///< of the last two seconds
     std::deque<Pace> m_pace;       ///< of its last two seconds, unless it was interrupted since
-    Nanoseconds m_slept;           ///< this machine, when the last picture was taken from the camera
-    Nanoseconds m_sleep{0};        ///< since the last picture, as far as is known
-    std::optional<RawTime> m_last; ///< picture
+    Nanoseconds m_slept;           ///< this machine, when the last frame was taken from the camera
+    Nanoseconds m_sleep{0};        ///< since the last frame, as far as is known
+    std::optional<RawTime> m_last; ///< of the last frame
     Nanoseconds m_begun{0}, m_lastArrival{0};
-    std::optional<Error> m_interruption;       ///< since the last picture
+    std::optional<Error> m_interruption;       ///< since the last frame
     std::uint64_t m_lostBefore = 0;            ///< by us, since the last one that found room
     bool m_holdWanted = false, m_held = false; ///< of the automatics
     std::vector<std::shared_ptr<BoundedQueue<TimedFrame>>> m_feeds;

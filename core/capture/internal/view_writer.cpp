@@ -34,9 +34,9 @@ struct ViewWriter::Output
 {
     std::unique_ptr<RecordingWriter> writer;
     RawTime last;
-    Nanoseconds time{0}; ///< of the last picture, in the file
+    Nanoseconds time{0}; ///< of the last frame, in the file
 
-    /// By the camera's clock; by ours where that was set anew.
+    /// By the camera's clock; by ours where that was reset.
     Nanoseconds timeOf(const RawTime &next) const
     {
         const Nanoseconds step = next.device - last.device;
@@ -143,7 +143,7 @@ void ViewWriter::write()
     if (output.writer) {
         if (const auto finished = output.writer->finish(); !finished) {
             fail(finished.error());
-            m_writingFailed = true; // of the last pictures, which wait until then
+            m_writingFailed = true; // of the last frames, which wait until then
         }
     }
 }
@@ -153,8 +153,8 @@ Message ViewWriter::recordingName() const
     return ODO_TEXT("capture.the_recording", "the recording %1")(Named::file(m_recording.file.filename()));
 }
 
-/// Before the disk is full, while there is still room to end in good order. A file that was begun can be
-/// written to even when its disk was taken out of the file system, but nobody would find it.
+/// Before the disk is full, while there is still space to end in good order. A file that was started can be
+/// written to even when its disk was unmounted, but nobody would find it.
 Result<void> ViewWriter::checkDisk(bool isBegun)
 {
     const auto now = std::chrono::steady_clock::now();
@@ -202,7 +202,7 @@ Result<void> ViewWriter::write(Output &output, const CodedFrame &frame) const
     return {};
 }
 
-/// A picture is in the file; the mutex is held.
+/// A frame is in the file; the mutex is held.
 void ViewWriter::note(const CodedFrame &frame)
 {
     RecordedTimes &times = m_recording.times;
@@ -267,7 +267,7 @@ RecordedTimes ViewWriter::takeWritten()
     return std::exchange(m_fresh, {});
 }
 
-/// What a disk refuses may be the last pictures that were given to it, which it seemed to take: with what
+/// What a disk refuses may be the last frames given to it, which it seemed to accept: with what
 /// follows them they are what the problem has cost. Nobody changes them any more.
 void ViewWriter::leaveOutWhatIsNotInTheFile()
 {
@@ -339,7 +339,7 @@ struct ViewCoder::Coding
         }
     }
 
-    /// Of what is kept; 0 where that is too little to tell.
+    /// Of what is kept; 0 where that is too little to know.
     double bytesPerSecond() const
     {
         const double overS = kept.empty() ? 0 : toSeconds(kept.back().raw.arrival - kept.front().raw.arrival);

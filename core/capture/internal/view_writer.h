@@ -18,7 +18,7 @@
 
 namespace odo {
 
-/// A picture on its way to the disk.
+/// A frame waiting for the disk.
 struct CodedFrame
 {
     std::shared_ptr<const std::vector<std::uint8_t>> jpeg;
@@ -27,12 +27,11 @@ struct CodedFrame
     Nanoseconds taken{0}; ///< as it was known when it arrived
     std::optional<ClockReading> clock;
     std::optional<Error> interruption = {}; ///< what kept the camera from delivering just before
-    std::uint64_t lostBefore =
-        0; ///< pictures that came in between, and that could not be taken or coded in time
+    std::uint64_t lostBefore = 0;           ///< frames in between that could not be taken or coded in time
 };
 
 /// Writes one view of a recording on a thread of its own. What waits for the disk is bounded by its bytes;
-/// what finds no room is counted, never waited for.
+/// what exceeds that is counted, never waited for.
 class ViewWriter
 {
 public:
@@ -41,23 +40,23 @@ public:
     ViewWriter(const ViewWriter &) = delete;
     ViewWriter &operator=(const ViewWriter &) = delete;
 
-    /// The next picture of the camera. Never waits. Any thread, one at a time.
+    /// The next frame of the camera. Never waits. Any thread, one at a time.
     void offer(CodedFrame frame);
-    /// The camera delivered pictures that could not be coded in time, and none after them.
+    /// The camera delivered frames that could not be coded in time, and none after them.
     void countLost(std::uint64_t pictures);
     /// Something other than the disk ends the recording of this view; what waits is still written.
     void fail(const Error &error);
     /// No more will be offered.
     void close();
-    /// Waits until all is on the disk, and tells what there is; without pairing. Once, after close().
+    /// Waits until all is on the disk, and returns what was recorded; without pairing. Once, after close().
     ViewRecording finish();
 
     struct State
     {
         double waiting = 0; ///< how full the queue is
         double recordedS = 0;
-        std::uint64_t bytes = 0;       ///< written
-        std::uint64_t withoutRoom = 0; ///< pictures that were offered, and for which the queue was too full
+        std::uint64_t bytes = 0;           ///< written
+        std::uint64_t withoutRoom = 0;     ///< frames offered while the queue was too full
         std::optional<double> secondsLeft; ///< of what this view alone writes
         std::optional<Trouble> slow;       ///< the disk does not keep up
         std::optional<Error> problem;
@@ -92,7 +91,7 @@ private:
     bool m_closed = false, m_writingFailed = false;
     std::uint64_t m_bytes = 0, m_withoutRoom = 0;
     std::optional<std::uint64_t> m_bytesLeft;
-    std::optional<Nanoseconds> m_writing; ///< since when the picture that is being written has waited
+    std::optional<Nanoseconds> m_writing; ///< since when the frame being written has waited
     std::optional<std::uint64_t> m_lastSequence;
     std::optional<Nanoseconds> m_firstArrival, m_lastArrival; ///< of what was written
     RecordedTimes m_fresh;                                    ///< written, and not yet taken
@@ -100,7 +99,7 @@ private:
     std::thread m_thread; ///< last, so that it begins when all is there
 };
 
-/// Codes the pictures of one camera on a thread of its own, keeps the last seconds of them, and hands them to
+/// Codes the frames of one camera on a thread of its own, keeps the last seconds of them, and hands them to
 /// a writer when there is one. Any thread, but for start() and end().
 class ViewCoder
 {
@@ -110,7 +109,7 @@ public:
         CapturedFrame captured;
         Nanoseconds taken;
         std::optional<Error> interruption; ///< what kept the camera from delivering just before
-        std::uint64_t lostBefore;          ///< that came, and found no room on the way to the coder
+        std::uint64_t lostBefore;          ///< that came while the queue to the coder was full
     };
 
     /// uri: of the camera. preRoll: how much is kept while nothing is written.
@@ -121,17 +120,17 @@ public:
 
     /// Unavailable where there is no thread; then whatever is to be written ends at once.
     Result<void> start();
-    /// Never waits; false: there is no room.
+    /// Never waits; false: the queue is full.
     bool offer(Picture picture);
     /// From now on all goes to the writer, beginning with what arrived then.
     void startWriting(std::shared_ptr<ViewWriter> writer, Nanoseconds from);
-    /// When what was offered by now was handed to the writer and it was closed. lostBefore: what found no
-    /// room since the last picture.
+    /// When what was offered by now was handed to the writer and it was closed. lostBefore: what was lost
+    /// since the last frame because the queue was full.
     std::future<void> stopWriting(std::uint64_t lostBefore);
     /// What was offered is still coded; waits for that.
     void end();
 
-    /// What the pictures take on the disk, as they come now; 0 while that is not known.
+    /// Bytes per second of the frames on the disk at present; 0 while that is not known.
     double bytesPerSecond() const { return m_bytesPerSecond; }
 
 private:

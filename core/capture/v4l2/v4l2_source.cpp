@@ -41,8 +41,8 @@ std::vector<CameraFormat> formatsOf(const std::vector<V4l2Mode> &modes)
     return formats;
 }
 
-/// Cameras that may not be opened. Only the first node of a camera is named: whether another one gives
-/// pictures cannot be asked.
+/// Cameras that may not be opened. Only the first node of a camera is named: whether another one captures
+/// video cannot be asked.
 std::vector<CameraDescription> forbiddenCameras()
 {
     std::vector<CameraDescription> cameras;
@@ -100,10 +100,10 @@ using namespace std::chrono_literals;
 using Time = std::chrono::steady_clock::time_point;
 
 constexpr auto usualSilence = 500ms;
-constexpr auto longestBeginning = 1500ms; ///< many a camera needs a second to its first picture
+constexpr auto longestBeginning = 1500ms; ///< many a camera needs a second to its first frame
 constexpr auto betweenAttempts = 100ms;
 constexpr int silencesBeforeRestart = 4;
-constexpr double picturesInSilence = 2.5; ///< a camera slower than that is waited for longer
+constexpr double picturesInSilence = 2.5; ///< the wait is longer for a camera slower than that
 
 Time now()
 {
@@ -156,16 +156,16 @@ private:
     std::unique_ptr<V4l2Pictures> m_pictures;
     V4l2Stamps m_stamps;
     Error m_problem;          ///< the last one
-    bool m_begins = true;     ///< no sound picture since the stream was started
+    bool m_begins = true;     ///< no intact frame since the stream started
     bool m_atOnce = false;    ///< it was lost while it delivered, and is to be taken up without waiting
-    bool m_isDamaged = false; ///< what came since the last sound picture was damaged
+    bool m_isDamaged = false; ///< what came since the last intact frame was damaged
     int m_silences = 0;       ///< in a row
 
     mutable std::mutex m_mutex; ///< guards what follows
     std::shared_ptr<V4l2Device> m_device;
     CameraCounts m_counts;
     V4l2Settings m_settings;
-    V4l2Settings m_automatics;   ///< that are held, as they stood before
+    V4l2Settings m_automatics;   ///< that are held, with their previous values
     bool m_isHoldMissed = false; ///< it was not there when its automatics were to be held
 };
 
@@ -190,7 +190,7 @@ void V4l2Source::lose(const Error &why)
     device.swap(m_device);
 }
 
-/// Whatever is the matter with a camera that was there, it may pass.
+/// Any problem of a camera that once worked may pass.
 void V4l2Source::notePassing(Error problem)
 {
     m_problem = std::move(problem);
@@ -280,7 +280,7 @@ std::chrono::nanoseconds V4l2Source::patience() const
                                               fromSeconds(picturesInSilence / m_description.framesPerSecond));
 }
 
-/// A camera that is there and says nothing: in the end it is started anew.
+/// A connected camera that sends nothing: in the end it is restarted.
 void V4l2Source::noteSilence()
 {
     const Message what = cameraAtAddress(m_description.uri);

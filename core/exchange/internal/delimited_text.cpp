@@ -23,7 +23,7 @@ constexpr long double mostSeconds = 4e9L;
 template <class Number>
 std::optional<Number> numberOf(std::string_view cell, char delimiter)
 {
-    std::array<char, 65> copy{}; // ends with a zero: libstdc++ looks for one beyond the end it is given
+    std::array<char, 65> copy{}; // ends with a zero: libstdc++ reads one character beyond the given end
     if (cell.starts_with('+'))
         cell.remove_prefix(1); // from_chars knows none
     if (cell.empty() || cell.size() >= copy.size())

@@ -140,7 +140,7 @@ private:
     std::size_t m_nodes = 0;
 };
 
-/// The number that "\\uXXXX" at a place stands for; 0 where there is none.
+/// The number that "\\uXXXX" at a position stands for; 0 where there is none.
 unsigned codeAt(const std::string &text, std::size_t at)
 {
     unsigned code = 0;

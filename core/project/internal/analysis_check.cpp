@@ -69,7 +69,7 @@ MessageArgument withUnit(double value, const Metric &metric)
     return quantity(value, 6, metric.unit == "1" ? "" : metric.unit);
 }
 
-/// Looks through one trial after the other, with what they share.
+/// Checks one trial after the other, with what they share.
 class AnalysisCheck
 {
 public:
@@ -444,7 +444,7 @@ std::vector<MarkerError> computedErrors(const RegistrationRecord &record, Intrin
     return computed;
 }
 
-/// Either the RMS fits the errors, or the errors fit the markers. A joint registration leaves doubtful
+/// Either the RMS fits the errors, or the errors fit the markers. A joint registration leaves uncertain
 /// markers out of its RMS, and its pixel errors refer to markers that it moved; after the axes were changed,
 /// an older registration no longer fits the layout.
 bool fitsItsMarkers(const FloorRegistration &registration, const std::vector<MarkerError> &computed)

@@ -24,7 +24,7 @@ enum class DigestPart {
     Registrations, ///< of the views that were used, with the lens of each
     Task,          ///< the course, gates, zones and limits it was measured by
     Positions,     ///< samples and points
-    Results,       ///< version, options, overrules, metrics, spikes, passages and doubtful names
+    Results,       ///< version, options, overrides, metrics, spikes, passages and ambiguous names
 };
 inline constexpr std::array allDigestParts{DigestPart::Measurements,  DigestPart::Recordings,
                                            DigestPart::Registrations, DigestPart::Task,

@@ -8,7 +8,7 @@ namespace odo {
 
 struct ProjectConnection;
 
-/// The pictures of a calibration as rows, used and rejected ones; CameraRepository's part of them. The record
+/// The images of a calibration as rows, used and rejected ones; CameraRepository's part of them. The record
 /// has its id.
 Result<void> addCalibrationPictures(ProjectConnection &connection, const IntrinsicsRecord &record);
 Result<void> readCalibrationPictures(const ProjectConnection &connection, IntrinsicsRecord &into);

@@ -20,7 +20,7 @@ namespace odo {
 
 namespace {
 
-/// The journal's own table is told, never taken back.
+/// Changes of the journal's own table are never undone.
 constexpr const char *entryTable = "change_entry";
 
 struct SessionEnd

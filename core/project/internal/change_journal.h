@@ -13,31 +13,31 @@ namespace odo {
 
 struct ProjectConnection;
 
-/// The changes that were made to a project in this sitting, each of which can be taken back and made again:
+/// The changes made to a project in this session, each of which can be undone and redone:
 /// the rows they touched, as they were before and after (SQLite's session extension), so that a change needs
-/// no code of its own to be undone. Each is told in the project as well (table change_entry), and so is that
-/// it was taken back.
+/// no code of its own to undo it. Each is also listed in the project (table change_entry), and so is its
+/// undoing.
 ///
 /// Private to core/project; belongs to the thread of its connection.
 class ChangeJournal
 {
 public:
-    /// mostBytes: the oldest changes are forgotten when all together take more.
+    /// mostBytes: the oldest changes are forgotten when their total is larger.
     explicit ChangeJournal(ProjectConnection &connection, std::size_t mostBytes = std::size_t(64) << 20);
 
     /// Runs work in one transaction, rolled back when it fails. words: what it does, for people ("rename team
     /// Falcon"). Work that changes nothing leaves no trace. Inside another change it is a part of that one.
     Result<void> make(const Message &words, const std::function<Result<void>()> &work);
-    /// As make, of what is told but cannot be taken back: its rows are not kept, however many they are. What
-    /// can be taken back or made again stays so.
+    /// As make, for what is listed but cannot be undone: its rows are not kept, however many they are. What
+    /// can be undone or redone stays so.
     Result<void> note(const Message &words, const std::function<Result<void>()> &work);
     /// Gives the words of the change. NotFound where there is none; InvalidInput, and nothing done, where
     /// what it changed was changed since by something that is not in the journal, or where a robot it
-    /// analysed was analysed again since.
+    /// analysed was reanalysed since.
     Result<Message> undo();
     Result<Message> redo();
 
-    /// Of the change that would be taken back, or made again; empty: there is none.
+    /// Of the change that undo or redo would affect; empty: there is none.
     Message undoWords() const { return m_done.empty() ? Message() : m_done.back().words; }
     Message redoWords() const { return m_undone.empty() ? Message() : m_undone.back().words; }
 

@@ -28,7 +28,7 @@ QString toQString(const std::filesystem::path &path)
 /// SQLite's own. The header holds a LogMark in the place of a size that it would take instead.
 constexpr const char *usualCache = "PRAGMA cache_size=-2000";
 
-/// A file: address, in which ?, # and % of the path are told apart from the options.
+/// A file: address, in which ?, # and % of the path are kept apart from the options.
 QString immutableAddress(const std::filesystem::path &file)
 {
     const QByteArray path = QUrl::toPercentEncoding(toQString(file), QByteArrayLiteral("/"));
@@ -48,7 +48,7 @@ Result<std::unique_ptr<ProjectConnection>> ProjectConnection::open(const std::fi
     return openAt(file, file, access);
 }
 
-/// place: where the database is that is read as the file.
+/// place: the location of the database that is read as the file.
 Result<std::unique_ptr<ProjectConnection>> ProjectConnection::openAt(const std::filesystem::path &place,
                                                                      const std::filesystem::path &file,
                                                                      DatabaseAccess access)
@@ -174,8 +174,8 @@ ProjectConnection::~ProjectConnection()
     QSqlDatabase::removeDatabase(m_name);
 }
 
-/// When this is the last connection to be closed. Who only reads writes nothing, and beside a file that took
-/// the place of this one the log may be that one's.
+/// When this is the last connection to be closed. A reader writes nothing, and beside a file that replaced
+/// this one, the log may belong to that one.
 bool ProjectConnection::mayRemoveLog(const HeldTurn &turn) const noexcept
 {
     try {

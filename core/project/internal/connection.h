@@ -61,7 +61,7 @@ struct ProjectConnection
     /// Whether the file is still where it was opened: it was not deleted, renamed or replaced. Looks at its
     /// path alone.
     bool isInPlace() const;
-    /// Begins to look whether something else writes to the file; of a connection that reads and writes, in
+    /// Starts to check whether something else writes to the file; of a connection that reads and writes, in
     /// WAL mode.
     void watchForOverwriting() const;
     /// Whether something wrote to the file past SQLite since then (FileStamp). False where somebody has the
@@ -139,7 +139,7 @@ public:
     Result<void> run();
     /// Runs, and calls the function for each row until it fails.
     Result<void> eachRow(const std::function<Result<void>(const Statement &)> &row);
-    /// Runs, and tells whether there is a first row, which can then be read.
+    /// Runs, and returns whether there is a first row, which can then be read.
     Result<bool> firstRow();
 
     std::int64_t integer(int column) const;

@@ -14,7 +14,7 @@ namespace odo {
 
 namespace {
 
-/// A stored place as near to it as a floor reaches.
+/// A stored position, limited to the extent of a floor.
 Eigen::Vector2d onFloor(const Eigen::Vector2d &point)
 {
     constexpr double furthestM = 1000; // as isOnFloor has it

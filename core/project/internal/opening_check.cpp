@@ -28,7 +28,7 @@ namespace odo {
 
 namespace {
 
-/// Larger files are looked through only by Project::check: reading them at every start would be slow.
+/// Only Project::check reads larger files in full: reading them at every start would be slow.
 constexpr std::uintmax_t quickCheckBytes = 64 * 1024 * 1024;
 /// More than the fullest file of that size takes; a file may be made so that reading it does not end.
 constexpr std::int64_t mostOpeningSteps = 500'000'000;
@@ -51,7 +51,7 @@ Result<Schema> schemaOf(const ProjectConnection &connection, std::size_t most)
     return schema;
 }
 
-/// What a project of that version has. Kept, because making it takes longer than to look through a small
+/// What a project of that version has. Kept, because making it takes longer than checking a small
 /// project. Any thread.
 Result<Schema> expectedSchema(const Migrator &migrator, int version)
 {
@@ -203,7 +203,7 @@ bool namesAnotherFile(const std::filesystem::path &journal)
     return input.read(end.data(), static_cast<std::streamsize>(end.size())) && end == mark;
 }
 
-/// Whether what lies beside a project leads to another file, which SQLite would then write to or remove.
+/// Whether a file beside a project leads to another file, which SQLite would then write to or remove.
 bool leadsElsewhere(const std::filesystem::path &file)
 {
     std::error_code problem;
@@ -274,7 +274,7 @@ Result<void> checkFileHeader(const std::filesystem::path &file, int newestVersio
         return fail(ErrorCode::InvalidInput, what,
                     ODO_TEXT("project.journal_of_another", "the journal beside it names another file"),
                     copyAgain());
-    // While a write-ahead log lies beside it, the file itself may lag behind. Asked before the size: whoever
+    // While a write-ahead log is beside it, the file itself may lag behind. Asked before the size: whoever
     // empties the log has written all of it into the file before.
     if (!hasLog(file) && bytes.size() < promisedBytes(header))
         return cutOff(file, bytes.size(), promisedBytes(header));
@@ -322,7 +322,7 @@ int copyPages(sqlite3 *source, const std::filesystem::path &target)
     return code;
 }
 
-/// Opens the copy for reading and lets SQLite look through it.
+/// Opens the copy for reading and lets SQLite check it.
 Result<void> checkCopy(const std::filesystem::path &file, const Message &what)
 {
     const auto copy = ODO_TRY(ProjectConnection::open(file, DatabaseAccess::Immutable));

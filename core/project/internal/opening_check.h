@@ -16,10 +16,10 @@ namespace odo {
 class Migrator;
 struct ProjectConnection;
 
-/// Looks through a project's file before anything is written to it, for it may come from anyone, and gives
+/// Checks a project's file before anything is written to it, for it may come from anyone, and gives
 /// the version of its schema: the file holds that schema and nothing else, and all of it is whole, unless it
-/// is so large that reading it would take long. The schema comes first, for looking through the rest
-/// evaluates the checks in it; all of it is read as it was at one moment. A file made so that looking through
+/// is so large that reading it would take long. The schema comes first, because the check of the rest
+/// evaluates the checks in it; all of it is read as it was at one moment. A file made so that checking
 /// it does not end is given up. On the connection's thread. Errors: NewerFormat, InvalidInput (damaged, or
 /// not a project's tables), Io where the disk does not give what is in the file.
 Result<int> checkContent(ProjectConnection &connection, const Migrator &migrator);
@@ -54,8 +54,8 @@ bool isProjectFile(const std::filesystem::path &file);
 /// That there is such a file, which could be opened.
 Result<void> checkIsFile(const std::filesystem::path &file);
 
-/// One step of the schema: from version n - 1 to n, where n is its place in the list, counted from 1. A step
-/// that was ever published is never changed again.
+/// One step of the schema: from version n - 1 to n, where n is its position in the list, counted from 1. A
+/// step that was ever published is never changed again.
 struct Migration
 {
     Message purpose; ///< what it brings, for messages

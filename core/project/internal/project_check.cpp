@@ -85,7 +85,7 @@ public:
     {
     }
 
-    /// Looks whether the files are there, and remembers those whose content is to be looked at.
+    /// Checks that the files exist, and remembers those whose content is to be checked.
     Result<void> compareSizes(const std::vector<KeptFile> &files)
     {
         for (const KeptFile &kept : files) {
@@ -165,7 +165,7 @@ private:
 
 /// Compares the files that a project refers to with what it knows of them: that they are there, their sizes
 /// and, withHashes, their content. Each file is read once, however many trials and names it has (hard links
-/// too), and each problem is told once. Reports the part of the bytes read. Cancelled.
+/// too), and each problem is reported once. Reports the part of the bytes read. Cancelled.
 Result<void> checkFiles(const std::vector<KeptFile> &files, bool withHashes, const JobControl &control,
                         std::vector<ProjectProblem> &problems)
 {
@@ -270,7 +270,7 @@ namespace {
 
 using Problems = std::vector<ProjectProblem>;
 
-/// While it lives, SQLite stops what it does when the user cancels: looking through a large file is one
+/// While it lives, SQLite stops what it does when the user cancels: checking a large file is one
 /// statement.
 class InterruptWhenCancelled
 {
@@ -366,7 +366,7 @@ void addRegistrationFiles(Project &project, const CameraRecord &camera, std::vec
             {wholeMessage(all.error().what, all.error().why), cameraSubject(camera.name), restoreProject()});
         return;
     }
-    std::set<std::string> seen; // a registration made anew from the same markers has the same picture
+    std::set<std::string> seen; // a registration recomputed from the same markers has the same image
     for (const RegistrationRecord &record : *all) {
         if (record.picture.path.empty() || !seen.insert(record.picture.path).second)
             continue;
@@ -381,7 +381,7 @@ void addRegistrationFiles(Project &project, const CameraRecord &camera, std::vec
     }
 }
 
-/// Of trials that are complete; tells of the others.
+/// Of trials that are complete; reports the others.
 void addRecordingFiles(Project &project, std::vector<KeptFile> &kept, Problems &problems)
 {
     const auto trials = project.trials().names();

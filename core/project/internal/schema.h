@@ -8,8 +8,8 @@
 
 namespace odo {
 
-/// "Odog" in the header of every project file (PRAGMA application_id), by which `file` and desktops can tell
-/// it.
+/// "Odog" in the header of every project file (PRAGMA application_id), by which `file` and desktops can
+/// identify it.
 constexpr std::uint32_t projectApplicationId = 0x4f646f67;
 
 /// All steps of the schema that docs/project_file.md describes.

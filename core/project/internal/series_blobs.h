@@ -20,7 +20,7 @@
 
 namespace odo {
 
-/// The long series of a project as packed column arrays, laid out as docs/project_file.md says, and back, bit
+/// The long series of a project as packed column arrays, in the layout of docs/project_file.md, and back, bit
 /// for bit. Of a covariance of pixels or metres the upper triangle is kept (it is symmetric). Reading checks
 /// kind, version and length and gives InvalidInput, naming `what`, for anything else. Pure functions, any
 /// thread.
@@ -53,9 +53,9 @@ QByteArray packTruth(const TruthSeries &truth);
 /// Fills the vectors of `into`.
 Result<void> unpackTruth(const QByteArray &bytes, const Message &what, TruthSeries &into);
 
-/// The corners of a picture of a board with their residuals, and which of them stand out or do not count.
+/// The corners of a board image with their residuals, and which of them are outliers or do not count.
 QByteArray packCorners(const CalibrationPicture &picture);
-/// Fills in the picture's corners; the rest of it stays.
+/// Fills in the image's corners; the rest stays as it is.
 Result<void> unpackCorners(const QByteArray &bytes, const Message &what, CalibrationPicture &into);
 
 QByteArray packNumbers(std::span<const double> numbers);

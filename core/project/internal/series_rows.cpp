@@ -16,7 +16,7 @@
 
 namespace odo {
 
-// The observations, the imported tracks, the overrules and the truth of TrialRepository.
+// The observations, the imported tracks, the overrides and the truth of TrialRepository.
 
 Result<void> TrialRepository::addObservations(const ObservationSeries &series)
 {

@@ -10,7 +10,7 @@ namespace odo {
 
 struct ProjectConnection;
 
-/// Stores when it could not be told which robot an analysis is of, and reads it again in the same order. On
+/// Stores when it was ambiguous which robot an analysis is of, and reads it back in the same order. On
 /// the connection's thread. Errors: those of the database; a robot that is not there.
 Result<void> addDoubtfulNames(ProjectConnection &connection, RecordId analysis,
                               const std::vector<DoubtfulName> &doubts);

@@ -315,7 +315,7 @@ void Transaction::rollBack()
 
 namespace {
 
-/// SQLite asks for files and memory and tells of neither.
+/// SQLite needs files and memory but reports a shortage of neither.
 SqliteRefusal unlessShort(SqliteRefusal reason)
 {
     const MessageText *shortage = shortageNowOfSystem();

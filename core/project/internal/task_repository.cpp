@@ -103,7 +103,7 @@ TaskRecord readTask(const ProjectConnection &connection, const Statement &row)
 {
     TaskRecord record = taskOf(row);
     if (!readCourse(connection, row, record))
-        record.task = {}; // checkStoredTasks tells why
+        record.task = {}; // checkStoredTasks reports why
     return record;
 }
 

@@ -128,7 +128,7 @@ private:
         return disc;
     }
 
-    /// How much later than the picture's middle a rolling shutter sees a point.
+    /// How much later than the frame's middle a rolling shutter sees a point.
     double rowDelayS(const Eigen::Vector3d &point) const
     {
         const auto pixel = m_readoutS > 0 ? m_view.pixelFromWorld(point) : std::nullopt;

@@ -16,7 +16,7 @@ struct PaintedPiece
     double weight = 1; ///< share of the exposure, or opacity
 };
 
-/// A thing in the picture that is not always there, or moves: all its pieces are painted as one layer.
+/// A thing in the frame that is not always there, or moves: all its pieces are painted as one layer.
 struct PaintedThing
 {
     std::vector<PaintedPiece> pieces;

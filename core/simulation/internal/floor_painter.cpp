@@ -39,7 +39,7 @@ double grain(const Eigen::Vector2d &point, std::uint64_t seed)
 }
 
 /// Floor points at the pixels of a grid, from which those between are interpolated: for texture only, whose
-/// place need not be exact.
+/// position need not be exact.
 class FloorGrid
 {
 public:

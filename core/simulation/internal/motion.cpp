@@ -185,7 +185,7 @@ public:
 
     MotionState at(double timeS) const override
     {
-        // The leg under way, or the one that is next while it pauses.
+        // The current leg, or the next one while it pauses.
         const double last = static_cast<double>(m_legs.size() - 1);
         const double cycle = m_legS + m_pauseS;
         const auto leg = static_cast<std::size_t>(std::clamp(std::floor(timeS / cycle), 0.0, last));
@@ -317,7 +317,7 @@ public:
 
     MotionState at(double timeS) const override
     {
-        // Where it stands the direction is that of the first or last instant of the way.
+        // Where it stands still the direction is that of the first or last instant of the path.
         const double endS = m_stepS * static_cast<double>(m_points.size() - 1);
         const double inside = std::clamp(timeS, 1e-3 * m_stepS, endS - 1e-3 * m_stepS);
         MotionState state = evaluate(std::clamp(timeS, 0.0, endS));

@@ -22,11 +22,11 @@ class Motion
 {
 public:
     virtual ~Motion() = default;
-    /// Any time; before 0 s it stands where it begins.
+    /// Any time; before 0 s it stands still at its start.
     virtual MotionState at(double timeS) const = 0;
 };
 
-/// Stands, then runs from start to end with a smooth (quintic) ramp, then stands.
+/// Rests, then runs from start to end with a smooth (quintic) ramp, then rests.
 std::shared_ptr<const Motion> makeLineMotion(Eigen::Vector2d start, const Eigen::Vector2d &end, double startS,
                                              double durationS);
 /// Circles anticlockwise from centre + (radius, 0), starting from rest over rampS to the steady angular
@@ -53,7 +53,7 @@ struct VelocityChange
     double startS = 0, durationS = 0;
     Eigen::Vector2d deltaMps = Eigen::Vector2d::Zero();
 };
-/// Stands at start until the first change; the changes add up and may overlap. A short one is a collision.
+/// Rests at start until the first change; the changes add up and may overlap. A short one is a collision.
 /// The body keeps its heading, whichever way it is thrown.
 std::shared_ptr<const Motion> makeVelocityMotion(Eigen::Vector2d start, double headingRad,
                                                  std::vector<VelocityChange> changes);

@@ -102,10 +102,10 @@ namespace {
 // Bending of a mild lens is about 1e-4 / px: the sagitta of such an edge is 16² · 1e-4 / 8 = 0.003 px at
 // most.
 constexpr double edgeStepPx = 16.0;
-// How far beyond the picture's border, relative to its half size, polygons are cut.
+// How far beyond the frame's border, relative to its half size, polygons are cut.
 constexpr double frustumMargin = 0.06;
 
-/// The range of x/z and y/z that the picture's border sees.
+/// The range of x/z and y/z that the frame's border sees.
 struct DirectionBounds
 {
     Eigen::Vector2d lower{1e9, 1e9}, upper{-1e9, -1e9};
@@ -233,8 +233,8 @@ ConvexPolygon cut(const ConvexPolygon &polygon, const Eigen::Vector2d &a, const 
     return kept;
 }
 
-/// Whether an edge of the first has all of the second on its outer side: how most parts of a body lie to one
-/// another.
+/// Whether an edge of the first has all of the second on its outer side: as is true for most parts of a body
+/// in relation to each other.
 bool isApart(const ConvexPolygon &hole, const ConvexPolygon &polygon)
 {
     for (std::size_t i = 0; i < hole.size(); ++i) {

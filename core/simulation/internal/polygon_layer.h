@@ -22,7 +22,7 @@ inline Rgb toRgb(const RgbColour &colour)
             0.f};
 }
 
-/// Full-resolution colour of a part of a picture.
+/// Full-resolution colour of a part of a frame.
 class RgbPicture
 {
 public:
@@ -33,7 +33,7 @@ public:
     }
 
     const PixelRect &rect() const { return m_rect; }
-    /// The pixels of row y of the whole picture, from rect().x0 on.
+    /// The pixels of row y of the whole frame, from rect().x0 on.
     Rgb *row(int y) { return m_pixels.data() + static_cast<std::ptrdiff_t>(y - m_rect.y0) * m_rect.width(); }
     const Rgb *row(int y) const
     {
@@ -67,7 +67,7 @@ public:
 
     /// Adds a closed polygon, in luma pixels, in either orientation; parts outside the rectangle are cut off.
     void add(std::span<const Eigen::Vector2d> outline, const Rgb &colour, double weight = 1.0);
-    /// Paints the layer over a picture. The layer is used up by it.
+    /// Paints the layer over a frame. The layer is used up by it.
     void paintOver(RgbPicture &picture);
 
 private:
@@ -79,8 +79,8 @@ private:
     std::vector<Rgb> m_changes; ///< premultiplied colour and, fourth, coverage
 };
 
-/// Turns flat polygons in space into their outlines in the picture: cut to what the camera can see, and with
-/// the edges divided finely enough that the lens's bending is followed to a thousandth of a pixel. Immutable.
+/// Turns flat polygons in space into their outlines in the frame: cut to what the camera can see, and with
+/// the edges divided finely enough to follow the lens distortion to a thousandth of a pixel. Immutable.
 class PictureOutline
 {
 public:

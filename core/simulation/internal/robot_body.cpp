@@ -59,7 +59,8 @@ SolidFace faceOf(std::vector<Eigen::Vector3d> corners)
     return {std::move(corners), normal};
 }
 
-/// Both ends and the sides of a prism. place: of a point of the outline at the lower (0) or upper (1) end.
+/// Both ends and the sides of a prism. place: the position of a point of the outline at the lower (0) or
+/// upper (1) end.
 template <class Place>
 std::vector<SolidFace> prism(const std::vector<Eigen::Vector2d> &outline, const Place &place)
 {
@@ -95,7 +96,7 @@ SolidFace discOf(const RobotPart &sphere, const Eigen::Vector3d &cameraInRobot)
 } // namespace
 
 /// The faces of a part, in the robot's frame. Round ones are regular prisms of the circle's area
-/// (cylinderSides); a sphere, of which one sees a disc from anywhere, is the disc that a camera at this place
+/// (cylinderSides); a sphere, seen as a disc from anywhere, is the disc that a camera at this position
 /// sees.
 std::vector<SolidFace> facesOf(const RobotPart &part, const Eigen::Vector3d &cameraInRobot)
 {

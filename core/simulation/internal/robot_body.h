@@ -16,7 +16,7 @@ struct BodyFace
 };
 
 /// The faces of a robot's parts that a camera can see, cut to what no nearer part hides: they do not overlap
-/// in its picture. What lies level has its part's colour, sides the same hue, darker, depending on where they
+/// in its image. What lies level has its part's colour, sides the same hue, darker, depending on where they
 /// face.
 std::vector<BodyFace> visibleFaces(const SimulatedRobot &robot, const MotionState &state,
                                    const Eigen::Vector3d &cameraInWorld);

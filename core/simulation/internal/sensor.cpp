@@ -49,7 +49,7 @@ const std::vector<float> &normalNumbers()
     return numbers;
 }
 
-/// Adds rows of noise to values, weighted; each row starts at a place of its own in the table.
+/// Adds rows of noise to values, weighted; each row starts at its own position in the table.
 void addNoise(std::vector<int> &values, const std::vector<std::int16_t> &noise, std::uint64_t key, int weight)
 {
     const std::size_t start = randomHash(key, 0) % (noise.size() - values.size());
@@ -188,7 +188,7 @@ void Sensor::readLuma(FrameBuffer &frame, double gain, std::uint64_t key) const
 void Sensor::readChroma(const std::vector<std::int16_t> &plane, FrameBuffer &frame, bool isU, double gain,
                         std::uint64_t key) const
 {
-    // Noise is drawn for each luma row and then filtered as the picture is, so that it has the right size and
+    // Noise is drawn for each luma row and then filtered as the frame is, so that it has the right size and
     // correlation; in quarters, the unit of the kernel down.
     const int gain14 = static_cast<int>(std::lrint(gain * (1 << 14)));
     std::vector<int> values(static_cast<std::size_t>(m_chromaWidth));

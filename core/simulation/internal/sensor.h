@@ -11,7 +11,7 @@
 namespace odo {
 
 /// Turns light into the planes of a frame: Y'CbCr by BT.601 (limited range), chroma filtered and sampled
-/// where its siting says, gain, and noise. Keeps the planes of one picture; parts of it can be replaced.
+/// where its siting says, gain, and noise. Keeps the planes of one frame; parts of it can be replaced.
 class Sensor
 {
 public:
@@ -20,15 +20,15 @@ public:
 
     const FrameFormat &format() const { return m_format; }
 
-    /// Takes a part of the picture over. Its border of two pixels (where it is not the picture's) must be as
+    /// Takes over a part of the frame. Its border of two pixels (where it is not the frame's) must be as
     /// before.
     void take(const RgbPicture &part);
-    /// Remembers the whole picture as it is now, for restore.
+    /// Remembers the whole frame as it is now, for restore.
     void keepStill();
     /// Puts a part back to what keepStill remembered; a rectangle that was taken before.
     void restore(const PixelRect &rect);
 
-    /// The frame: planes · gain + noise, rounded. The noise is that of this picture number.
+    /// The frame: planes · gain + noise, rounded. The noise is that of this frame number.
     std::shared_ptr<FrameBuffer> read(double gain, std::uint64_t picture) const;
 
 private:

@@ -20,7 +20,7 @@ extern "C" {
 
 namespace odo::libav {
 
-/// Of a picture that is read. libapriltag ends the program at a side of 32,768 pixels, OpenCV remaps none of
+/// Of a frame that is read. libapriltag ends the program at a side of 32,768 pixels, OpenCV remaps none of
 /// 32,767.
 constexpr std::int64_t mostPixels = 100'000'000, longestSide = 32'000;
 
@@ -86,7 +86,7 @@ void quieten();
 
 namespace odo {
 
-/// What is said at several places of this folder.
+/// Messages used in several files of this folder.
 Message cannotOpenVideo(const std::filesystem::path &file);
 Message dataAreDamaged();
 Message writingFailedBefore();

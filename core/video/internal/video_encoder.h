@@ -16,8 +16,8 @@ Result<libav::CodecPtr> openEncoder(const FrameFormat &format, const VideoWriter
                                     bool globalHeader);
 
 /// The parameters that go into the container, with a filter that writes the chroma siting into an H.264
-/// stream where x264 leaves it out (it never writes "left", so a reader could not tell it from "not known").
-/// The filter may be null.
+/// stream where x264 leaves it out (it never writes "left", so a reader could not distinguish it from "not
+/// known"). The filter may be null.
 struct EncodedStream
 {
     libav::ParametersPtr parameters;

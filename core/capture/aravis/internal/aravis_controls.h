@@ -18,7 +18,7 @@ Result<void> setAravisControl(ArvCamera *camera, const std::string &uri, const s
 struct HeldAutomatics
 {
     std::vector<std::pair<std::string, double>> settings;
-    std::vector<std::pair<std::string, double>> automatics; ///< as they stood, those that were on
+    std::vector<std::pair<std::string, double>> automatics; ///< those that were on, with their values
     std::vector<Message> notHeld;                           ///< names
 };
 HeldAutomatics holdAravisAutomatics(ArvCamera *camera);

@@ -93,11 +93,11 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto openingPatience = 300ms;
-constexpr int mostQuestions = 3; // one may be lost on the way
+constexpr int mostQuestions = 3; // one may be lost
 constexpr int offsetStep = 16;   // a multiple of what cameras demand
 constexpr std::int64_t nanosecondsPerSecond = 1'000'000'000;
 constexpr double rateWhereUntold = 30;
-// A reading that was held up on the way is tried again.
+// A delayed reading is tried again.
 constexpr int mostReadings = 3;
 constexpr Nanoseconds shortRoundTrip = 200us;
 
@@ -106,7 +106,7 @@ bool has(ArvCamera *camera, const char *feature)
     return arv_camera_is_feature_available(camera, feature, ArvFailure().out());
 }
 
-/// Of a picture, as its sensor is read out now; zeros where it does not tell.
+/// Of a frame, as its sensor is read out now; zeros where it is not reported.
 std::pair<int, int> largestSize(ArvCamera *camera)
 {
     ArvFailure failure;
@@ -227,7 +227,7 @@ tl::unexpected<Error> AravisDevice::refused(const AravisAddress &wanted, Message
         ODO_TEXT("capture.ask_for_something_else", "use another value, or leave the choice to the camera"));
 }
 
-/// The order matters: what a picture looks like sets the bounds of the rate, and setting the rate turns a
+/// The order matters: the frame format sets the bounds of the rate, and setting the rate turns a
 /// trigger off.
 Result<void> AravisDevice::setUp(const AravisAddress &wanted)
 {

@@ -32,7 +32,7 @@ MessageArgument namesOfUsableFormats();
 Message doesNotAnswer();
 Message checkPowerAndCable();
 
-/// The planes of a picture of a usable format; rows lie behind one another. The bytes are copied.
+/// The planes of a frame of a usable format; rows lie behind one another. The bytes are copied.
 Frame genicamPlanes(const GenicamFormat &format, const std::uint8_t *bytes, int widthPx, int heightPx);
 
 /// Where a camera is, as found by its address.
@@ -49,8 +49,8 @@ struct AravisMode
     GenicamFormat format;
     int widthPx = 0, heightPx = 0;
     double framesPerSecond = 0;
-    Nanoseconds exposure{0}; ///< 0 where it does not tell
-    std::size_t payload = 0; ///< bytes that it sends for a picture
+    Nanoseconds exposure{0}; ///< 0 where not reported
+    std::size_t payload = 0; ///< bytes that it sends for a frame
 
     std::size_t imageSize() const
     {

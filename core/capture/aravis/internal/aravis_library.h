@@ -31,11 +31,11 @@ public:
     /// Whoever opens a camera holds it: opening two at once corrupts Aravis 0.8.26's memory.
     std::mutex &openMutex() { return m_openMutex; }
 
-    /// What is on the USB. Takes as long as an opening that is under way.
+    /// The USB devices. Waits for an opening in progress.
     std::vector<UsbVisionCamera> usbCameras();
 
     /// Takes over a thread that is still letting go of a camera: one that is gone takes Aravis up to 7.5 s.
-    /// It is waited for when the program ends, at the latest.
+    /// Waits for it when the program ends, at the latest.
     void finishLater(std::thread thread, std::function<bool()> hasEnded);
 
 private:

@@ -16,7 +16,7 @@ class AravisDevice;
 class AravisSession
 {
 public:
-    /// Work for the camera's thread; told nullptr while there is no camera.
+    /// Work for the camera's thread; gets nullptr while there is no camera.
     using Task = std::function<void(AravisDevice *)>;
 
     explicit AravisSession(std::string uri) : m_uri(std::move(uri)) {}
@@ -32,7 +32,7 @@ public:
     // The camera's thread:
     bool isStopped() const;
     void deliver(CapturedFrame frame);
-    /// Why there are no pictures; it is told with the next failure of next().
+    /// Why no frames come; returned with the next failure of next().
     void trouble(Error error);
     void count(const CameraCounts &counts);
     void runTasks(AravisDevice *device);

@@ -26,7 +26,7 @@ constexpr std::size_t leastReceiveBuffer = 4 << 20, mostReceiveBuffer = 32 << 20
 constexpr Nanoseconds oldestArrival = 2s;
 
 /// The socket of this process that is bound to a UDP port; -1 without one. Aravis does not give it out, and
-/// sets its size only when the first picture has begun, which loses that one.
+/// sets its size only when the first frame has started, which loses that one.
 int socketOfPort(std::uint16_t port)
 {
     std::error_code error;
@@ -136,7 +136,7 @@ std::optional<AravisPicture> AravisStream::next(Nanoseconds patience)
     return picture;
 }
 
-/// Aravis calls a picture a success that is smaller than its buffer: its size has to be compared.
+/// Aravis reports success for a frame smaller than its buffer: compare its size.
 std::optional<AravisPicture> AravisStream::pictureIn(ArvBuffer *buffer)
 {
     const ArvBufferStatus status = arv_buffer_get_status(buffer);

@@ -5,7 +5,7 @@
 
 namespace odo {
 
-/// A picture that came whole, with the camera's own number and clock.
+/// A frame that came whole, with the camera's own number and clock.
 struct AravisPicture
 {
     Frame frame;
@@ -14,7 +14,7 @@ struct AravisPicture
     Nanoseconds arrival{0}; ///< when its first packet came, by this machine's steady clock
 };
 
-/// The pictures of an open camera, from start to stop. On the thread of its device, which outlives it.
+/// The frames of an open camera, from start to stop. On the thread of its device, which outlives it.
 class AravisStream
 {
 public:
@@ -24,16 +24,16 @@ public:
     AravisStream(const AravisStream &) = delete;
     AravisStream &operator=(const AravisStream &) = delete;
 
-    /// Waits for a picture; those that did not come whole are counted. nullopt when none came in time.
+    /// Waits for a frame; those that did not come whole are counted. nullopt when none came in time.
     std::optional<AravisPicture> next(Nanoseconds patience);
 
     std::uint64_t damaged() const { return m_damaged; }
     std::uint64_t resent() const;
-    /// Grows with each picture that came while none of our buffers was free, perhaps by more than one.
+    /// Grows with each frame that came while none of our buffers was free, perhaps by more than one.
     std::uint64_t unbuffered() const;
-    /// Why pictures may come incomplete, where this machine is the cause; empty otherwise.
+    /// Why frames may come incomplete, where this machine is the cause; empty otherwise.
     const Message &warning() const { return m_warning; }
-    /// The camera is gone: it is not told to stop, which would take seconds.
+    /// The camera is gone: do not ask it to stop, which would take seconds.
     void abandon() { m_abandoned = true; }
 
 private:

@@ -17,7 +17,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr Nanoseconds popPatience = 20ms, retryEvery = 250ms, readClockEvery = 500ms;
-constexpr int firstReadings = 4; // with the first pictures, for the clock to be known at once
+constexpr int firstReadings = 4; // with the first frames, for the clock to be known at once
 constexpr Nanoseconds shortestSilence = 200ms, longestStall = 3s;
 constexpr double silentIntervals = 3;
 constexpr auto runningPatience = 150ms;
@@ -166,7 +166,7 @@ void AravisWorker::releaseAutomatics(AravisDevice *device)
 
 AravisWorker::Opened AravisWorker::takeUp()
 {
-    // A camera that was found by its serial number is most likely where it was; looking for it takes two
+    // A camera that was found by its serial number is most likely where it was; a search takes two
     // seconds.
     const bool where = m_place && m_place->onNetwork && !isIpAddress(m_address.place);
     const auto there = where ? askGvcpCamera(m_place->openId, runningPatience) : std::nullopt;
@@ -243,7 +243,7 @@ void AravisWorker::readClockIfDue(AravisDevice &device)
 
 void AravisWorker::deliver(AravisDevice &device, AravisStream &stream, AravisPicture picture)
 {
-    // The stamp is of the beginning of the exposure (SFNC), the picture of its middle.
+    // The stamp is of the start of the exposure (SFNC), the frame's time of its middle.
     const Nanoseconds middle = picture.stamp + device.mode().exposure / 2;
     if (!m_times.goesOn(middle, picture.arrival))
         m_nextReading = Nanoseconds(0);
@@ -271,8 +271,8 @@ void AravisWorker::deliver(AravisDevice &device, AravisStream &stream, AravisPic
     m_session->deliver(std::move(captured));
 }
 
-/// Of the gap before a picture: for what was this thread too slow, because a camera let it wait for an
-/// answer? The buffers that were full by then come first, without a gap.
+/// The part of the gap before a frame that this thread lost because it was waiting for an answer of the
+/// camera. The buffers that were full by then come first, without a gap.
 std::uint64_t AravisWorker::lostHere(const AravisStream &stream, std::uint64_t sequence)
 {
     const std::uint64_t gap = sequence - m_lastSequence - 1;
@@ -282,7 +282,7 @@ std::uint64_t AravisWorker::lostHere(const AravisStream &stream, std::uint64_t s
     return std::min(gap, m_unbuffered - before);
 }
 
-/// Whether to go on waiting for pictures, when none came for a moment. Says what is wrong.
+/// Whether to keep waiting for frames when none came for a moment. Reports the problem.
 bool AravisWorker::stillStreams(AravisDevice &device, AravisStream &stream)
 {
     const AravisMode &mode = device.mode();

@@ -9,12 +9,12 @@
 
 namespace odo {
 
-/// The one thread of a camera that touches Aravis: opens the camera, takes its pictures, reads its clock,
-/// watches that it lives, and takes it up anew, as it was, when it was away.
+/// The one thread of a camera that touches Aravis: opens the camera, takes its frames, reads its clock,
+/// checks that it is alive, and reconnects with the same settings after a loss.
 class AravisWorker
 {
 public:
-    /// opened: told once, what was found or why it cannot be opened.
+    /// opened: called once, with what was found or why it cannot be opened.
     AravisWorker(AravisAddress address, std::shared_ptr<AravisSession> session,
                  std::promise<Result<CameraDescription>> opened);
 
@@ -55,21 +55,21 @@ private:
     AravisMode m_mode;                  ///< as it was then
     bool m_holdWhenBack = false;
     std::vector<std::pair<std::string, double>> m_settings,
-        m_automatics; ///< m_automatics: held, as they stood
+        m_automatics; ///< m_automatics: held, with their previous values
     CameraTimeScale m_times;
     PictureNumbering m_numbering;
     std::optional<ClockReading> m_reading; ///< the last one of the camera's own clock
     bool m_readingIsNew = false;
-    int m_readings = 0; ///< tried since the camera was taken up
+    int m_readings = 0; ///< tried since the camera was connected
     Nanoseconds m_nextReading{0};
     Nanoseconds m_lastPicture{0}; ///< or the start of the stream
     Nanoseconds m_nextFire{0};
-    std::optional<Nanoseconds> m_lastTime; ///< of a picture, on the scale
-    std::uint64_t m_lastSequence = 0;      ///< of that picture
+    std::optional<Nanoseconds> m_lastTime; ///< of a frame, on the scale
+    std::uint64_t m_lastSequence = 0;      ///< of that frame
     std::uint64_t m_unbuffered = 0;        ///< when there was a gap, or the stream began
-    bool m_resumed = false;                ///< taken up anew, without a picture yet
+    bool m_resumed = false;                ///< reconnected, without a frame yet
     int m_unanswered = 0;
-    std::uint64_t m_damagedBefore = 0; ///< when the last picture came
+    std::uint64_t m_damagedBefore = 0; ///< when the last frame came
     CameraCounts m_before, m_counts;   ///< of former streams; of all
 };
 

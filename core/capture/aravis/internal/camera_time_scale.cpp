@@ -15,7 +15,7 @@ using namespace std::chrono_literals;
 constexpr Nanoseconds earliest = 1s, earliestAfterInterruption = largestClockJump;
 constexpr Nanoseconds usuallyLatest = 1s, latestBesideReading = 10s;
 constexpr std::uint64_t lastOf16Bits = 0xffff;
-constexpr std::uint64_t largestGap = 30000; // of numbers of 16 bits; more is a count that began anew
+constexpr std::uint64_t largestGap = 30000; // of 16-bit numbers; more is a count that restarted
 
 } // namespace
 
@@ -26,15 +26,15 @@ bool CameraTimeScale::follows(const Picture &picture) const
         return false;
     const Nanoseconds drift = fromSeconds(fastestClockRate * toSeconds(step)), early = step - passed;
     const Nanoseconds tolerance = m_interrupted ? earliestAfterInterruption : earliest;
-    // A clock that began anew shows some late picture's time by chance only.
+    // A restarted clock matches a late frame's time only by chance.
     const Nanoseconds latest = picture.isRead  ? tolerance
                                : m_interrupted ? usuallyLatest
                                                : Nanoseconds::max() / 2;
     return early <= tolerance + drift && -early <= latest + drift;
 }
 
-/// nullopt where the reading may be of before the clock was set anew, or the picture. Where nothing seems to
-/// have happened that is told from the picture's lateness; otherwise the clock is read after it has arrived.
+/// nullopt where the reading, or the frame, may predate a reset of the clock. Where nothing seems to
+/// have happened, the frame's lateness shows this; otherwise the clock is read after it has arrived.
 std::optional<Nanoseconds> CameraTimeScale::takenBy(const ClockReading &reading, Nanoseconds stamp,
                                                     Nanoseconds arrival) const
 {

@@ -5,26 +5,26 @@
 
 namespace odo {
 
-/// A camera's time stamps on one scale, zero at its first picture, that goes on when the camera was away and
-/// its clock begins anew: then the time between is taken from this machine's clock. Not thread-safe.
+/// A camera's time stamps on one scale, zero at its first frame, that continues when the camera was away and
+/// its clock restarts: then this machine's clock gives the time between. Not thread-safe.
 class CameraTimeScale
 {
 public:
-    /// The camera was taken up anew.
+    /// The camera was reconnected.
     void interrupt() { m_interrupted = true; }
 
-    /// False where a picture's stamp does not follow that of the one before: the clock was set anew, and
-    /// should be read now. A picture may be late by any time; one that were early tells of another clock.
+    /// False where a frame's stamp does not follow that of the one before: the clock was reset, and
+    /// should be read now. A frame may be late by any time; an early one indicates another clock.
     bool goesOn(Nanoseconds stamp, Nanoseconds arrival) const
     {
         return !m_last || follows({stamp, arrival, false});
     }
 
-    /// The time of a picture; they come in order. reading: of the camera's clock, within some seconds of the
-    /// picture.
+    /// The time of a frame; they come in order. reading: of the camera's clock, within some seconds of the
+    /// frame.
     Nanoseconds place(Nanoseconds stamp, Nanoseconds arrival, const std::optional<ClockReading> &reading);
 
-    /// Any time of the camera's clock; after the first picture.
+    /// Any time of the camera's clock; after the first frame.
     Nanoseconds onScale(Nanoseconds device) const { return device - m_zero; }
 
 private:
@@ -43,14 +43,14 @@ private:
     bool m_interrupted = false;
 };
 
-/// Numbers pictures without an end, from a camera's numbers of 16 bits that go from 65535 to 1, or of 64. Not
+/// Numbers frames without wrapping, from a camera's numbers of 16 bits that go from 65535 to 1, or of 64. Not
 /// thread-safe.
 class PictureNumbering
 {
 public:
     /// Gaps in the camera's numbers are gaps here.
     std::uint64_t number(std::uint64_t cameraNumber);
-    /// The camera was taken up anew and counts anew; meanwhile it would have taken so many.
+    /// The camera was reconnected and its count restarted; meanwhile it would have taken so many.
     void interrupt(std::uint64_t missed);
 
 private:

@@ -25,7 +25,7 @@ using Clock = std::chrono::steady_clock;
 constexpr std::uint16_t controlPort = 3956;
 constexpr std::size_t headerSize = 8;
 constexpr std::chrono::seconds discoveryPatience{1};
-// Key, flags (an answer is wanted), command, length, and the number of the request.
+// Key, flags (answer requested), command, length, and the number of the request.
 constexpr std::array<std::uint8_t, 8> discoveryQuestion{0x42, 0x01, 0x00, 0x02, 0x00, 0x00, 0xff, 0xfe};
 constexpr std::array<std::uint8_t, 12> privilegeQuestion{0x42, 0x01, 0x00, 0x80, 0x00, 0x04,
                                                          0xff, 0xfd, 0x00, 0x00, 0x0a, 0x00};

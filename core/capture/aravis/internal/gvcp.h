@@ -16,8 +16,8 @@ struct GvcpCamera
 };
 
 // A few questions of GigE Vision's control protocol (GVCP; GigE Vision 2.0, 14 to 18) asked directly. Aravis
-// would take seconds to find out that a camera is gone, and hold its locks meanwhile; these take as long as
-// they are told, and need no control of the camera. Any thread.
+// would take seconds to find out that a camera is gone, and hold its locks meanwhile; these take only the
+// time given, and need no control of the camera. Any thread.
 
 /// True for four numbers with points.
 bool isIpAddress(const std::string &text);

@@ -29,7 +29,7 @@ namespace {
 /// Links are read, never followed: what lies behind them may hang.
 bool holds(const std::filesystem::path &process, const std::filesystem::path &node)
 {
-    std::error_code problem; // of another user's, or one that has ended: then it is not told
+    std::error_code problem; // of another user's, or of one that has ended: not known
     const std::filesystem::path handles = process / "fd";
     return std::ranges::any_of(files::namesIn(handles, problem), [&](const std::string &name) {
         std::error_code closed;
@@ -40,8 +40,8 @@ bool holds(const std::filesystem::path &process, const std::filesystem::path &no
 } // namespace
 
 /// The names of the other programs that have a camera's node open, each once, in alphabetical order: as the
-/// kernel tells it of the programs of the same user (of all to the administrator). Empty where it tells of
-/// none. Any thread; takes some milliseconds.
+/// kernel reports them for the programs of the same user (of all to the administrator). Empty where it
+/// reports none. Any thread; takes some milliseconds.
 std::vector<std::string> programsThatHold(const std::filesystem::path &node)
 {
     std::error_code problem;
@@ -346,7 +346,7 @@ Result<std::vector<Control>> readControls(const V4l2Device &device, const std::s
         if (kind && (query.flags & V4L2_CTRL_FLAG_DISABLED) == 0)
             controls.push_back(describe(device, query, *kind));
     }
-    if (failure != EINVAL && failure != ENOTTY) // how the end is told, and by a camera that has no controls
+    if (failure != EINVAL && failure != ENOTTY) // how the end is signalled, also by a camera without controls
         return tl::unexpected(v4l2Failure(uri, failure));
     return controls;
 }

@@ -21,12 +21,12 @@ struct V4l2Identity
     std::string index;   ///< which of its nodes it is: a camera may have one in colour and one in infrared
 };
 
-/// An open V4L2 node that captures pictures. Its calls may come from any thread; it is closed with its last
+/// An open V4L2 node that captures video. Its calls may come from any thread; it is closed with its last
 /// share.
 class V4l2Device
 {
 public:
-    /// Errors: those of v4l2Failure; InvalidInput for a node that does not capture pictures (a webcam has one
+    /// Errors: those of v4l2Failure; InvalidInput for a node that does not capture video (a webcam has one
     /// for metadata too).
     static Result<std::shared_ptr<V4l2Device>> open(const std::filesystem::path &node,
                                                     const std::string &uri);
@@ -52,14 +52,15 @@ private:
     V4l2Identity m_identity;
 };
 
-/// All nodes that capture pictures and may be opened, in the order of their numbers.
+/// All nodes that capture video and may be opened, in the order of their numbers.
 std::vector<std::shared_ptr<V4l2Device>> openV4l2Devices();
 
 /// What a failed call to a camera means for its user. NotFound: no such node; Io: no permission; Unavailable:
-/// everything that may pass (used by another program, unplugged, no room on the USB bus, a failure).
+/// everything that may pass (used by another program, unplugged, no bandwidth left on the USB bus, a
+/// failure).
 Error v4l2Failure(const std::string &uri, int errorNumber);
 /// The same; of one that another program uses, the programs that have it open are named where the kernel
-/// tells them.
+/// reports them.
 Error v4l2Failure(const V4l2Device &device, const std::string &uri, int errorNumber);
 
 /// What was set at a camera, to be set again when it comes back: ids and values, in their order.
@@ -78,7 +79,7 @@ Result<void> setV4l2Control(const V4l2Device &device, const std::string &uri, co
 struct V4l2Held
 {
     V4l2Settings settings;        ///< what was set for it
-    V4l2Settings automatics;      ///< as they stood, those that were on
+    V4l2Settings automatics;      ///< those that were on, with their values
     std::vector<Message> stillOn; ///< names of what could not be turned off
 };
 V4l2Held holdV4l2Automatics(const V4l2Device &device, const std::string &uri);

@@ -188,7 +188,7 @@ namespace {
 
 using Bytes = std::span<const std::uint8_t>;
 
-/// In the order of preference: coded pictures leave room on the bus for a second camera, grey ones have no
+/// In the order of preference: coded frames leave bandwidth on the bus for a second camera, grey ones have no
 /// colour to track.
 constexpr std::array<std::uint32_t, 12> readable{
     V4L2_PIX_FMT_MJPEG,  V4L2_PIX_FMT_JPEG,   V4L2_PIX_FMT_YUYV,   V4L2_PIX_FMT_UYVY,
@@ -242,7 +242,7 @@ PackedFormat packedFormat(const v4l2_pix_format &format, PackedLayout layout)
     return packed;
 }
 
-/// Reads pictures that are not coded.
+/// Reads uncoded frames.
 std::function<Frame(Bytes)> rawReader(const v4l2_pix_format &format)
 {
     const int width = static_cast<int>(format.width), height = static_cast<int>(format.height);

@@ -15,13 +15,13 @@ struct v4l2_pix_format;
 
 namespace odo {
 
-/// One way in which a camera can deliver pictures.
+/// One way in which a camera can deliver frames.
 struct V4l2Mode
 {
     std::uint32_t format = 0; ///< its fourcc; one that V4l2Pictures reads
     int widthPx = 0, heightPx = 0;
     std::uint32_t periodNumerator = 1,
-                  periodDenominator = 30; ///< of the seconds from one picture to the next
+                  periodDenominator = 30; ///< of the seconds from one frame to the next
 
     double framesPerSecond() const { return static_cast<double>(periodDenominator) / periodNumerator; }
 };
@@ -54,7 +54,7 @@ Result<V4l2Mode> chooseMode(const std::vector<V4l2Mode> &modes, const V4l2Reques
 /// Which of the formats that can be read is to be preferred: 0 first; −1 for one that cannot be read.
 int v4l2FormatRank(std::uint32_t fourcc);
 
-/// A picture as it lay in a camera's buffer.
+/// A frame as it is in a camera's buffer.
 struct V4l2Picture
 {
     Frame frame; ///< without index and time
@@ -68,7 +68,7 @@ class V4l2Pictures
 public:
     /// A format with a rank.
     explicit V4l2Pictures(const v4l2_pix_format &format);
-    /// nullopt where the picture is damaged or not whole.
+    /// nullopt where the frame is damaged or not whole.
     std::optional<V4l2Picture> read(std::span<const std::uint8_t> buffer);
 
 private:
@@ -78,7 +78,7 @@ private:
     const std::size_t m_leastBytes;
     std::function<Frame(std::span<const std::uint8_t>)> m_raw; ///< unless the camera codes
     FrameFormat m_jpegFormat;
-    std::unique_ptr<JpegDecoder> m_decoder; ///< for pictures of m_jpegFormat
+    std::unique_ptr<JpegDecoder> m_decoder; ///< for frames of m_jpegFormat
 };
 
 } // namespace odo

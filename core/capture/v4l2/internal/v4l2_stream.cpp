@@ -23,7 +23,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr Nanoseconds resolution = 1us; // of the time that drivers tell
+constexpr Nanoseconds resolution = 1us; // of the time that drivers report
 constexpr Nanoseconds largestDelay =
     1s; // from taking to delivery; beyond it a time is not of this machine's clock
 
@@ -106,7 +106,7 @@ v4l2_buffer bufferOf(unsigned index)
     return buffer;
 }
 
-/// Unsigned, because it may wrap in what it is told in.
+/// Unsigned, because the reported value may wrap.
 std::uint64_t nanosecondsOf(const timeval &time)
 {
     return static_cast<std::uint64_t>(time.tv_sec) * 1'000'000'000 +

@@ -25,7 +25,7 @@ struct V4l2BufferStamp
 };
 
 /// Makes of drivers' counts and times what CapturedFrame has: counts that rise and times that go on, whatever
-/// wraps, repeats, jumps or begins anew. Not thread-safe.
+/// wraps, repeats, jumps or restarts. Not thread-safe.
 class V4l2Stamps
 {
 public:
@@ -37,7 +37,7 @@ public:
     };
     /// Of every buffer, damaged ones too. arrival: by the steady clock.
     Stamp next(const V4l2BufferStamp &buffer, Nanoseconds arrival);
-    /// The stream begins anew: what would have come meanwhile counts as lost.
+    /// The stream restarts: what would have come meanwhile counts as lost.
     void beginAnew(double framesPerSecond);
 
 private:
@@ -54,7 +54,7 @@ private:
 };
 
 /// A camera that delivers into buffers that are shared with its driver; a third of a second of them, so that
-/// who takes the pictures may be late. Stops with its end. One thread.
+/// who takes the frames may be late. Stops with its end. One thread.
 class V4l2Stream
 {
 public:
@@ -94,7 +94,7 @@ private:
     std::vector<std::span<std::uint8_t>> m_buffers; ///< mapped
 };
 
-/// What a source waits for: a picture, a camera that is plugged in (a change in /dev; where that cannot be
+/// What a source waits for: a frame, a camera that is plugged in (a change in /dev; where that cannot be
 /// watched, the end of the wait stands for it), or being stopped.
 class V4l2Watch
 {
