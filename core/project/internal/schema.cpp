@@ -64,9 +64,12 @@ std::vector<Migration> projectMigrations()
                      step("11_teams_and_zones")),
         sqlMigration(ODO_TEXT("project.format_12", "digests of analyses, and long series in chunks"),
                      step("12_proved_analyses")),
-        sqlMigration(ODO_TEXT("project.format_13", "reference points of robots"), step("13_reference_points")),
-        sqlMigration(ODO_TEXT("project.format_14", "periods with ambiguous robot names"), step("14_doubtful_names")),
-        sqlMigration(ODO_TEXT("project.format_15", "robots marked by hand in a frame"), step("15_pointed_out_robots")),
+        sqlMigration(ODO_TEXT("project.format_13", "reference points of robots"),
+                     step("13_reference_points")),
+        sqlMigration(ODO_TEXT("project.format_14", "periods with ambiguous robot names"),
+                     step("14_doubtful_names")),
+        sqlMigration(ODO_TEXT("project.format_15", "robots marked by hand in a frame"),
+                     step("15_pointed_out_robots")),
         {ODO_TEXT("project.format_16", "messages as codes with their arguments"), storeMessages},
     };
 }

@@ -1,3 +1,4 @@
+-- Cameras, layouts, robots, teams, trials with their recordings, observations, analyses, and known truth.
 -- Units and meanings are those of core/project/records.h; docs/project_file.md describes tables and blobs.
 
 CREATE TABLE property (name TEXT PRIMARY KEY, value TEXT NOT NULL);

@@ -1,5 +1,4 @@
--- A person's word on single samples: the one in force of each trial and robot, and the one each analysis
--- was made with.
+-- Manual overrides of single samples: those in force for each trial and robot, and those of each analysis.
 
 CREATE TABLE overrule (trial_id INTEGER NOT NULL REFERENCES trial(id),
     robot_id INTEGER NOT NULL REFERENCES robot(id), frame INTEGER NOT NULL, is_spike INTEGER NOT NULL,

@@ -1,5 +1,4 @@
--- A task was a name alone; now it says what is to be driven, and an analysis which task it was measured
--- by.
+-- A task was only a name. Now it has gates, a path and limits, and an analysis refers to its task.
 
 ALTER TABLE task ADD COLUMN template TEXT NOT NULL DEFAULT 'free';
 ALTER TABLE task ADD COLUMN path_points BLOB;

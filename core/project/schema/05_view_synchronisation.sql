@@ -1,4 +1,4 @@
--- Each view can be put in step with the first one in its own way.
+-- Each view is synchronised with the first one by its own method.
 
 ALTER TABLE recording ADD COLUMN sync_method TEXT NOT NULL DEFAULT '';
 ALTER TABLE recording ADD COLUMN start_offset_sigma_s REAL NOT NULL DEFAULT 0;

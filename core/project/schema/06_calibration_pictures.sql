@@ -1,4 +1,4 @@
--- Calibrations with what they were made from: the board, the corners found, and the pictures.
+-- Calibrations keep their source: the board, the detected corners, and the images.
 
 ALTER TABLE intrinsics ADD COLUMN software_version TEXT NOT NULL DEFAULT '';
 ALTER TABLE intrinsics ADD COLUMN board_pattern TEXT NOT NULL DEFAULT '';

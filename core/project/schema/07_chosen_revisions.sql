@@ -1,5 +1,4 @@
--- Which revision is in force can be chosen, and whether a camera still stands where it was registered is
--- kept.
+-- The revision in force can be chosen, and checks whether a camera has moved are kept.
 
 ALTER TABLE camera ADD COLUMN intrinsics_id INTEGER REFERENCES intrinsics(id);
 ALTER TABLE camera ADD COLUMN registration_id INTEGER REFERENCES registration(id);

@@ -1,5 +1,4 @@
--- A trial stands in the project while it is being recorded, with the raw times of its pictures, which are
--- kept.
+-- A trial is in the project while it is being recorded, with the raw times of its frames.
 
 ALTER TABLE trial ADD COLUMN state TEXT NOT NULL DEFAULT 'complete';
 

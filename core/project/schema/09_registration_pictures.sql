@@ -1,4 +1,4 @@
--- Registrations with the picture in which their markers were seen.
+-- Registrations keep the image in which their markers were detected.
 
 ALTER TABLE registration ADD COLUMN picture_path TEXT NOT NULL DEFAULT '';
 ALTER TABLE registration ADD COLUMN picture_sha256 TEXT NOT NULL DEFAULT '';

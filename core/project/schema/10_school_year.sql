@@ -1,6 +1,6 @@
--- What a class needs through the year: trials are starred, tagged, archived and binned, teams have
--- pseudonyms, tasks are scored, and every change is told. What lies in the bin may be removed for good,
--- raw measurements with it: a pupil's data are the pupil's.
+-- For a school year: trials are starred, tagged, archived and binned, teams have pseudonyms, tasks are scored,
+-- and every change is listed. What is in the bin can be removed for good, raw measurements included: the data of
+-- pupils belong to them.
 
 ALTER TABLE trial ADD COLUMN starred INTEGER NOT NULL DEFAULT 0;
 ALTER TABLE trial ADD COLUMN archived_ms INTEGER;

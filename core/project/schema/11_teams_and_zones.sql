@@ -1,5 +1,5 @@
--- What teams and courses lacked: members and robots of teams, zones and the archive of tasks, how a robot
--- is drawn; and tracks that another program measured, as raw measurements.
+-- Members and robots of teams, zones and the archive of tasks, colours in drawings, and tracks that another
+-- program measured, as raw measurements.
 
 CREATE TABLE team_member (team_id INTEGER NOT NULL REFERENCES team(id), position INTEGER NOT NULL,
     name TEXT NOT NULL, PRIMARY KEY (team_id, position));

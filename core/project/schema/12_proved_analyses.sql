@@ -1,6 +1,5 @@
--- Analyses whose results can be proved, and series of any length: samples, points and imported tracks lie
--- in chunks as observations do. Analyses that are older have no digests: what they were made from is not
--- known any more.
+-- Digests prove the results of analyses. Samples, points and imported tracks of any length are in chunks, as
+-- observations are. Older analyses have no digests, because their sources are unknown.
 
 CREATE TABLE analysis_digest (analysis_id INTEGER NOT NULL REFERENCES analysis(id), part TEXT NOT NULL,
     sha256 TEXT NOT NULL, PRIMARY KEY (analysis_id, part));

@@ -1,4 +1,4 @@
--- When robots of one look could not be told apart. Of older analyses it is not known.
+-- Periods in which robots of the same look could not be told apart; unknown for older analyses.
 
 CREATE TABLE doubtful_name (analysis_id INTEGER NOT NULL REFERENCES analysis(id),
     position INTEGER NOT NULL, from_ns INTEGER NOT NULL, to_ns INTEGER NOT NULL,

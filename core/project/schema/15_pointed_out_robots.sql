@@ -1,4 +1,4 @@
--- Robots that a person pointed out in a recording.
+-- Robots that a person marked in a frame.
 
 CREATE TABLE pointed_out_robot (recording_id INTEGER NOT NULL REFERENCES recording(id),
     robot_id INTEGER NOT NULL REFERENCES robot(id), frame INTEGER NOT NULL, x_px REAL NOT NULL,
