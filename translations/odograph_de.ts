@@ -86,18 +86,18 @@
         <translation>Diese Kamera nahm zu dieser Zeit nicht auf</translation>
     </message>
     <message>
-        <source>This picture cannot be decoded</source>
+        <source>This frame cannot be decoded</source>
         <translation>Dieses Bild lässt sich nicht decodieren</translation>
     </message>
 </context>
 <context>
     <name>ClassReport</name>
     <message>
-        <source>Rank: one more than the number of teams that are better beyond doubt (medians apart by more than 1.96 σ); teams of one rank cannot be told apart.</source>
+        <source>Rank: one more than the number of significantly better teams (medians differ by more than 1.96 σ). Teams of the same rank do not differ significantly.</source>
         <translation>Rang: eins mehr als die Zahl der Teams, die zweifelsfrei besser sind (Mediane um mehr als 1,96 σ auseinander); Teams mit gleichem Rang lassen sich nicht unterscheiden.</translation>
     </message>
     <message numerus="yes">
-        <source>%n trial(s) left out: measured by another course; measure them again.</source>
+        <source>%n trial(s) not counted: analysed with a different course. Reanalyse them.</source>
         <translation>
             <numerusform>%n Versuch ausgelassen: nach einem anderen Parcours ausgewertet; bitte neu auswerten.</numerusform>
             <numerusform>%n Versuche ausgelassen: nach einem anderen Parcours ausgewertet; bitte neu auswerten.</numerusform>
@@ -168,7 +168,7 @@
         <translation>Median</translation>
     </message>
     <message>
-        <source>Through the term</source>
+        <source>Over the term</source>
         <translation>Im Lauf des Halbjahrs</translation>
     </message>
     <message>
@@ -341,7 +341,7 @@
 <context>
     <name>ComparisonReport</name>
     <message>
-        <source>± one σ; grey, ≈: within the error</source>
+        <source>± one σ; grey, ≈: not significant</source>
         <translation>± ein σ; grau, ≈: im Rahmen des Fehlers</translation>
     </message>
     <message>
@@ -361,7 +361,7 @@
         <translation>längs der Sollbahn der Aufgabe</translation>
     </message>
     <message>
-        <source>along the way of the left run</source>
+        <source>along the path of the left run</source>
         <translation>längs des Wegs der linken Fahrt</translation>
     </message>
     <message>
@@ -373,7 +373,7 @@
         <translation>ausgerichtet am Bewegungsbeginn, %1</translation>
     </message>
     <message>
-        <source>aligned by a place that both pass, %1</source>
+        <source>aligned by a point that both pass, %1</source>
         <translation>ausgerichtet an einer Stelle, die beide passieren, %1</translation>
     </message>
     <message>
@@ -389,11 +389,11 @@
         <translation>%1: ausgewertet %2, Odograph %3</translation>
     </message>
     <message>
-        <source>Both runs share their calibration: its error cancels as far as they do.</source>
+        <source>Both runs share their calibration: its uncertainty largely cancels.</source>
         <translation>Beide Fahrten haben die Kalibrierung gemeinsam: Soweit das gilt, hebt sich ihr Fehler weg.</translation>
     </message>
     <message>
-        <source>The runs do not share their calibration: the errors of both count.</source>
+        <source>The runs have different calibrations: the uncertainties of both count.</source>
         <translation>Die Fahrten haben die Kalibrierung nicht gemeinsam: Die Fehler beider zählen.</translation>
     </message>
     <message>
@@ -401,7 +401,7 @@
         <translation>%1 und %2</translation>
     </message>
     <message>
-        <source>Speed along the way, %1</source>
+        <source>Speed over distance, %1</source>
         <translation>Geschwindigkeit längs des Wegs, %1</translation>
     </message>
     <message>
@@ -413,7 +413,7 @@
         <translation>Zeitdifferenz, s</translation>
     </message>
     <message>
-        <source>above 0: the right run is later; grey: within the error</source>
+        <source>above 0: the right run is later; grey: not significant</source>
         <translation>über 0: die rechte Fahrt ist später; grau: im Rahmen des Fehlers</translation>
     </message>
     <message>
@@ -421,7 +421,7 @@
         <translation>Sektoren, s</translation>
     </message>
     <message>
-        <source>Figures</source>
+        <source>Metrics</source>
         <translation>Kennwerte</translation>
     </message>
 </context>
@@ -837,27 +837,27 @@
 <context>
     <name>FactExplanations</name>
     <message>
-        <source>The offset at which the tracks of the robot on the floor, as the two views see it, coincide: least squares of r(t) = p₁(t) − p₂((t − offset)(1 + rate)), with a constant shift and a small scale between them, searched in half frames and refined by Gauss–Newton. The clocks&apos; rate is taken where it is beyond three σ.</source>
+        <source>The time offset at which the robot&apos;s floor tracks from the two views coincide: least squares of r(t) = p₁(t) − p₂((t − offset)(1 + rate)), with a constant shift and a small scale between them, searched in steps of half a frame and refined by Gauss–Newton. The clock rate is used if it exceeds three σ.</source>
         <translation>Der Versatz, bei dem die Spuren des Roboters auf dem Boden, wie die zwei Sichten sie sehen, zusammenfallen: kleinste Quadrate von r(t) = p₁(t) − p₂((t − Versatz)(1 + Gang)), mit einer konstanten Verschiebung und einem kleinen Maßstab dazwischen, in halben Bildern gesucht und mit Gauß–Newton verfeinert. Der Gang der Uhren wird übernommen, wo er über drei σ liegt.</translation>
     </message>
     <message>
-        <source>from the curvature of the sum of squares and the residual, which is taken as correlated over half a second</source>
+        <source>from the curvature of the sum of squares and from the residual, assumed to be correlated over half a second</source>
         <translation>aus der Krümmung der Quadratsumme und dem Residuum, das als über eine halbe Sekunde korreliert gilt</translation>
     </message>
     <message>
-        <source>The offset at which the jumps of light that both views saw fall together, taken where no other offset comes within a factor of 150 of its likelihood: the pairs&apos; weighted mean.</source>
+        <source>The time offset at which the jumps in brightness in both views coincide: the weighted mean of the pairs. It is used if every other offset is at least 150 times less likely.</source>
         <translation>Der Versatz, bei dem die Lichtsprünge, die beide Sichten sahen, zusammenfallen; übernommen, wenn kein anderer Versatz näher als um den Faktor 150 an seine Likelihood herankommt: das gewichtete Mittel der Paare.</translation>
     </message>
     <message>
-        <source>of the pairs, of their scatter, and a tenth of a frame interval for each view, for its shutter</source>
+        <source>from the pairs and their scatter, plus a tenth of a frame interval per view for its shutter</source>
         <translation>der Paare, ihrer Streuung und, für den Verschluss, ein Zehntel eines Bildabstands je Sicht</translation>
     </message>
     <message>
-        <source>Each camera&apos;s time stamps, related to this computer&apos;s clock by readings of the camera&apos;s while it recorded.</source>
+        <source>Each camera&apos;s time stamps, converted to this computer&apos;s clock by reading the camera&apos;s clock during the recording.</source>
         <translation>Die Zeitstempel jeder Kamera, auf die Uhr dieses Computers bezogen durch Ablesen der Kamerauhr während der Aufnahme.</translation>
     </message>
     <message>
-        <source>of both relations of the clocks</source>
+        <source>from both clock conversions</source>
         <translation>beider Bezüge der Uhren</translation>
     </message>
     <message>
@@ -865,19 +865,19 @@
         <translation>Zeiten an den Toren</translation>
     </message>
     <message>
-        <source>When the robot&apos;s centre crosses the gate&apos;s line between its ends, the way the gate is passed: between two frames the smoothed position is the cubic through both places and velocities. It has passed when it was before the line by three σ of the track&apos;s own noise and then is past it by as much.</source>
+        <source>When the robot&apos;s reference point crosses the gate&apos;s line between its ends, in the direction of the gate. Between two frames, the smoothed position is the cubic through both positions and velocities. A passage counts if the point was before the line by three σ of the track&apos;s own noise and then is past it by as much.</source>
         <translation>Wenn die Mitte des Roboters die Linie des Tors zwischen dessen Enden in Durchfahrtsrichtung kreuzt: Zwischen zwei Bildern ist der geglättete Ort das Polynom dritten Grades durch beide Orte und Geschwindigkeiten. Passiert ist das Tor, wenn sie um drei σ des Eigenrauschens der Spur vor der Linie war und dann um ebenso viel dahinter ist.</translation>
     </message>
     <message>
-        <source>σ of the position across the gate over the speed across it, with the calibration&apos;s part</source>
+        <source>σ of the position across the gate divided by the speed across it, including the calibration&apos;s part</source>
         <translation>σ des Orts quer zum Tor geteilt durch die Geschwindigkeit quer dazu, mit dem Anteil der Kalibrierung</translation>
     </message>
     <message>
-        <source>From one passing of the start to the finish, or of the one gate to the next; of each split its first passing counts.</source>
+        <source>From a passage of the start to one of the finish, or from one passage of a start-finish gate to the next. Of each split, the first passage counts.</source>
         <translation>Von einer Durchfahrt des Starts bis zum Ziel, oder von dem einen Tor bis zum nächsten; bei jeder Zwischenzeit zählt die erste Durchfahrt.</translation>
     </message>
     <message>
-        <source>of both passages; the calibration&apos;s error of a gate that is passed twice at one speed cancels</source>
+        <source>from both passages; the calibration&apos;s uncertainty cancels for a gate passed twice at the same speed</source>
         <translation>beider Durchfahrten; der Fehler der Kalibrierung hebt sich an einem Tor weg, das zweimal mit derselben Geschwindigkeit passiert wird</translation>
     </message>
     <message>
@@ -885,7 +885,7 @@
         <translation>bis %1: %2</translation>
     </message>
     <message>
-        <source>View %1 in step with the first</source>
+        <source>Synchronisation of view %1 with the first</source>
         <translation>Sicht %1 synchron zur ersten</translation>
     </message>
     <message>
@@ -897,7 +897,7 @@
         <translation>Höhe von Roboter %1</translation>
     </message>
     <message>
-        <source>The solid (box or cylinder, on the floor or a plate at the robot&apos;s top) whose silhouettes the outlines in all views are, by weighted least squares at some forty times of the run; where no such solid explains them, the height at which all views put the robot at the same place.</source>
+        <source>The solid (box or cylinder, on the floor or a plate at the robot&apos;s top) whose silhouettes best match the outlines in all views, by weighted least squares at about forty times of the run. If no such solid explains them: the height at which all views give the same floor position.</source>
         <translation>Der Körper (Quader oder Zylinder, auf dem Boden, oder eine Platte oben auf dem Roboter), dessen Silhouetten die Umrisse in allen Sichten sind, nach gewichteten kleinsten Quadraten zu rund vierzig Zeitpunkten der Fahrt; wo kein solcher Körper sie erklärt, die Höhe, bei der alle Sichten den Roboter an denselben Ort setzen.</translation>
     </message>
 </context>
@@ -971,7 +971,7 @@
 <context>
     <name>HealthWatch</name>
     <message>
-        <source>The project can only be read</source>
+        <source>The project is read-only</source>
         <translation>Das Projekt ist nur lesbar</translation>
     </message>
     <message>
@@ -979,15 +979,15 @@
         <translation>Kameras werden geöffnet…</translation>
     </message>
     <message>
-        <source>No camera runs</source>
+        <source>No camera is running</source>
         <translation>Keine Kamera läuft</translation>
     </message>
     <message>
-        <source>No camera sends pictures</source>
+        <source>No camera sends frames</source>
         <translation>Keine Kamera sendet Bilder</translation>
     </message>
     <message>
-        <source>This project can only be read: nothing can be recorded into it.</source>
+        <source>This project is read-only: you cannot record into it.</source>
         <translation>Dieses Projekt ist nur lesbar: Es lässt sich nichts darin aufnehmen.</translation>
     </message>
     <message>
@@ -1120,23 +1120,23 @@ Das Verfahren folgt S. Park, „Computational Vision for Automatic Tracking and 
         <translation>von %1 bis %2</translation>
     </message>
     <message>
-        <source>What the calibration adds to an angle is not known and not in it.</source>
+        <source>The calibration&apos;s contribution to an angle is unknown and not included.</source>
         <translation>Was die Kalibrierung zu einem Winkel beiträgt, ist nicht bekannt und nicht darin.</translation>
     </message>
     <message>
-        <source>The calibration&apos;s error of place is in it.</source>
+        <source>Includes the position uncertainty of the calibration.</source>
         <translation>Der Ortsfehler der Kalibrierung ist darin.</translation>
     </message>
     <message>
-        <source>The calibration&apos;s error of scale is in it.</source>
+        <source>Includes the scale uncertainty of the calibration.</source>
         <translation>Der Maßstabsfehler der Kalibrierung ist darin.</translation>
     </message>
     <message>
-        <source>Neighbours of a smoothed curve share their error, so it is averaged out by time and not by frames: with a spectrum of r/(1 + (ω/ω₀)⁶) for the position, ω₀ = √2 σv/σx.</source>
+        <source>Neighbouring points of a smoothed curve have correlated errors. They average out over time, not over frames: with a spectrum of r/(1 + (ω/ω₀)⁶) for the position, ω₀ = √2 σv/σx.</source>
         <translation>Nachbarn auf einer geglätteten Kurve haben ihren Fehler gemeinsam, er mittelt sich also über die Zeit heraus und nicht über die Bilder: mit einem Spektrum r/(1 + (ω/ω₀)⁶) für den Ort, ω₀ = √2 σv/σx.</translation>
     </message>
     <message>
-        <source>Of the smoothed curve, each value for half the time to both neighbours: its mean, the median (half of the time stays below it), the least and the most beyond doubt (by the value plus or minus 2σ), and the spread √(mean of the squared distance from the mean).</source>
+        <source>From the smoothed curve, each value weighted by half the time to both neighbours: mean; median (the curve is below it half of the time); least and most, chosen by value + 2σ and value − 2σ; spread √(mean of the squared distance from the mean).</source>
         <translation>Von der geglätteten Kurve, jeder Wert mit der halben Zeit zu beiden Nachbarn: ihr Mittel, der Median (die Hälfte der Zeit bleibt darunter), das zweifelsfrei Kleinste und Größte (nach dem Wert plus oder minus 2σ) und die Streuung √(Mittel der Abstandsquadrate vom Mittel).</translation>
     </message>
     <message>
@@ -1175,15 +1175,15 @@ Das Verfahren folgt S. Park, „Computational Vision for Automatic Tracking and 
         </translation>
     </message>
     <message>
-        <source>not its shape: χ² is %1 times what the errors explain</source>
+        <source>does not fit: χ² is %1 times what the uncertainties explain</source>
         <translation>nicht seine Form: χ² ist das %1-Fache dessen, was die Fehler erklären</translation>
     </message>
     <message>
-        <source>fits; the stated errors are too large: χ² is %1 of what they let expect</source>
+        <source>fits; the stated uncertainties are too large: χ² is %1 of its expected value</source>
         <translation>passt; die angegebenen Fehler sind zu groß: χ² beträgt %1 von dem, was sie erwarten lassen</translation>
     </message>
     <message>
-        <source>fits: χ² is %1 of what the errors let expect</source>
+        <source>fits: χ² is %1 of its expected value</source>
         <translation>passt: χ² beträgt %1 von dem, was die Fehler erwarten lassen</translation>
     </message>
     <message>
@@ -1191,11 +1191,11 @@ Das Verfahren folgt S. Park, „Computational Vision for Automatic Tracking and 
         <translation>Anpassung: %1</translation>
     </message>
     <message>
-        <source>The polynomial in t − t₀ with the least Σ(residual/σ)² over %1, t₀ = %2. χ² is that sum, over what the errors let expect of it: the number of points less what the coefficients take up.</source>
+        <source>The polynomial in t − t₀ that minimises Σ(residual/σ)² over %1, t₀ = %2. χ² is that sum divided by its expected value: the number of points minus the degrees of freedom of the coefficients.</source>
         <translation>Das Polynom in t − t₀ mit dem kleinsten Σ(Residuum/σ)² über %1, t₀ = %2. χ² ist diese Summe, geteilt durch das, was die Fehler dafür erwarten lassen: die Zahl der Punkte minus das, was die Koeffizienten aufbrauchen.</translation>
     </message>
     <message>
-        <source>the measured places that are used</source>
+        <source>the measured positions used</source>
         <translation>die gemessenen Orte, die verwendet werden</translation>
     </message>
     <message>
@@ -1203,11 +1203,11 @@ Das Verfahren folgt S. Park, „Computational Vision for Automatic Tracking and 
         <translation>die geglättete Kurve</translation>
     </message>
     <message>
-        <source>The larger of two: that of the measurements, widened by 1 + 2Σρ of the residuals where they hang together (here ×%1), and that of the smoothed curve, which knows what of their errors lasts.</source>
+        <source>The larger of two uncertainties: that of the measurements, widened by 1 + 2Σρ for correlated residuals (here ×%1), and that of the smoothed curve, including the errors that persist.</source>
         <translation>Das größere von zweien: das aus den Messungen, um den Faktor 1 + 2Σρ der Residuen verbreitert, wo sie zusammenhängen (hier ×%1), und das der geglätteten Kurve, die weiß, was von deren Fehlern bleibt.</translation>
     </message>
     <message>
-        <source>That the shape is the true one is taken for granted; χ² far above 1 says that it is not. Below 1 it comes of a smoother that allows for more motion than there is.</source>
+        <source>Assumes that the shape is correct; χ² far above 1 shows that it is not. χ² below 1 means that the smoother allows for more motion than the robot made.</source>
         <translation>Dass die Form die wahre ist, wird vorausgesetzt; ein χ² weit über 1 sagt, dass sie es nicht ist. Unter 1 kommt es von einer Glättung, die mehr Bewegung zulässt, als da ist.</translation>
     </message>
     <message>
@@ -1262,7 +1262,7 @@ Das Verfahren folgt S. Park, „Computational Vision for Automatic Tracking and 
 <context>
     <name>RecordHealth</name>
     <message>
-        <source>trouble</source>
+        <source>problem</source>
         <translation>Störung</translation>
     </message>
     <message>
@@ -1270,7 +1270,7 @@ Das Verfahren folgt S. Park, „Computational Vision for Automatic Tracking and 
         <translation>langsam</translation>
     </message>
     <message>
-        <source>losses</source>
+        <source>lost frames</source>
         <translation>Verluste</translation>
     </message>
     <message>
@@ -1290,11 +1290,11 @@ Das Verfahren folgt S. Park, „Computational Vision for Automatic Tracking and 
         <translation>Kamera %1</translation>
     </message>
     <message>
-        <source>not seen</source>
+        <source>no camera sees it</source>
         <translation>nicht gesehen</translation>
     </message>
     <message>
-        <source>unseen</source>
+        <source>not visible</source>
         <translation>ungesehen</translation>
     </message>
     <message>
@@ -1306,7 +1306,7 @@ Das Verfahren folgt S. Park, „Computational Vision for Automatic Tracking and 
         <translation>; eine Kamera sieht ihn</translation>
     </message>
     <message>
-        <source>seen</source>
+        <source>visible</source>
         <translation>gesehen</translation>
     </message>
     <message>
@@ -1314,11 +1314,11 @@ Das Verfahren folgt S. Park, „Computational Vision for Automatic Tracking and 
         <translation>mäßig</translation>
     </message>
     <message>
-        <source>apart</source>
+        <source>poor</source>
         <translation>uneins</translation>
     </message>
     <message>
-        <source>Step</source>
+        <source>Synchronisation</source>
         <translation>Synchron</translation>
     </message>
     <message>
@@ -1334,11 +1334,11 @@ Das Verfahren folgt S. Park, „Computational Vision for Automatic Tracking and 
         <translation>Festplatte</translation>
     </message>
     <message>
-        <source>Camera %1 is not registered to the floor: it is recorded, but cannot tell where a robot is.</source>
+        <source>Camera %1 is not registered to the floor: it records, but cannot locate robots.</source>
         <translation>Kamera %1 ist nicht zum Boden eingemessen: Sie wird aufgenommen, kann aber nicht sagen, wo ein Roboter ist.</translation>
     </message>
     <message>
-        <source>Camera %1 was registered for pictures of %2×%3, which it does not send now: it is recorded, but cannot tell where a robot is.</source>
+        <source>Camera %1 was registered with frames of %2×%3, but now sends another size: it records, but cannot locate robots.</source>
         <translation>Kamera %1 wurde für Bilder von %2×%3 eingemessen, die sie jetzt nicht sendet: Sie wird aufgenommen, kann aber nicht sagen, wo ein Roboter ist.</translation>
     </message>
     <message>
@@ -1350,7 +1350,7 @@ Das Verfahren folgt S. Park, „Computational Vision for Automatic Tracking and 
         <translation>Kamera %1: %2</translation>
     </message>
     <message>
-        <source>The disk is hardly fast enough: record to a faster one, or with fewer cameras.</source>
+        <source>The disk is barely fast enough: record to a faster one, or with fewer cameras.</source>
         <translation>Die Festplatte ist kaum schnell genug: Nehmen Sie auf eine schnellere auf oder mit weniger Kameras.</translation>
     </message>
     <message>
@@ -1358,7 +1358,7 @@ Das Verfahren folgt S. Park, „Computational Vision for Automatic Tracking and 
         <translation>Die Festplatte ist fast voll: %1</translation>
     </message>
     <message>
-        <source>The cameras are not in step: set both to the same rate.</source>
+        <source>The cameras are not synchronised: set both to the same frame rate.</source>
         <translation>Die Kameras sind nicht synchron: Stellen Sie beide auf dieselbe Bildrate.</translation>
     </message>
 </context>
@@ -1391,7 +1391,7 @@ Das Verfahren folgt S. Park, „Computational Vision for Automatic Tracking and 
         <translation>geglättet, mit ±95-%-Band; Punkte: wie gemessen</translation>
     </message>
     <message>
-        <source>No curve: the robot was not seen</source>
+        <source>No curve: the robot was not detected</source>
         <translation>Keine Kurve: Der Roboter wurde nicht gesehen</translation>
     </message>
 </context>
@@ -1481,7 +1481,7 @@ Das Verfahren folgt S. Park, „Computational Vision for Automatic Tracking and 
         <translation>%1: Methode</translation>
     </message>
     <message>
-        <source>How the figures were computed</source>
+        <source>How the metrics were computed</source>
         <translation>Wie die Kennwerte berechnet wurden</translation>
     </message>
     <message>
@@ -1532,11 +1532,11 @@ Das Verfahren folgt S. Park, „Computational Vision for Automatic Tracking and 
 <context>
     <name>ReportStills</name>
     <message>
-        <source>no picture: the video cannot be read</source>
+        <source>no image: the video cannot be read</source>
         <translation>kein Bild: Das Video kann nicht gelesen werden</translation>
     </message>
     <message>
-        <source>no picture: the video is missing</source>
+        <source>no image: the video is missing</source>
         <translation>kein Bild: Das Video fehlt</translation>
     </message>
 </context>
@@ -1567,7 +1567,7 @@ Das Verfahren folgt S. Park, „Computational Vision for Automatic Tracking and 
         <translation>himmelblau</translation>
     </message>
     <message>
-        <source>by itself</source>
+        <source>automatic</source>
         <translation>automatisch</translation>
     </message>
 </context>
@@ -1942,7 +1942,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>nicht eingemessen</translation>
     </message>
     <message>
-        <source>In step</source>
+        <source>Synchronisation</source>
         <translation>Synchron</translation>
     </message>
     <message>
@@ -2006,7 +2006,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Aufgabe</translation>
     </message>
     <message>
-        <source>measured by another course</source>
+        <source>analysed with a different course</source>
         <translation>nach anderem Parcours ausgewertet</translation>
     </message>
     <message>
@@ -2014,7 +2014,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Punkte</translation>
     </message>
     <message>
-        <source>none until it is measured again: the task has another course now</source>
+        <source>none until you reanalyse the trial: the task has a different course now</source>
         <translation>keine bis zur neuen Auswertung: Die Aufgabe hat jetzt einen anderen Parcours</translation>
     </message>
     <message>
@@ -2078,7 +2078,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Ergebnisse</translation>
     </message>
     <message>
-        <source>%1: changed in the file since they were analysed. Analyse the trial again.</source>
+        <source>%1: changed in the file after the analysis. Reanalyse the trial.</source>
         <translation>%1: seit der Auswertung in der Datei geändert. Werten Sie den Versuch noch einmal aus.</translation>
     </message>
     <message>
@@ -2090,8 +2090,8 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Sichten</translation>
     </message>
     <message>
-        <source>doubtful</source>
-        <translation>zweifelhaft</translation>
+        <source>inconsistent</source>
+        <translation>widersprüchlich</translation>
     </message>
 </context>
 <context>
@@ -2145,7 +2145,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>bis %1</translation>
     </message>
     <message>
-        <source>Figures</source>
+        <source>Metrics</source>
         <translation>Kennwerte</translation>
     </message>
     <message>
@@ -2157,7 +2157,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Bemerkungen</translation>
     </message>
     <message>
-        <source>This trial has not been tracked yet: there are no figures.</source>
+        <source>This trial has not been tracked yet: it has no metrics.</source>
         <translation>In diesem Versuch wurde der Roboter noch nicht verfolgt: Es gibt keine Kennwerte.</translation>
     </message>
     <message>
@@ -2185,7 +2185,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Aufgabe</translation>
     </message>
     <message>
-        <source>Do not rely on these results: they were changed in the file since they were analysed.</source>
+        <source>Do not rely on these results: they were changed in the file after the analysis.</source>
         <translation>Verlassen Sie sich nicht auf diese Ergebnisse: Sie wurden seit der Auswertung in der Datei geändert.</translation>
     </message>
     <message>
@@ -8308,7 +8308,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Kameras für die Aufnahme</translation>
     </message>
     <message>
-        <source>Device that is camera %1</source>
+        <source>Device for camera %1</source>
         <translation>Gerät, das Kamera %1 ist</translation>
     </message>
     <message>
@@ -8324,7 +8324,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Kamera %1</translation>
     </message>
     <message>
-        <source>&amp;Look again</source>
+        <source>&amp;Search again</source>
         <translation>&amp;Erneut suchen</translation>
     </message>
     <message>
@@ -8344,15 +8344,15 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>%1 (nicht angeschlossen)</translation>
     </message>
     <message>
-        <source>Looking for cameras…</source>
+        <source>Searching for cameras…</source>
         <translation>Kameras werden gesucht…</translation>
     </message>
     <message>
-        <source>Choose at least one camera. With two, the place of a robot is known better, and while one cannot see it.</source>
+        <source>Choose at least one camera. Two cameras locate a robot more accurately, and if one cannot see it, the other often can.</source>
         <translation>Wählen Sie mindestens eine Kamera. Mit zweien ist der Ort eines Roboters genauer bekannt, auch während eine ihn nicht sieht.</translation>
     </message>
     <message>
-        <source>One device cannot be two cameras.</source>
+        <source>You cannot use one device as two cameras.</source>
         <translation>Ein Gerät kann nicht zwei Kameras sein.</translation>
     </message>
 </context>
@@ -8398,11 +8398,11 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>odo::CameraView</name>
     <message>
-        <source>in step to %1 ms</source>
+        <source>synchronised to %1 ms</source>
         <translation>synchron auf %1 ms</translation>
     </message>
     <message>
-        <source>offset by hand</source>
+        <source>manual offset</source>
         <translation>Versatz von Hand</translation>
     </message>
     <message>
@@ -8422,18 +8422,18 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Kamera</translation>
     </message>
     <message>
-        <source>Picture of the camera</source>
+        <source>Camera image</source>
         <translation>Bild der Kamera</translation>
     </message>
     <message>
-        <source>Picture of %1</source>
+        <source>Image of %1</source>
         <translation>Bild von %1</translation>
     </message>
 </context>
 <context>
     <name>odo::CameraWishesDialog</name>
     <message>
-        <source>as the camera has it</source>
+        <source>set by the camera</source>
         <translation>wie die Kamera es vorgibt</translation>
     </message>
     <message>
@@ -8445,7 +8445,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>ms</translation>
     </message>
     <message>
-        <source>Ask for each picture, so that all such cameras take theirs together</source>
+        <source>Trigger each frame by software, at the same time for all cameras with this setting</source>
         <translation>Jedes Bild einzeln anfordern, damit alle solchen Kameras ihres gleichzeitig aufnehmen</translation>
     </message>
     <message>
@@ -8453,8 +8453,8 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Einstellungen von %1</translation>
     </message>
     <message>
-        <source>Picture</source>
-        <translation>Bild</translation>
+        <source>Format</source>
+        <translation>Format</translation>
     </message>
     <message>
         <source>Rate</source>
@@ -8469,8 +8469,8 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Softwareauslöser</translation>
     </message>
     <message>
-        <source>&amp;Picture</source>
-        <translation>&amp;Bild</translation>
+        <source>&amp;Format</source>
+        <translation>&amp;Format</translation>
     </message>
     <message>
         <source>&amp;Rate</source>
@@ -8485,7 +8485,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>&amp;Auslöser</translation>
     </message>
     <message>
-        <source>What the camera cannot do is said when it is opened.</source>
+        <source>If the camera does not support a setting, a message says so when it opens.</source>
         <translation>Was die Kamera nicht kann, wird beim Öffnen gemeldet.</translation>
     </message>
     <message>
@@ -8493,7 +8493,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Diese nehmen</translation>
     </message>
     <message>
-        <source>the best for tracking</source>
+        <source>best for tracking</source>
         <translation>am besten für die Verfolgung</translation>
     </message>
 </context>
@@ -8554,23 +8554,23 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>odo::ChartPicture</name>
     <message>
-        <source>&amp;Copy as a picture</source>
+        <source>&amp;Copy as image</source>
         <translation>Als Bild &amp;kopieren</translation>
     </message>
     <message>
-        <source>&amp;Save as a picture…</source>
+        <source>&amp;Save as image…</source>
         <translation>Als Bild &amp;speichern…</translation>
     </message>
     <message>
-        <source>SVG pictures (*.svg)</source>
+        <source>SVG images (*.svg)</source>
         <translation>SVG-Bilder (*.svg)</translation>
     </message>
     <message>
-        <source>PNG pictures (*.png)</source>
+        <source>PNG images (*.png)</source>
         <translation>PNG-Bilder (*.png)</translation>
     </message>
     <message>
-        <source>Save as a picture</source>
+        <source>Save as image</source>
         <translation>Als Bild speichern</translation>
     </message>
     <message>
@@ -8593,7 +8593,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Diagramme: &amp;alles zeigen</translation>
     </message>
     <message>
-        <source>Charts against the &amp;distance</source>
+        <source>Charts over &amp;distance</source>
         <translation>Diagramme über dem W&amp;eg</translation>
     </message>
 </context>
@@ -8726,7 +8726,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Klassen</translation>
     </message>
     <message>
-        <source>An archived class is out of the way: History, Record and the standings show its teams and trials only where it is chosen there by name</source>
+        <source>Archiving hides a class: History, Record and the standings show its teams and trials only if you choose the class by name</source>
         <translation>Eine archivierte Klasse ist aus dem Weg: Verlauf, Aufnahme und Rangliste zeigen ihre Teams und Versuche nur, wo sie dort mit Namen gewählt ist</translation>
     </message>
     <message>
@@ -8750,7 +8750,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Teams der Klasse</translation>
     </message>
     <message>
-        <source>Double-click or F2 changes a name or a pseudonym</source>
+        <source>Double-click or press F2 to change a name or a pseudonym</source>
         <translation>Doppelklick oder F2 ändert einen Namen oder ein Pseudonym</translation>
     </message>
     <message numerus="yes">
@@ -8772,7 +8772,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Teams ohne Klasse</translation>
     </message>
     <message>
-        <source>Out of the &amp;archive</source>
+        <source>Restore from &amp;archive</source>
         <translation>Aus dem &amp;Archiv holen</translation>
     </message>
     <message>
@@ -8807,11 +8807,11 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Sektoren</translation>
     </message>
     <message>
-        <source>Figures</source>
+        <source>Metrics</source>
         <translation>Kennwerte</translation>
     </message>
     <message>
-        <source>Run that is shown against the first</source>
+        <source>Run compared with the first one</source>
         <translation>Fahrt, die gegen die erste gezeigt wird</translation>
     </message>
     <message>
@@ -8823,7 +8823,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Zeiten von Tor zu Tor</translation>
     </message>
     <message>
-        <source>Figures of both runs</source>
+        <source>Metrics of both runs</source>
         <translation>Kennwerte beider Fahrten</translation>
     </message>
     <message>
@@ -8831,7 +8831,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>s · Tore auf der Karte ziehen</translation>
     </message>
     <message>
-        <source>grey: within the error</source>
+        <source>grey: not significant</source>
         <translation>grau: im Rahmen des Fehlers</translation>
     </message>
     <message>
@@ -8843,27 +8843,27 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>von %1</translation>
     </message>
     <message>
-        <source>Later at the end</source>
+        <source>Behind at finish</source>
         <translation>Am Ende später</translation>
     </message>
     <message>
-        <source>Earlier at the end</source>
+        <source>Ahead at finish</source>
         <translation>Am Ende früher</translation>
     </message>
     <message>
-        <source>At the end</source>
+        <source>Gap at finish</source>
         <translation>Am Ende</translation>
     </message>
     <message>
-        <source>Later here</source>
+        <source>Behind at cursor</source>
         <translation>Hier später</translation>
     </message>
     <message>
-        <source>Earlier here</source>
+        <source>Ahead at cursor</source>
         <translation>Hier früher</translation>
     </message>
     <message>
-        <source>Here</source>
+        <source>Gap at cursor</source>
         <translation>Hier</translation>
     </message>
 </context>
@@ -8874,11 +8874,11 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Karte von oben</translation>
     </message>
     <message>
-        <source>Map of the floor with the ways of the runs and the gates of the sectors</source>
+        <source>Floor map with the paths of the runs and the gates of the sectors</source>
         <translation>Karte des Bodens mit den Wegen der Fahrten und den Toren der Sektoren</translation>
     </message>
     <message>
-        <source>Drag a gate along the way; with the keys: Up and Down choose one, Left and Right move it</source>
+        <source>Drag a gate along the path. Keys: Up and Down select a gate, Left and Right move it</source>
         <translation>Ziehen Sie ein Tor entlang des Wegs; mit den Tasten: Auf und Ab wählen eines, Links und Rechts verschieben es</translation>
     </message>
     <message>
@@ -8898,7 +8898,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>gestrichelt: Sollbahn der Aufgabe</translation>
     </message>
     <message>
-        <source>along the first run&apos;s way</source>
+        <source>along the first run&apos;s path</source>
         <translation>längs des Wegs der ersten Fahrt</translation>
     </message>
     <message>
@@ -8917,15 +8917,15 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Diese Fahrten lassen sich nicht vergleichen</translation>
     </message>
     <message>
-        <source>%1. What helps: %2.</source>
+        <source>%1. What to do: %2.</source>
         <translation>%1. Abhilfe: %2.</translation>
     </message>
     <message>
-        <source>Two runs are needed</source>
+        <source>Select two runs</source>
         <translation>Es braucht zwei Fahrten</translation>
     </message>
     <message>
-        <source>Comparing shows where one run is faster than another, and whether that is more than the error. Choose two trials that have been tracked, or bring in another one.</source>
+        <source>A comparison shows where one run is faster than the other, and whether the difference is significant. Select two tracked trials, or import another one.</source>
         <translation>Der Vergleich zeigt, wo eine Fahrt schneller ist als eine andere und ob das mehr ist als der Fehler. Wählen Sie zwei Versuche mit verfolgtem Roboter, oder importieren Sie einen weiteren.</translation>
     </message>
     <message>
@@ -9041,11 +9041,11 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>odo::DistanceChart</name>
     <message>
-        <source>Speed along the way</source>
+        <source>Speed over distance</source>
         <translation>Geschwindigkeit längs des Wegs</translation>
     </message>
     <message>
-        <source>Time difference along the way</source>
+        <source>Time difference over distance</source>
         <translation>Zeitdifferenz längs des Wegs</translation>
     </message>
     <message>
@@ -9053,18 +9053,18 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>%1 · geglättet ±95 %</translation>
     </message>
     <message>
-        <source>s · above 0: %2 is later than %1 · ±95 % · grey: within the error</source>
+        <source>s · above 0: %2 is later than %1 · ±95 % · grey: not significant</source>
         <translation>s · über 0: %2 ist später als %1 · ±95 % · grau: im Rahmen des Fehlers</translation>
     </message>
     <message>
-        <source>s · above 0: later than %1 · ±95 % · grey: within the error</source>
+        <source>s · above 0: later than %1 · ±95 % · grey: not significant</source>
         <translation>s · über 0: später als %1 · ±95 % · grau: im Rahmen des Fehlers</translation>
     </message>
 </context>
 <context>
     <name>odo::DockGrip</name>
     <message>
-        <source>Drag to move, double click to float</source>
+        <source>Drag to move, double-click to float</source>
         <translation>Ziehen verschiebt, Doppelklick löst ab</translation>
     </message>
 </context>
@@ -9075,8 +9075,8 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>gut</translation>
     </message>
     <message>
-        <source>doubtful</source>
-        <translation>zweifelhaft</translation>
+        <source>warning</source>
+        <translation>Warnung</translation>
     </message>
     <message>
         <source>bad</source>
@@ -9091,15 +9091,15 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Aufbaudiagnose</translation>
     </message>
     <message>
-        <source>What was found</source>
+        <source>Findings</source>
         <translation>Was gefunden wurde</translation>
     </message>
     <message>
-        <source>&amp;Look again</source>
+        <source>&amp;Check again</source>
         <translation>&amp;Erneut prüfen</translation>
     </message>
     <message>
-        <source>Looking…</source>
+        <source>Checking…</source>
         <translation>Wird geprüft…</translation>
     </message>
     <message>
@@ -9107,22 +9107,22 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>. Was zu tun ist: %1.</translation>
     </message>
     <message>
-        <source>Nothing was found that would disturb a recording.</source>
+        <source>Found nothing that would disturb a recording.</source>
         <translation>Es wurde nichts gefunden, was eine Aufnahme stören würde.</translation>
     </message>
     <message>
-        <source>There is one thing to look at.</source>
+        <source>Found one problem.</source>
         <translation>Einen Punkt sollten Sie sich ansehen.</translation>
     </message>
     <message>
-        <source>There are %1 things to look at, the worst first.</source>
+        <source>Found %1 problems, the worst first.</source>
         <translation>%1 Punkte sollten Sie sich ansehen, der schlimmste zuerst.</translation>
     </message>
 </context>
 <context>
     <name>odo::FigureGrid</name>
     <message>
-        <source>Figures</source>
+        <source>Metrics</source>
         <translation>Kennwerte</translation>
     </message>
     <message>
@@ -9382,11 +9382,11 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Karte: Ab&amp;weichung der Sichten</translation>
     </message>
     <message>
-        <source>Map of the floor with the robots&apos; trails</source>
+        <source>Floor map with the robots&apos; trails</source>
         <translation>Karte des Bodens mit den Spuren der Roboter</translation>
     </message>
     <message>
-        <source>What colours the trails of the map</source>
+        <source>Colour of the trails on the map</source>
         <translation>Wonach die Spuren der Karte gefärbt sind</translation>
     </message>
     <message>
@@ -9757,7 +9757,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Versuche</translation>
     </message>
     <message>
-        <source>&amp;Measure again</source>
+        <source>Rea&amp;nalyse</source>
         <translation>&amp;Neu auswerten</translation>
     </message>
     <message>
@@ -9793,7 +9793,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Die ausgewählten Versuche vergleichen</translation>
     </message>
     <message>
-        <source>Select two trials or more (Ctrl or Shift and a click)</source>
+        <source>Select two or more trials (Ctrl+click or Shift+click)</source>
         <translation>Zwei oder mehr Versuche auswählen (Strg oder Umschalt und ein Klick)</translation>
     </message>
     <message numerus="yes">
@@ -10788,7 +10788,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Karte von oben</translation>
     </message>
     <message>
-        <source>How cameras, map and disk do</source>
+        <source>Health of cameras, map and disk</source>
         <translation>Wie es Kameras, Karte und Festplatte geht</translation>
     </message>
     <message>
@@ -10800,7 +10800,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Kamera %1</translation>
     </message>
     <message>
-        <source>Live picture of %1</source>
+        <source>Live view of %1</source>
         <translation>Livebild von %1</translation>
     </message>
     <message>
@@ -10820,11 +10820,11 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>live</translation>
     </message>
     <message>
-        <source>Waiting for the first picture…</source>
+        <source>Waiting for the first frame…</source>
         <translation>Warten auf das erste Bild…</translation>
     </message>
     <message>
-        <source>No picture now</source>
+        <source>No frames now</source>
         <translation>Gerade kein Bild</translation>
     </message>
     <message>
@@ -10835,7 +10835,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>odo::LiveCameraBox</name>
     <message>
-        <source>Camera that is connected</source>
+        <source>Connected camera</source>
         <translation>Angeschlossene Kamera</translation>
     </message>
     <message>
@@ -10843,7 +10843,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>%1, %2×%3</translation>
     </message>
     <message>
-        <source>Looking for cameras…</source>
+        <source>Searching for cameras…</source>
         <translation>Kameras werden gesucht…</translation>
     </message>
     <message>
@@ -10854,11 +10854,11 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>odo::LiveMap</name>
     <message>
-        <source>Map of the floor with the robots as they drive</source>
+        <source>Live floor map with the robots</source>
         <translation>Karte des Bodens mit den Robotern während der Fahrt</translation>
     </message>
     <message>
-        <source>No camera is registered to the floor, so that no place on it can be told</source>
+        <source>No camera is registered to the floor: robots cannot be located</source>
         <translation>Keine Kamera ist zum Boden eingemessen, daher lässt sich kein Ort darauf angeben</translation>
     </message>
 </context>
@@ -10935,23 +10935,23 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>&amp;Papierkorb leeren…</translation>
     </message>
     <message>
-        <source>Take the &amp;star off</source>
+        <source>Remove &amp;star</source>
         <translation>&amp;Stern entfernen</translation>
     </message>
     <message>
-        <source>Out of the &amp;archive</source>
+        <source>Restore from &amp;archive</source>
         <translation>Aus dem &amp;Archiv holen</translation>
     </message>
     <message>
-        <source>&amp;Put back</source>
+        <source>Rest&amp;ore</source>
         <translation>&amp;Zurücklegen</translation>
     </message>
     <message>
-        <source>Takes the selected trials out of the bin (Del)</source>
+        <source>Restore the selected trials from the bin (Del)</source>
         <translation>Holt die ausgewählten Versuche aus dem Papierkorb (Entf)</translation>
     </message>
     <message>
-        <source>Puts the selected trials into the bin (Del); they can be put back</source>
+        <source>Move the selected trials to the bin (Del); you can restore them</source>
         <translation>Legt die ausgewählten Versuche in den Papierkorb (Entf); sie lassen sich zurücklegen</translation>
     </message>
     <message>
@@ -10966,7 +10966,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         </translation>
     </message>
     <message>
-        <source>Their videos (%1), measurements and results are removed from the disk. This cannot be undone.</source>
+        <source>This removes their videos (%1), measurements and results from the disk. You cannot undo it.</source>
         <translation>Die zugehörigen Videos (%1), Messungen und Ergebnisse werden von der Festplatte entfernt. Das lässt sich nicht rückgängig machen.</translation>
     </message>
     <message>
@@ -11439,7 +11439,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Ort Y</translation>
     </message>
     <message>
-        <source>Quantity that the chart shows</source>
+        <source>Quantity of the chart</source>
         <translation>Größe, die das Diagramm zeigt</translation>
     </message>
     <message>
@@ -11471,15 +11471,15 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>gegen den Uhrzeigersinn positiv</translation>
     </message>
     <message>
-        <source>Chart: %1 against time</source>
+        <source>Chart: %1 over time</source>
         <translation>Diagramm: %1 über der Zeit</translation>
     </message>
     <message>
-        <source>Chart: %1 against the distance</source>
+        <source>Chart: %1 over distance</source>
         <translation>Diagramm: %1 über dem Weg</translation>
     </message>
     <message>
-        <source>shaded: hidden or doubtful</source>
+        <source>shaded: hidden or ambiguous</source>
         <translation>schattiert: verdeckt oder zweifelhaft</translation>
     </message>
 </context>
@@ -11494,15 +11494,15 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>&amp;Anpassung</translation>
     </message>
     <message>
-        <source>Figures of the range</source>
+        <source>Statistics of the range</source>
         <translation>Kennwerte des Bereichs</translation>
     </message>
     <message>
-        <source>Robot whose range is shown</source>
+        <source>Robot of the statistics</source>
         <translation>Roboter, dessen Bereich gezeigt wird</translation>
     </message>
     <message>
-        <source>What is fitted to the curve</source>
+        <source>Function to fit to the curve</source>
         <translation>Was an die Kurve angepasst wird</translation>
     </message>
     <message>
@@ -11522,7 +11522,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Parabel</translation>
     </message>
     <message>
-        <source>Quantity that is fitted</source>
+        <source>Fitted quantity</source>
         <translation>Größe, die angepasst wird</translation>
     </message>
 </context>
@@ -11533,11 +11533,11 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Keine Kamera ist angeschlossen</translation>
     </message>
     <message>
-        <source>Connect a camera, or two, and look again. One that is connected and not found is a case for the set-up doctor.</source>
+        <source>Connect one or two cameras, then search again. If a connected camera is not found, run the set-up doctor.</source>
         <translation>Schließen Sie eine oder zwei Kameras an und suchen Sie erneut. Eine, die angeschlossen ist und nicht gefunden wird, ist ein Fall für die Aufbaudiagnose.</translation>
     </message>
     <message>
-        <source>Look again</source>
+        <source>Search again</source>
         <translation>Erneut suchen</translation>
     </message>
     <message>
@@ -11553,7 +11553,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Kameras…</translation>
     </message>
     <message>
-        <source>Choose which connected device is which camera of the project</source>
+        <source>Assign the connected devices to the cameras of the project</source>
         <translation>Wählen, welches angeschlossene Gerät welche Kamera des Projekts ist</translation>
     </message>
     <message>
@@ -11565,7 +11565,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Diagnose…</translation>
     </message>
     <message>
-        <source>Look for what makes cameras lose pictures, or measure wrongly, with advice</source>
+        <source>Check for what makes cameras lose frames or measure wrongly, and get advice</source>
         <translation>Nachsehen, wodurch Kameras Bilder verlieren oder falsch messen, mit Rat</translation>
     </message>
     <message>
@@ -11669,15 +11669,15 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>&amp;Aufgabe</translation>
     </message>
     <message>
-        <source>The usual one</source>
+        <source>Most common</source>
         <translation>Die übliche</translation>
     </message>
     <message>
-        <source>&amp;Figure</source>
+        <source>M&amp;etric</source>
         <translation>K&amp;ennwert</translation>
     </message>
     <message>
-        <source>What tells most</source>
+        <source>Most informative</source>
         <translation>Was am meisten sagt</translation>
     </message>
     <message>
@@ -11705,7 +11705,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>There is nothing to print yet.</source>
+        <source>Nothing to print yet.</source>
         <translation>Es gibt noch nichts zu drucken.</translation>
     </message>
     <message numerus="yes">
@@ -11730,7 +11730,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Vorschau der Seiten</translation>
     </message>
     <message>
-        <source>The pages are being painted…</source>
+        <source>Drawing the pages…</source>
         <translation>Seiten werden gezeichnet…</translation>
     </message>
     <message numerus="yes">
@@ -11877,7 +11877,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Angaben zum Versuch</translation>
     </message>
     <message>
-        <source>This trial has not been tracked yet. Tracking follows the robot through the videos and works out where it was and how fast.</source>
+        <source>This trial has not been tracked yet. Tracking follows the robot through the videos and computes its position and speed.</source>
         <translation>In diesem Versuch wurde der Roboter noch nicht verfolgt. Die Verfolgung folgt ihm durch die Videos und ermittelt, wo er war und wie schnell.</translation>
     </message>
     <message>
@@ -11896,7 +11896,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>&amp;Silhouetten der Roboter</translation>
     </message>
     <message>
-        <source>Outline what was taken for a robot in each view</source>
+        <source>Outline the detected robots in each view</source>
         <translation>Zeichnet in jeder Sicht den Umriss dessen, was für einen Roboter gehalten wurde</translation>
     </message>
 </context>
@@ -11907,7 +11907,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Noch keine Versuche</translation>
     </message>
     <message>
-        <source>A trial is one run of a robot. Bring in the videos that your cameras took of it, and it will be shown here.</source>
+        <source>A trial is one run of a robot. Import the videos that your cameras took of it to see it here.</source>
         <translation>Ein Versuch ist eine Fahrt eines Roboters. Importieren Sie die Videos, die Ihre Kameras davon aufgenommen haben, und er wird hier gezeigt.</translation>
     </message>
     <message>
@@ -12162,7 +12162,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Auf einen Roboter &amp;zeigen</translation>
     </message>
     <message>
-        <source>The wrong thing is outlined: click the robot in a picture, and the trial is tracked again (%1)</source>
+        <source>Wrong object outlined? Click the robot in a view to track the trial again (%1)</source>
         <translation>Das Falsche ist umrandet: Klicken Sie den Roboter in einem Bild an, dann wird der Versuch neu verfolgt (%1)</translation>
     </message>
     <message>
@@ -12170,7 +12170,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Das ist %1: neu verfolgen</translation>
     </message>
     <message>
-        <source>Find %1 without help</source>
+        <source>Find %1 automatically</source>
         <translation>%1 ohne Hilfe suchen</translation>
     </message>
 </context>
@@ -12248,7 +12248,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Jetzt dran</translation>
     </message>
     <message>
-        <source>Robots that drive</source>
+        <source>Robots of this run</source>
         <translation>Roboter, die fahren</translation>
     </message>
     <message>
@@ -12280,15 +12280,15 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>R&amp;unden</translation>
     </message>
     <message>
-        <source>Laps until it ends</source>
+        <source>Number of laps</source>
         <translation>Runden bis zum Ende</translation>
     </message>
     <message>
-        <source>Team that is up</source>
+        <source>Team of this run</source>
         <translation>Team, das dran ist</translation>
     </message>
     <message>
-        <source>How the recording begins</source>
+        <source>When the recording begins</source>
         <translation>Wie die Aufnahme beginnt</translation>
     </message>
     <message>
@@ -12343,7 +12343,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Zweite Fahrt</translation>
     </message>
     <message>
-        <source>The moment that counts as the same</source>
+        <source>How to align the runs</source>
         <translation>Der Moment, der als derselbe gilt</translation>
     </message>
     <message>
@@ -12351,7 +12351,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Die zwei Fahrten tauschen</translation>
     </message>
     <message>
-        <source>Further runs</source>
+        <source>Add more runs</source>
         <translation>Weitere Fahrten</translation>
     </message>
     <message>
@@ -12359,7 +12359,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>&amp;Versatz</translation>
     </message>
     <message>
-        <source>Pla&amp;ce</source>
+        <source>Distan&amp;ce</source>
         <translation>&amp;Ort</translation>
     </message>
     <message>
@@ -12371,7 +12371,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation> s</translation>
     </message>
     <message>
-        <source>How much later the second run&apos;s moment lies</source>
+        <source>Time shift of the second run; positive: later</source>
         <translation>Wie viel später der Moment der zweiten Fahrt liegt</translation>
     </message>
     <message>
@@ -12379,11 +12379,11 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation> m</translation>
     </message>
     <message>
-        <source>where all have begun</source>
+        <source>first common point</source>
         <translation>wo alle begonnen haben</translation>
     </message>
     <message>
-        <source>How far along the way the runs are taken to be at the same time</source>
+        <source>Distance along the path at which the runs are aligned</source>
         <translation>An welcher Stelle des Wegs die Fahrten als gleichzeitig gelten</translation>
     </message>
     <message>
@@ -12403,7 +12403,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Automatisch: %1</translation>
     </message>
     <message>
-        <source>There are no further runs</source>
+        <source>No more runs</source>
         <translation>Es gibt keine weiteren Fahrten</translation>
     </message>
 </context>
@@ -12418,11 +12418,11 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>In &amp;Durchsicht öffnen</translation>
     </message>
     <message>
-        <source>The figures of a run stand here a moment after it has ended.</source>
+        <source>The results appear here shortly after the run ends.</source>
         <translation>Die Kennwerte einer Fahrt stehen hier kurz nach ihrem Ende.</translation>
     </message>
     <message>
-        <source>Measuring…</source>
+        <source>Analysing…</source>
         <translation>Wird ausgewertet…</translation>
     </message>
     <message>
@@ -12430,22 +12430,22 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Markierte Ausreißer</translation>
     </message>
     <message>
-        <source>From live tracking. The final figures come from the recording, in a moment.</source>
+        <source>From live tracking. The final results follow shortly, from the recording.</source>
         <translation>Aus der Live-Verfolgung. Die endgültigen Kennwerte kommen gleich aus der Aufnahme.</translation>
     </message>
     <message>
-        <source>Final, from every picture of the recording.</source>
+        <source>Final, from every frame of the recording.</source>
         <translation>Endgültig, aus jedem Bild der Aufnahme.</translation>
     </message>
 </context>
 <context>
     <name>odo::RunResults</name>
     <message>
-        <source>%1 is measured.</source>
+        <source>%1 is analysed.</source>
         <translation>%1 ist ausgewertet.</translation>
     </message>
     <message>
-        <source>It is recorded, but could not be measured: %1</source>
+        <source>Recorded, but not analysed: %1</source>
         <translation>Der Versuch ist aufgenommen, ließ sich aber nicht auswerten: %1</translation>
     </message>
     <message>
@@ -12453,7 +12453,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>%1 ist aufgenommen.</translation>
     </message>
     <message>
-        <source>It could not be recorded: %1</source>
+        <source>Recording failed: %1</source>
         <translation>Der Versuch ließ sich nicht aufnehmen: %1</translation>
     </message>
 </context>
@@ -12511,7 +12511,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>odo::SeriesKey</name>
     <message>
-        <source>Key to the lines</source>
+        <source>Legend</source>
         <translation>Legende der Linien</translation>
     </message>
     <message>
@@ -12610,7 +12610,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>&amp;Verwenden</translation>
     </message>
     <message>
-        <source>What was measured at this moment is right and is to be used, whatever speaks against it</source>
+        <source>Mark the sample at this moment as valid and use it, even if it was flagged</source>
         <translation>Was in diesem Moment gemessen wurde, ist richtig und soll verwendet werden, was auch dagegen spricht</translation>
     </message>
     <message>
@@ -12618,7 +12618,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Als &amp;Ausreißer</translation>
     </message>
     <message>
-        <source>What was measured at this moment is wrong and is not to be used</source>
+        <source>Mark the sample at this moment as a spike and do not use it</source>
         <translation>Was in diesem Moment gemessen wurde, ist falsch und soll nicht verwendet werden</translation>
     </message>
     <message>
@@ -12626,7 +12626,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Auto&amp;matisch</translation>
     </message>
     <message>
-        <source>Takes back what was said by hand at this moment</source>
+        <source>Remove the manual override at this moment</source>
         <translation>Nimmt zurück, was zu diesem Moment von Hand gesagt wurde</translation>
     </message>
 </context>
@@ -12778,7 +12778,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>&amp;Aufnehmen oder stoppen</translation>
     </message>
     <message>
-        <source>Time recorded</source>
+        <source>Recorded time</source>
         <translation>Aufgenommene Zeit</translation>
     </message>
     <message>
@@ -12786,7 +12786,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Aufnehmen</translation>
     </message>
     <message>
-        <source>Writing the last pictures…</source>
+        <source>Writing the last frames…</source>
         <translation>Letzte Bilder werden geschrieben…</translation>
     </message>
     <message>
@@ -12798,7 +12798,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>F9 nimmt auf, F9 stoppt; %1</translation>
     </message>
     <message>
-        <source>Call off</source>
+        <source>Cancel</source>
         <translation>Abbrechen</translation>
     </message>
     <message>
@@ -12810,7 +12810,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Bereit machen</translation>
     </message>
     <message>
-        <source>Waiting for the robot at “%1”; it is recorded from a second before</source>
+        <source>Waiting for the robot at “%1”. The recording will include the second before</source>
         <translation>Warten auf den Roboter an „%1“; aufgenommen wird ab einer Sekunde davor</translation>
     </message>
     <message>
@@ -13279,15 +13279,15 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Team %1</translation>
     </message>
     <message>
-        <source>A name on each line</source>
+        <source>One name per line</source>
         <translation>Ein Name je Zeile</translation>
     </message>
     <message>
-        <source>Members of the team, one on each line</source>
+        <source>Members of the team, one per line</source>
         <translation>Mitglieder des Teams, eines je Zeile</translation>
     </message>
     <message>
-        <source>Record and importing propose these robots for the team&apos;s runs</source>
+        <source>Record and Import propose these robots for the team&apos;s runs</source>
         <translation>Aufnahme und Import schlagen diese Roboter für die Fahrten des Teams vor</translation>
     </message>
     <message>
@@ -13329,11 +13329,11 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Jede Aufgabe</translation>
     </message>
     <message>
-        <source>Figure</source>
+        <source>Metric</source>
         <translation>Kennwert</translation>
     </message>
     <message>
-        <source>How the teams stand</source>
+        <source>Standings</source>
         <translation>Rangliste der Teams</translation>
     </message>
     <message>
@@ -13341,7 +13341,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>%1 (archiviert)</translation>
     </message>
     <message>
-        <source>No team has a figure here</source>
+        <source>No team has a result for this metric</source>
         <translation>Kein Team hat hier einen Kennwert</translation>
     </message>
     <message numerus="yes">
@@ -13356,7 +13356,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>für eine Rangliste eine Aufgabe wählen: Fahrten verschiedener Aufgaben lassen sich nicht vergleichen</translation>
     </message>
     <message numerus="yes">
-        <source>%n trial(s) left out: measured by another course; measure them again</source>
+        <source>%n trial(s) not counted: analysed with a different course. Reanalyse them</source>
         <translation>
             <numerusform>%n Versuch ausgelassen: nach einem anderen Parcours ausgewertet; bitte neu auswerten</numerusform>
             <numerusform>%n Versuche ausgelassen: nach einem anderen Parcours ausgewertet; bitte neu auswerten</numerusform>
@@ -13775,7 +13775,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>odo::TimelineBar</name>
     <message>
-        <source>Time line</source>
+        <source>Timeline</source>
         <translation>Zeitleiste</translation>
     </message>
     <message>
@@ -13787,7 +13787,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Bild</translation>
     </message>
     <message>
-        <source>Speed of playing</source>
+        <source>Playback speed</source>
         <translation>Wiedergabegeschwindigkeit</translation>
     </message>
     <message>
@@ -13972,7 +13972,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Kein Team ist ausgewählt</translation>
     </message>
     <message>
-        <source>Select a team to see its trials through the term.</source>
+        <source>Select a team to see its results over the term.</source>
         <translation>Wählen Sie ein Team aus, um seine Versuche im Lauf des Halbjahrs zu sehen.</translation>
     </message>
 </context>
@@ -14093,7 +14093,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Punkte</translation>
     </message>
     <message>
-        <source>none: it was measured by another course than its task has now; measure it again</source>
+        <source>none: analysed with a different course than its task has now. Reanalyse the trial</source>
         <translation>keine: nach einem anderen Parcours ausgewertet, als seine Aufgabe jetzt hat; bitte neu auswerten</translation>
     </message>
     <message>
@@ -14117,7 +14117,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Notizen zum Versuch</translation>
     </message>
     <message>
-        <source>What was changed on the robot? What should be remembered?</source>
+        <source>What did you change on the robot? What do you want to remember?</source>
         <translation>Was wurde am Roboter geändert? Was soll in Erinnerung bleiben?</translation>
     </message>
     <message>
@@ -14232,7 +14232,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
         <translation>Nur Versuche mit Stern</translation>
     </message>
     <message>
-        <source>Show starred trials only</source>
+        <source>Show only starred trials</source>
         <translation>Nur Versuche mit Stern zeigen</translation>
     </message>
 </context>
@@ -14317,11 +14317,11 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>odo::TroubleBar</name>
     <message>
-        <source>What is the matter</source>
+        <source>Problem</source>
         <translation>Was los ist</translation>
     </message>
     <message>
-        <source>Put it right</source>
+        <source>Fix</source>
         <translation>Beheben</translation>
     </message>
 </context>
@@ -17405,7 +17405,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>ui.bring_file_back</name>
     <message>
-        <source>bring the file back to its place</source>
+        <source>move the file back there</source>
         <translation>bringen Sie die Datei an ihren Platz zurück</translation>
     </message>
 </context>
@@ -17489,14 +17489,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>ui.choose_logo</name>
     <message>
-        <source>choose a PNG, JPEG or SVG picture</source>
+        <source>choose a PNG, JPEG or SVG image</source>
         <translation>wählen Sie ein PNG-, JPEG- oder SVG-Bild</translation>
     </message>
 </context>
 <context>
     <name>ui.choose_or_make_class</name>
     <message>
-        <source>choose one of them, or make it in the workbench</source>
+        <source>choose one of them, or create it in the workbench</source>
         <translation>wählen Sie eine davon, oder legen Sie sie im Programmfenster an</translation>
     </message>
 </context>
@@ -17692,7 +17692,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>ui.look_at_printer</name>
     <message>
-        <source>look at the printer and its queue, or save the report as PDF</source>
+        <source>check the printer and its queue, or save the report as PDF</source>
         <translation>sehen Sie nach dem Drucker und seiner Warteschlange, oder speichern Sie den Bericht als PDF</translation>
     </message>
 </context>
@@ -17818,7 +17818,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>ui.no_further_page</name>
     <message>
-        <source>it takes no further page</source>
+        <source>it accepts no more pages</source>
         <translation>er nimmt keine weitere Seite an</translation>
     </message>
 </context>
@@ -17846,14 +17846,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>ui.no_run_with_figure</name>
     <message>
-        <source>none of its teams has a run with the figure &apos;%1&apos;</source>
+        <source>none of its teams has a run with the metric &apos;%1&apos;</source>
         <translation>keines ihrer Teams hat eine Fahrt mit dem Kennwert &apos;%1&apos;</translation>
     </message>
 </context>
 <context>
     <name>ui.no_run_with_figure_in_task</name>
     <message>
-        <source>none of its teams has a run with the figure &apos;%1&apos; in the task &apos;%2&apos;</source>
+        <source>none of its teams has a run with the metric &apos;%1&apos; in the task &apos;%2&apos;</source>
         <translation>keines ihrer Teams hat eine Fahrt mit dem Kennwert &apos;%1&apos; in der Aufgabe &apos;%2&apos;</translation>
     </message>
 </context>
@@ -17937,14 +17937,14 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>ui.pages_not_taken</name>
     <message>
-        <source>it did not take the pages</source>
+        <source>it did not accept the pages</source>
         <translation>er hat die Seiten nicht angenommen</translation>
     </message>
 </context>
 <context>
     <name>ui.painting_floor</name>
     <message>
-        <source>painting the floor</source>
+        <source>drawing the floor</source>
         <translation>der Boden wird gezeichnet</translation>
     </message>
 </context>
@@ -17958,7 +17958,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>ui.picture_of</name>
     <message>
-        <source>picture %1 of %2</source>
+        <source>frame %1 of %2</source>
         <translation>Bild %1 von %2</translation>
     </message>
 </context>
@@ -18140,7 +18140,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>ui.take_team_out</name>
     <message>
-        <source>take team %1 out of its class</source>
+        <source>remove team %1 from its class</source>
         <translation>Team %1 aus seiner Klasse nehmen</translation>
     </message>
 </context>
@@ -18175,7 +18175,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>ui.track_or_choose_figure</name>
     <message>
-        <source>track its trials, or choose another task or figure</source>
+        <source>track its trials, or choose another task or metric</source>
         <translation>verfolgen Sie ihre Versuche, oder wählen Sie eine andere Aufgabe oder einen anderen Kennwert</translation>
     </message>
 </context>
@@ -18203,7 +18203,7 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>ui.unarchive_class</name>
     <message>
-        <source>take class %1 out of the archive</source>
+        <source>restore class %1 from the archive</source>
         <translation>Klasse %1 aus dem Archiv holen</translation>
     </message>
 </context>
@@ -18217,28 +18217,28 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>ui.unarchive_trial</name>
     <message>
-        <source>take %1 out of the archive</source>
+        <source>restore %1 from the archive</source>
         <translation>%1 aus dem Archiv holen</translation>
     </message>
 </context>
 <context>
     <name>ui.unarchive_trials</name>
     <message>
-        <source>take %1 trials out of the archive</source>
+        <source>restore %1 trials from the archive</source>
         <translation>%1 Versuche aus dem Archiv holen</translation>
     </message>
 </context>
 <context>
     <name>ui.undelete_trial</name>
     <message>
-        <source>take %1 out of the bin</source>
+        <source>restore %1 from the bin</source>
         <translation>%1 aus dem Papierkorb holen</translation>
     </message>
 </context>
 <context>
     <name>ui.undelete_trials</name>
     <message>
-        <source>take %1 trials out of the bin</source>
+        <source>restore %1 trials from the bin</source>
         <translation>%1 Versuche aus dem Papierkorb holen</translation>
     </message>
 </context>
@@ -18259,28 +18259,28 @@ Viel mehr als erwartet heißt, dass etwas nicht so ist wie angegeben: Die Sichte
 <context>
     <name>ui.unstar_trial</name>
     <message>
-        <source>take the star off %1</source>
+        <source>remove the star from %1</source>
         <translation>Stern von %1 entfernen</translation>
     </message>
 </context>
 <context>
     <name>ui.unstar_trials</name>
     <message>
-        <source>take the star off %1 trials</source>
+        <source>remove the star from %1 trials</source>
         <translation>Stern von %1 Versuchen entfernen</translation>
     </message>
 </context>
 <context>
     <name>ui.video_size_wrong</name>
     <message>
-        <source>its size of %1x%2 is odd, or not from 320x180 to 3840x2160</source>
+        <source>its size of %1x%2 has an odd number of pixels, or is not between 320x180 and 3840x2160</source>
         <translation>die Größe %1x%2 ist ungerade, oder nicht zwischen 320x180 und 3840x2160</translation>
     </message>
 </context>
 <context>
     <name>ui.video_speed_wrong</name>
     <message>
-        <source>its speed is not from 0.1 to 1</source>
+        <source>its speed is not between 0.1 and 1</source>
         <translation>die Geschwindigkeit liegt nicht zwischen 0.1 und 1</translation>
     </message>
 </context>

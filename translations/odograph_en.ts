@@ -11,10 +11,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n trial(s) left out: measured by another course; measure them again.</source>
+        <source>%n trial(s) not counted: analysed with a different course. Reanalyse them.</source>
         <translation>
-            <numerusform>%n trial left out: measured by another course; measure it again.</numerusform>
-            <numerusform>%n trials left out: measured by another course; measure them again.</numerusform>
+            <numerusform>%n trial not counted: analysed with a different course. Reanalyse it.</numerusform>
+            <numerusform>%n trials not counted: analysed with a different course. Reanalyse them.</numerusform>
         </translation>
     </message>
 </context>
@@ -242,10 +242,10 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n trial(s) left out: measured by another course; measure them again</source>
+        <source>%n trial(s) not counted: analysed with a different course. Reanalyse them</source>
         <translation>
-            <numerusform>%n trial left out: measured by another course; measure it again</numerusform>
-            <numerusform>%n trials left out: measured by another course; measure them again</numerusform>
+            <numerusform>%n trial not counted: analysed with a different course. Reanalyse it</numerusform>
+            <numerusform>%n trials not counted: analysed with a different course. Reanalyse them</numerusform>
         </translation>
     </message>
 </context>

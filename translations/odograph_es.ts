@@ -86,18 +86,18 @@
         <translation>Esta cámara no estaba grabando en este momento</translation>
     </message>
     <message>
-        <source>This picture cannot be decoded</source>
+        <source>This frame cannot be decoded</source>
         <translation>Esta imagen no se puede decodificar</translation>
     </message>
 </context>
 <context>
     <name>ClassReport</name>
     <message>
-        <source>Rank: one more than the number of teams that are better beyond doubt (medians apart by more than 1.96 σ); teams of one rank cannot be told apart.</source>
+        <source>Rank: one more than the number of significantly better teams (medians differ by more than 1.96 σ). Teams of the same rank do not differ significantly.</source>
         <translation>Puesto: uno más que el número de equipos mejores sin lugar a dudas (medianas separadas más de 1,96 σ); los equipos de un mismo puesto no se pueden distinguir.</translation>
     </message>
     <message numerus="yes">
-        <source>%n trial(s) left out: measured by another course; measure them again.</source>
+        <source>%n trial(s) not counted: analysed with a different course. Reanalyse them.</source>
         <translation>
             <numerusform>%n ensayo omitido: se midió con otro circuito; vuelva a medirlo.</numerusform>
             <numerusform>%n ensayos omitidos: se midieron con otro circuito; vuelva a medirlos.</numerusform>
@@ -168,7 +168,7 @@
         <translation>Mediana</translation>
     </message>
     <message>
-        <source>Through the term</source>
+        <source>Over the term</source>
         <translation>Durante el periodo</translation>
     </message>
     <message>
@@ -341,7 +341,7 @@
 <context>
     <name>ComparisonReport</name>
     <message>
-        <source>± one σ; grey, ≈: within the error</source>
+        <source>± one σ; grey, ≈: not significant</source>
         <translation>± una σ; gris, ≈: dentro del error</translation>
     </message>
     <message>
@@ -361,7 +361,7 @@
         <translation>a lo largo de la trayectoria de la tarea</translation>
     </message>
     <message>
-        <source>along the way of the left run</source>
+        <source>along the path of the left run</source>
         <translation>a lo largo del camino del recorrido izquierdo</translation>
     </message>
     <message>
@@ -373,7 +373,7 @@
         <translation>alineados por el inicio del movimiento, %1</translation>
     </message>
     <message>
-        <source>aligned by a place that both pass, %1</source>
+        <source>aligned by a point that both pass, %1</source>
         <translation>alineados por un lugar por el que ambos pasan, %1</translation>
     </message>
     <message>
@@ -389,11 +389,11 @@
         <translation>%1: analizado %2, Odograph %3</translation>
     </message>
     <message>
-        <source>Both runs share their calibration: its error cancels as far as they do.</source>
+        <source>Both runs share their calibration: its uncertainty largely cancels.</source>
         <translation>Ambos recorridos comparten la calibración: su error se cancela en la medida en que la comparten.</translation>
     </message>
     <message>
-        <source>The runs do not share their calibration: the errors of both count.</source>
+        <source>The runs have different calibrations: the uncertainties of both count.</source>
         <translation>Los recorridos no comparten la calibración: cuentan los errores de ambas.</translation>
     </message>
     <message>
@@ -401,7 +401,7 @@
         <translation>%1 y %2</translation>
     </message>
     <message>
-        <source>Speed along the way, %1</source>
+        <source>Speed over distance, %1</source>
         <translation>Velocidad a lo largo del camino, %1</translation>
     </message>
     <message>
@@ -413,7 +413,7 @@
         <translation>Diferencia de tiempo, s</translation>
     </message>
     <message>
-        <source>above 0: the right run is later; grey: within the error</source>
+        <source>above 0: the right run is later; grey: not significant</source>
         <translation>por encima de 0: el recorrido derecho llega más tarde; gris: dentro del error</translation>
     </message>
     <message>
@@ -421,7 +421,7 @@
         <translation>Sectores, s</translation>
     </message>
     <message>
-        <source>Figures</source>
+        <source>Metrics</source>
         <translation>Indicadores</translation>
     </message>
 </context>
@@ -837,27 +837,27 @@
 <context>
     <name>FactExplanations</name>
     <message>
-        <source>The offset at which the tracks of the robot on the floor, as the two views see it, coincide: least squares of r(t) = p₁(t) − p₂((t − offset)(1 + rate)), with a constant shift and a small scale between them, searched in half frames and refined by Gauss–Newton. The clocks&apos; rate is taken where it is beyond three σ.</source>
+        <source>The time offset at which the robot&apos;s floor tracks from the two views coincide: least squares of r(t) = p₁(t) − p₂((t − offset)(1 + rate)), with a constant shift and a small scale between them, searched in steps of half a frame and refined by Gauss–Newton. The clock rate is used if it exceeds three σ.</source>
         <translation>El desfase con el que coinciden las trazas del robot en el suelo, tal como lo ven las dos vistas: mínimos cuadrados de r(t) = p₁(t) − p₂((t − desfase)(1 + deriva)), con un desplazamiento constante y una escala pequeña entre ellas, buscado en medios fotogramas y refinado por Gauss–Newton. La deriva de los relojes se toma en cuenta cuando supera tres σ.</translation>
     </message>
     <message>
-        <source>from the curvature of the sum of squares and the residual, which is taken as correlated over half a second</source>
+        <source>from the curvature of the sum of squares and from the residual, assumed to be correlated over half a second</source>
         <translation>de la curvatura de la suma de cuadrados y del residuo, que se toma como correlacionado durante medio segundo</translation>
     </message>
     <message>
-        <source>The offset at which the jumps of light that both views saw fall together, taken where no other offset comes within a factor of 150 of its likelihood: the pairs&apos; weighted mean.</source>
+        <source>The time offset at which the jumps in brightness in both views coincide: the weighted mean of the pairs. It is used if every other offset is at least 150 times less likely.</source>
         <translation>El desfase con el que coinciden los saltos de luz que ambas vistas vieron, aceptado si la verosimilitud de cualquier otro desfase es al menos 150 veces menor: la media ponderada de los pares.</translation>
     </message>
     <message>
-        <source>of the pairs, of their scatter, and a tenth of a frame interval for each view, for its shutter</source>
+        <source>from the pairs and their scatter, plus a tenth of a frame interval per view for its shutter</source>
         <translation>de los pares, de su dispersión, y una décima del intervalo entre fotogramas por cada vista, por su obturador</translation>
     </message>
     <message>
-        <source>Each camera&apos;s time stamps, related to this computer&apos;s clock by readings of the camera&apos;s while it recorded.</source>
+        <source>Each camera&apos;s time stamps, converted to this computer&apos;s clock by reading the camera&apos;s clock during the recording.</source>
         <translation>Las marcas de tiempo de cada cámara, referidas al reloj de esta computadora mediante lecturas del de la cámara mientras grababa.</translation>
     </message>
     <message>
-        <source>of both relations of the clocks</source>
+        <source>from both clock conversions</source>
         <translation>de ambas relaciones entre los relojes</translation>
     </message>
     <message>
@@ -865,19 +865,19 @@
         <translation>Tiempos en las puertas</translation>
     </message>
     <message>
-        <source>When the robot&apos;s centre crosses the gate&apos;s line between its ends, the way the gate is passed: between two frames the smoothed position is the cubic through both places and velocities. It has passed when it was before the line by three σ of the track&apos;s own noise and then is past it by as much.</source>
+        <source>When the robot&apos;s reference point crosses the gate&apos;s line between its ends, in the direction of the gate. Between two frames, the smoothed position is the cubic through both positions and velocities. A passage counts if the point was before the line by three σ of the track&apos;s own noise and then is past it by as much.</source>
         <translation>Cuando el centro del robot cruza la línea de la puerta entre sus extremos, en el sentido en que se pasa la puerta: entre dos fotogramas, la posición suavizada es la cúbica que pasa por ambas posiciones con ambos vectores velocidad. Ha pasado si estuvo antes de la línea en tres σ del ruido propio de la traza y después la rebasa en otro tanto.</translation>
     </message>
     <message>
-        <source>σ of the position across the gate over the speed across it, with the calibration&apos;s part</source>
+        <source>σ of the position across the gate divided by the speed across it, including the calibration&apos;s part</source>
         <translation>σ de la posición perpendicular a la puerta dividida por la velocidad perpendicular a ella, con la parte de la calibración</translation>
     </message>
     <message>
-        <source>From one passing of the start to the finish, or of the one gate to the next; of each split its first passing counts.</source>
+        <source>From a passage of the start to one of the finish, or from one passage of a start-finish gate to the next. Of each split, the first passage counts.</source>
         <translation>De un paso por la salida a la meta o, con una sola puerta, de un paso al siguiente; de cada parcial cuenta el primer paso.</translation>
     </message>
     <message>
-        <source>of both passages; the calibration&apos;s error of a gate that is passed twice at one speed cancels</source>
+        <source>from both passages; the calibration&apos;s uncertainty cancels for a gate passed twice at the same speed</source>
         <translation>de ambos pasos; se cancela el error de calibración de una puerta por la que se pasa dos veces a la misma velocidad</translation>
     </message>
     <message>
@@ -885,7 +885,7 @@
         <translation>hasta %1: %2</translation>
     </message>
     <message>
-        <source>View %1 in step with the first</source>
+        <source>Synchronisation of view %1 with the first</source>
         <translation>Vista %1 sincronizada con la primera</translation>
     </message>
     <message>
@@ -897,7 +897,7 @@
         <translation>Altura del robot %1</translation>
     </message>
     <message>
-        <source>The solid (box or cylinder, on the floor or a plate at the robot&apos;s top) whose silhouettes the outlines in all views are, by weighted least squares at some forty times of the run; where no such solid explains them, the height at which all views put the robot at the same place.</source>
+        <source>The solid (box or cylinder, on the floor or a plate at the robot&apos;s top) whose silhouettes best match the outlines in all views, by weighted least squares at about forty times of the run. If no such solid explains them: the height at which all views give the same floor position.</source>
         <translation>El sólido (caja o cilindro sobre el suelo, o una placa en lo alto del robot) cuyas siluetas son los contornos en todas las vistas, por mínimos cuadrados ponderados en unos cuarenta instantes del recorrido; si ningún sólido así los explica, la altura a la que todas las vistas sitúan el robot en el mismo lugar.</translation>
     </message>
 </context>
@@ -971,7 +971,7 @@
 <context>
     <name>HealthWatch</name>
     <message>
-        <source>The project can only be read</source>
+        <source>The project is read-only</source>
         <translation>El proyecto es de solo lectura</translation>
     </message>
     <message>
@@ -979,15 +979,15 @@
         <translation>Abriendo las cámaras…</translation>
     </message>
     <message>
-        <source>No camera runs</source>
+        <source>No camera is running</source>
         <translation>No hay cámaras en marcha</translation>
     </message>
     <message>
-        <source>No camera sends pictures</source>
+        <source>No camera sends frames</source>
         <translation>Ninguna cámara envía imágenes</translation>
     </message>
     <message>
-        <source>This project can only be read: nothing can be recorded into it.</source>
+        <source>This project is read-only: you cannot record into it.</source>
         <translation>Este proyecto es de solo lectura: no se puede grabar en él.</translation>
     </message>
     <message>
@@ -1120,23 +1120,23 @@ El método sigue a S. Park, “Computational Vision for Automatic Tracking and O
         <translation>de %1 a %2</translation>
     </message>
     <message>
-        <source>What the calibration adds to an angle is not known and not in it.</source>
+        <source>The calibration&apos;s contribution to an angle is unknown and not included.</source>
         <translation>Lo que la calibración añade a un ángulo se desconoce y no está incluido.</translation>
     </message>
     <message>
-        <source>The calibration&apos;s error of place is in it.</source>
+        <source>Includes the position uncertainty of the calibration.</source>
         <translation>El error de posición de la calibración está incluido.</translation>
     </message>
     <message>
-        <source>The calibration&apos;s error of scale is in it.</source>
+        <source>Includes the scale uncertainty of the calibration.</source>
         <translation>El error de escala de la calibración está incluido.</translation>
     </message>
     <message>
-        <source>Neighbours of a smoothed curve share their error, so it is averaged out by time and not by frames: with a spectrum of r/(1 + (ω/ω₀)⁶) for the position, ω₀ = √2 σv/σx.</source>
+        <source>Neighbouring points of a smoothed curve have correlated errors. They average out over time, not over frames: with a spectrum of r/(1 + (ω/ω₀)⁶) for the position, ω₀ = √2 σv/σx.</source>
         <translation>Los puntos vecinos de una curva suavizada comparten su error, así que este se promedia con el tiempo y no con los fotogramas: con un espectro r/(1 + (ω/ω₀)⁶) para la posición, ω₀ = √2 σv/σx.</translation>
     </message>
     <message>
-        <source>Of the smoothed curve, each value for half the time to both neighbours: its mean, the median (half of the time stays below it), the least and the most beyond doubt (by the value plus or minus 2σ), and the spread √(mean of the squared distance from the mean).</source>
+        <source>From the smoothed curve, each value weighted by half the time to both neighbours: mean; median (the curve is below it half of the time); least and most, chosen by value + 2σ and value − 2σ; spread √(mean of the squared distance from the mean).</source>
         <translation>De la curva suavizada, cada valor con el peso de la mitad del tiempo hasta ambos vecinos: su media, la mediana (la mitad del tiempo queda por debajo), el mínimo y el máximo fuera de duda (por el valor más o menos 2σ) y la dispersión √(media del cuadrado de la distancia a la media).</translation>
     </message>
     <message>
@@ -1175,15 +1175,15 @@ El método sigue a S. Park, “Computational Vision for Automatic Tracking and O
         </translation>
     </message>
     <message>
-        <source>not its shape: χ² is %1 times what the errors explain</source>
+        <source>does not fit: χ² is %1 times what the uncertainties explain</source>
         <translation>no es su forma: χ² es %1 veces lo que explican los errores</translation>
     </message>
     <message>
-        <source>fits; the stated errors are too large: χ² is %1 of what they let expect</source>
+        <source>fits; the stated uncertainties are too large: χ² is %1 of its expected value</source>
         <translation>encaja; los errores indicados son demasiado grandes: χ² es %1 de lo que hacen esperar</translation>
     </message>
     <message>
-        <source>fits: χ² is %1 of what the errors let expect</source>
+        <source>fits: χ² is %1 of its expected value</source>
         <translation>encaja: χ² es %1 de lo que los errores hacen esperar</translation>
     </message>
     <message>
@@ -1191,11 +1191,11 @@ El método sigue a S. Park, “Computational Vision for Automatic Tracking and O
         <translation>Ajuste de %1</translation>
     </message>
     <message>
-        <source>The polynomial in t − t₀ with the least Σ(residual/σ)² over %1, t₀ = %2. χ² is that sum, over what the errors let expect of it: the number of points less what the coefficients take up.</source>
+        <source>The polynomial in t − t₀ that minimises Σ(residual/σ)² over %1, t₀ = %2. χ² is that sum divided by its expected value: the number of points minus the degrees of freedom of the coefficients.</source>
         <translation>El polinomio en t − t₀ con el menor Σ(residuo/σ)² sobre %1, t₀ = %2. χ² es esa suma dividida por lo que los errores hacen esperar de ella: el número de puntos menos lo que absorben los coeficientes.</translation>
     </message>
     <message>
-        <source>the measured places that are used</source>
+        <source>the measured positions used</source>
         <translation>las posiciones medidas que se usan</translation>
     </message>
     <message>
@@ -1203,11 +1203,11 @@ El método sigue a S. Park, “Computational Vision for Automatic Tracking and O
         <translation>la curva suavizada</translation>
     </message>
     <message>
-        <source>The larger of two: that of the measurements, widened by 1 + 2Σρ of the residuals where they hang together (here ×%1), and that of the smoothed curve, which knows what of their errors lasts.</source>
+        <source>The larger of two uncertainties: that of the measurements, widened by 1 + 2Σρ for correlated residuals (here ×%1), and that of the smoothed curve, including the errors that persist.</source>
         <translation>El mayor de dos: el de las mediciones, ampliado por 1 + 2Σρ de los residuos donde están correlacionados (aquí ×%1), y el de la curva suavizada, que sabe qué parte de sus errores perdura.</translation>
     </message>
     <message>
-        <source>That the shape is the true one is taken for granted; χ² far above 1 says that it is not. Below 1 it comes of a smoother that allows for more motion than there is.</source>
+        <source>Assumes that the shape is correct; χ² far above 1 shows that it is not. χ² below 1 means that the smoother allows for more motion than the robot made.</source>
         <translation>Se da por supuesto que la forma es la verdadera; un χ² muy por encima de 1 indica que no lo es. Por debajo de 1 se debe a un suavizador que admite más movimiento del que hay.</translation>
     </message>
     <message>
@@ -1262,7 +1262,7 @@ El método sigue a S. Park, “Computational Vision for Automatic Tracking and O
 <context>
     <name>RecordHealth</name>
     <message>
-        <source>trouble</source>
+        <source>problem</source>
         <translation>fallo</translation>
     </message>
     <message>
@@ -1270,7 +1270,7 @@ El método sigue a S. Park, “Computational Vision for Automatic Tracking and O
         <translation>lenta</translation>
     </message>
     <message>
-        <source>losses</source>
+        <source>lost frames</source>
         <translation>pérdidas</translation>
     </message>
     <message>
@@ -1290,11 +1290,11 @@ El método sigue a S. Park, “Computational Vision for Automatic Tracking and O
         <translation>Cámara %1</translation>
     </message>
     <message>
-        <source>not seen</source>
+        <source>no camera sees it</source>
         <translation>no se ve</translation>
     </message>
     <message>
-        <source>unseen</source>
+        <source>not visible</source>
         <translation>no visto</translation>
     </message>
     <message>
@@ -1306,7 +1306,7 @@ El método sigue a S. Park, “Computational Vision for Automatic Tracking and O
         <translation>; lo ve una cámara</translation>
     </message>
     <message>
-        <source>seen</source>
+        <source>visible</source>
         <translation>visto</translation>
     </message>
     <message>
@@ -1314,11 +1314,11 @@ El método sigue a S. Park, “Computational Vision for Automatic Tracking and O
         <translation>regular</translation>
     </message>
     <message>
-        <source>apart</source>
+        <source>poor</source>
         <translation>desfasadas</translation>
     </message>
     <message>
-        <source>Step</source>
+        <source>Synchronisation</source>
         <translation>Sincronía</translation>
     </message>
     <message>
@@ -1334,11 +1334,11 @@ El método sigue a S. Park, “Computational Vision for Automatic Tracking and O
         <translation>Disco</translation>
     </message>
     <message>
-        <source>Camera %1 is not registered to the floor: it is recorded, but cannot tell where a robot is.</source>
+        <source>Camera %1 is not registered to the floor: it records, but cannot locate robots.</source>
         <translation>La cámara %1 no está registrada respecto al suelo: se graba, pero no puede indicar dónde está un robot.</translation>
     </message>
     <message>
-        <source>Camera %1 was registered for pictures of %2×%3, which it does not send now: it is recorded, but cannot tell where a robot is.</source>
+        <source>Camera %1 was registered with frames of %2×%3, but now sends another size: it records, but cannot locate robots.</source>
         <translation>La cámara %1 se registró para imágenes de %2×%3, que ahora no envía: se graba, pero no puede indicar dónde está un robot.</translation>
     </message>
     <message>
@@ -1350,7 +1350,7 @@ El método sigue a S. Park, “Computational Vision for Automatic Tracking and O
         <translation>Cámara %1: %2</translation>
     </message>
     <message>
-        <source>The disk is hardly fast enough: record to a faster one, or with fewer cameras.</source>
+        <source>The disk is barely fast enough: record to a faster one, or with fewer cameras.</source>
         <translation>El disco es apenas lo bastante rápido: grabe en uno más rápido o con menos cámaras.</translation>
     </message>
     <message>
@@ -1358,7 +1358,7 @@ El método sigue a S. Park, “Computational Vision for Automatic Tracking and O
         <translation>El disco está casi lleno: %1</translation>
     </message>
     <message>
-        <source>The cameras are not in step: set both to the same rate.</source>
+        <source>The cameras are not synchronised: set both to the same frame rate.</source>
         <translation>Las cámaras no están sincronizadas: ponga ambas a la misma frecuencia.</translation>
     </message>
 </context>
@@ -1391,7 +1391,7 @@ El método sigue a S. Park, “Computational Vision for Automatic Tracking and O
         <translation>suavizada, con su banda de ±95 %; puntos: lo medido</translation>
     </message>
     <message>
-        <source>No curve: the robot was not seen</source>
+        <source>No curve: the robot was not detected</source>
         <translation>Sin curva: no se vio el robot</translation>
     </message>
 </context>
@@ -1481,7 +1481,7 @@ El método sigue a S. Park, “Computational Vision for Automatic Tracking and O
         <translation>%1: método</translation>
     </message>
     <message>
-        <source>How the figures were computed</source>
+        <source>How the metrics were computed</source>
         <translation>Cómo se calcularon los indicadores</translation>
     </message>
     <message>
@@ -1532,11 +1532,11 @@ El método sigue a S. Park, “Computational Vision for Automatic Tracking and O
 <context>
     <name>ReportStills</name>
     <message>
-        <source>no picture: the video cannot be read</source>
+        <source>no image: the video cannot be read</source>
         <translation>sin imagen: no se puede leer el video</translation>
     </message>
     <message>
-        <source>no picture: the video is missing</source>
+        <source>no image: the video is missing</source>
         <translation>sin imagen: falta el video</translation>
     </message>
 </context>
@@ -1567,7 +1567,7 @@ El método sigue a S. Park, “Computational Vision for Automatic Tracking and O
         <translation>celeste</translation>
     </message>
     <message>
-        <source>by itself</source>
+        <source>automatic</source>
         <translation>automático</translation>
     </message>
 </context>
@@ -1942,7 +1942,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>sin registrar</translation>
     </message>
     <message>
-        <source>In step</source>
+        <source>Synchronisation</source>
         <translation>Sincronía</translation>
     </message>
     <message>
@@ -2006,7 +2006,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Tarea</translation>
     </message>
     <message>
-        <source>measured by another course</source>
+        <source>analysed with a different course</source>
         <translation>medido con otro circuito</translation>
     </message>
     <message>
@@ -2014,7 +2014,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Puntuación</translation>
     </message>
     <message>
-        <source>none until it is measured again: the task has another course now</source>
+        <source>none until you reanalyse the trial: the task has a different course now</source>
         <translation>ninguna hasta que se vuelva a medir: la tarea tiene ahora otro circuito</translation>
     </message>
     <message>
@@ -2078,7 +2078,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Resultados</translation>
     </message>
     <message>
-        <source>%1: changed in the file since they were analysed. Analyse the trial again.</source>
+        <source>%1: changed in the file after the analysis. Reanalyse the trial.</source>
         <translation>%1: modificados en el archivo después del análisis. Analice de nuevo el ensayo.</translation>
     </message>
     <message>
@@ -2090,8 +2090,8 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Vistas</translation>
     </message>
     <message>
-        <source>doubtful</source>
-        <translation>dudoso</translation>
+        <source>inconsistent</source>
+        <translation>contradictorio</translation>
     </message>
 </context>
 <context>
@@ -2145,7 +2145,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>hasta %1</translation>
     </message>
     <message>
-        <source>Figures</source>
+        <source>Metrics</source>
         <translation>Indicadores</translation>
     </message>
     <message>
@@ -2157,7 +2157,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Observaciones</translation>
     </message>
     <message>
-        <source>This trial has not been tracked yet: there are no figures.</source>
+        <source>This trial has not been tracked yet: it has no metrics.</source>
         <translation>Este ensayo aún no se ha rastreado: no hay indicadores.</translation>
     </message>
     <message>
@@ -2185,7 +2185,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Tarea</translation>
     </message>
     <message>
-        <source>Do not rely on these results: they were changed in the file since they were analysed.</source>
+        <source>Do not rely on these results: they were changed in the file after the analysis.</source>
         <translation>No se fíe de estos resultados: se modificaron en el archivo después del análisis.</translation>
     </message>
     <message>
@@ -8308,7 +8308,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Cámaras para grabar</translation>
     </message>
     <message>
-        <source>Device that is camera %1</source>
+        <source>Device for camera %1</source>
         <translation>Dispositivo de la cámara %1</translation>
     </message>
     <message>
@@ -8324,7 +8324,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Cámara %1</translation>
     </message>
     <message>
-        <source>&amp;Look again</source>
+        <source>&amp;Search again</source>
         <translation>&amp;Buscar otra vez</translation>
     </message>
     <message>
@@ -8344,15 +8344,15 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>%1 (no conectada)</translation>
     </message>
     <message>
-        <source>Looking for cameras…</source>
+        <source>Searching for cameras…</source>
         <translation>Buscando cámaras…</translation>
     </message>
     <message>
-        <source>Choose at least one camera. With two, the place of a robot is known better, and while one cannot see it.</source>
+        <source>Choose at least one camera. Two cameras locate a robot more accurately, and if one cannot see it, the other often can.</source>
         <translation>Elija al menos una cámara. Con dos se conoce mejor la posición de un robot, y también mientras una no lo ve.</translation>
     </message>
     <message>
-        <source>One device cannot be two cameras.</source>
+        <source>You cannot use one device as two cameras.</source>
         <translation>Un dispositivo no puede ser dos cámaras.</translation>
     </message>
 </context>
@@ -8398,11 +8398,11 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>odo::CameraView</name>
     <message>
-        <source>in step to %1 ms</source>
+        <source>synchronised to %1 ms</source>
         <translation>sincronizada a %1 ms</translation>
     </message>
     <message>
-        <source>offset by hand</source>
+        <source>manual offset</source>
         <translation>desfase a mano</translation>
     </message>
     <message>
@@ -8422,18 +8422,18 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Cámara</translation>
     </message>
     <message>
-        <source>Picture of the camera</source>
+        <source>Camera image</source>
         <translation>Imagen de la cámara</translation>
     </message>
     <message>
-        <source>Picture of %1</source>
+        <source>Image of %1</source>
         <translation>Imagen de %1</translation>
     </message>
 </context>
 <context>
     <name>odo::CameraWishesDialog</name>
     <message>
-        <source>as the camera has it</source>
+        <source>set by the camera</source>
         <translation>como lo tenga la cámara</translation>
     </message>
     <message>
@@ -8445,7 +8445,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>ms</translation>
     </message>
     <message>
-        <source>Ask for each picture, so that all such cameras take theirs together</source>
+        <source>Trigger each frame by software, at the same time for all cameras with this setting</source>
         <translation>Pedir cada imagen, para que todas estas cámaras capturen a la vez</translation>
     </message>
     <message>
@@ -8453,8 +8453,8 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Ajustes de %1</translation>
     </message>
     <message>
-        <source>Picture</source>
-        <translation>Imagen</translation>
+        <source>Format</source>
+        <translation>Formato</translation>
     </message>
     <message>
         <source>Rate</source>
@@ -8469,8 +8469,8 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Disparo por software</translation>
     </message>
     <message>
-        <source>&amp;Picture</source>
-        <translation>&amp;Imagen</translation>
+        <source>&amp;Format</source>
+        <translation>&amp;Formato</translation>
     </message>
     <message>
         <source>&amp;Rate</source>
@@ -8485,7 +8485,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>&amp;Disparo</translation>
     </message>
     <message>
-        <source>What the camera cannot do is said when it is opened.</source>
+        <source>If the camera does not support a setting, a message says so when it opens.</source>
         <translation>Lo que la cámara no pueda hacer se indica al abrirla.</translation>
     </message>
     <message>
@@ -8493,7 +8493,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Usar estos</translation>
     </message>
     <message>
-        <source>the best for tracking</source>
+        <source>best for tracking</source>
         <translation>lo mejor para rastrear</translation>
     </message>
 </context>
@@ -8554,23 +8554,23 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>odo::ChartPicture</name>
     <message>
-        <source>&amp;Copy as a picture</source>
+        <source>&amp;Copy as image</source>
         <translation>&amp;Copiar como imagen</translation>
     </message>
     <message>
-        <source>&amp;Save as a picture…</source>
+        <source>&amp;Save as image…</source>
         <translation>&amp;Guardar como imagen…</translation>
     </message>
     <message>
-        <source>SVG pictures (*.svg)</source>
+        <source>SVG images (*.svg)</source>
         <translation>Imágenes SVG (*.svg)</translation>
     </message>
     <message>
-        <source>PNG pictures (*.png)</source>
+        <source>PNG images (*.png)</source>
         <translation>Imágenes PNG (*.png)</translation>
     </message>
     <message>
-        <source>Save as a picture</source>
+        <source>Save as image</source>
         <translation>Guardar como imagen</translation>
     </message>
     <message>
@@ -8593,7 +8593,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Gráficas: mostrar &amp;todo</translation>
     </message>
     <message>
-        <source>Charts against the &amp;distance</source>
+        <source>Charts over &amp;distance</source>
         <translation>Gráficas según la &amp;distancia</translation>
     </message>
 </context>
@@ -8726,7 +8726,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Clases</translation>
     </message>
     <message>
-        <source>An archived class is out of the way: History, Record and the standings show its teams and trials only where it is chosen there by name</source>
+        <source>Archiving hides a class: History, Record and the standings show its teams and trials only if you choose the class by name</source>
         <translation>Una clase archivada no estorba: Historial, Grabar y la clasificación muestran sus equipos y ensayos solo si allí se elige por su nombre</translation>
     </message>
     <message>
@@ -8750,7 +8750,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Equipos de la clase</translation>
     </message>
     <message>
-        <source>Double-click or F2 changes a name or a pseudonym</source>
+        <source>Double-click or press F2 to change a name or a pseudonym</source>
         <translation>Doble clic o F2 cambia un nombre o un seudónimo</translation>
     </message>
     <message numerus="yes">
@@ -8772,7 +8772,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Equipos sin clase</translation>
     </message>
     <message>
-        <source>Out of the &amp;archive</source>
+        <source>Restore from &amp;archive</source>
         <translation>Des&amp;archivar</translation>
     </message>
     <message>
@@ -8807,11 +8807,11 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Sectores</translation>
     </message>
     <message>
-        <source>Figures</source>
+        <source>Metrics</source>
         <translation>Indicadores</translation>
     </message>
     <message>
-        <source>Run that is shown against the first</source>
+        <source>Run compared with the first one</source>
         <translation>Recorrido que se muestra frente al primero</translation>
     </message>
     <message>
@@ -8823,7 +8823,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Tiempos de puerta a puerta</translation>
     </message>
     <message>
-        <source>Figures of both runs</source>
+        <source>Metrics of both runs</source>
         <translation>Indicadores de ambos recorridos</translation>
     </message>
     <message>
@@ -8831,7 +8831,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>s · arrastre las puertas en el mapa</translation>
     </message>
     <message>
-        <source>grey: within the error</source>
+        <source>grey: not significant</source>
         <translation>gris: dentro del error</translation>
     </message>
     <message>
@@ -8843,27 +8843,27 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>de %1</translation>
     </message>
     <message>
-        <source>Later at the end</source>
+        <source>Behind at finish</source>
         <translation>Más tarde al final</translation>
     </message>
     <message>
-        <source>Earlier at the end</source>
+        <source>Ahead at finish</source>
         <translation>Antes al final</translation>
     </message>
     <message>
-        <source>At the end</source>
+        <source>Gap at finish</source>
         <translation>Al final</translation>
     </message>
     <message>
-        <source>Later here</source>
+        <source>Behind at cursor</source>
         <translation>Más tarde aquí</translation>
     </message>
     <message>
-        <source>Earlier here</source>
+        <source>Ahead at cursor</source>
         <translation>Antes aquí</translation>
     </message>
     <message>
-        <source>Here</source>
+        <source>Gap at cursor</source>
         <translation>Aquí</translation>
     </message>
 </context>
@@ -8874,11 +8874,11 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Mapa en planta</translation>
     </message>
     <message>
-        <source>Map of the floor with the ways of the runs and the gates of the sectors</source>
+        <source>Floor map with the paths of the runs and the gates of the sectors</source>
         <translation>Mapa del suelo con los caminos de los recorridos y las puertas de los sectores</translation>
     </message>
     <message>
-        <source>Drag a gate along the way; with the keys: Up and Down choose one, Left and Right move it</source>
+        <source>Drag a gate along the path. Keys: Up and Down select a gate, Left and Right move it</source>
         <translation>Arrastre una puerta a lo largo del camino; con el teclado: Arriba y Abajo eligen una, Izquierda y Derecha la mueven</translation>
     </message>
     <message>
@@ -8898,7 +8898,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>discontinua: la trayectoria de la tarea</translation>
     </message>
     <message>
-        <source>along the first run&apos;s way</source>
+        <source>along the first run&apos;s path</source>
         <translation>a lo largo del camino del primer recorrido</translation>
     </message>
     <message>
@@ -8917,15 +8917,15 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Estos recorridos no se pueden comparar</translation>
     </message>
     <message>
-        <source>%1. What helps: %2.</source>
+        <source>%1. What to do: %2.</source>
         <translation>%1. Qué hacer: %2.</translation>
     </message>
     <message>
-        <source>Two runs are needed</source>
+        <source>Select two runs</source>
         <translation>Hacen falta dos recorridos</translation>
     </message>
     <message>
-        <source>Comparing shows where one run is faster than another, and whether that is more than the error. Choose two trials that have been tracked, or bring in another one.</source>
+        <source>A comparison shows where one run is faster than the other, and whether the difference is significant. Select two tracked trials, or import another one.</source>
         <translation>La comparación muestra dónde un recorrido es más rápido que otro y si eso es más que el error. Elija dos ensayos ya rastreados o importe otro.</translation>
     </message>
     <message>
@@ -9041,11 +9041,11 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>odo::DistanceChart</name>
     <message>
-        <source>Speed along the way</source>
+        <source>Speed over distance</source>
         <translation>Velocidad a lo largo del camino</translation>
     </message>
     <message>
-        <source>Time difference along the way</source>
+        <source>Time difference over distance</source>
         <translation>Diferencia de tiempo a lo largo del camino</translation>
     </message>
     <message>
@@ -9053,18 +9053,18 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>%1 · suavizada ±95 %</translation>
     </message>
     <message>
-        <source>s · above 0: %2 is later than %1 · ±95 % · grey: within the error</source>
+        <source>s · above 0: %2 is later than %1 · ±95 % · grey: not significant</source>
         <translation>s · por encima de 0: %2 llega más tarde que %1 · ±95 % · gris: dentro del error</translation>
     </message>
     <message>
-        <source>s · above 0: later than %1 · ±95 % · grey: within the error</source>
+        <source>s · above 0: later than %1 · ±95 % · grey: not significant</source>
         <translation>s · por encima de 0: más tarde que %1 · ±95 % · gris: dentro del error</translation>
     </message>
 </context>
 <context>
     <name>odo::DockGrip</name>
     <message>
-        <source>Drag to move, double click to float</source>
+        <source>Drag to move, double-click to float</source>
         <translation>Arrastrar para mover; doble clic para desacoplar</translation>
     </message>
 </context>
@@ -9075,8 +9075,8 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>bien</translation>
     </message>
     <message>
-        <source>doubtful</source>
-        <translation>dudoso</translation>
+        <source>warning</source>
+        <translation>advertencia</translation>
     </message>
     <message>
         <source>bad</source>
@@ -9091,15 +9091,15 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Diagnóstico del montaje</translation>
     </message>
     <message>
-        <source>What was found</source>
+        <source>Findings</source>
         <translation>Lo que se encontró</translation>
     </message>
     <message>
-        <source>&amp;Look again</source>
+        <source>&amp;Check again</source>
         <translation>&amp;Revisar otra vez</translation>
     </message>
     <message>
-        <source>Looking…</source>
+        <source>Checking…</source>
         <translation>Revisando…</translation>
     </message>
     <message>
@@ -9107,22 +9107,22 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>. Qué hacer: %1.</translation>
     </message>
     <message>
-        <source>Nothing was found that would disturb a recording.</source>
+        <source>Found nothing that would disturb a recording.</source>
         <translation>No se encontró nada que perturbe una grabación.</translation>
     </message>
     <message>
-        <source>There is one thing to look at.</source>
+        <source>Found one problem.</source>
         <translation>Hay un punto que revisar.</translation>
     </message>
     <message>
-        <source>There are %1 things to look at, the worst first.</source>
+        <source>Found %1 problems, the worst first.</source>
         <translation>Hay %1 puntos que revisar, el peor primero.</translation>
     </message>
 </context>
 <context>
     <name>odo::FigureGrid</name>
     <message>
-        <source>Figures</source>
+        <source>Metrics</source>
         <translation>Indicadores</translation>
     </message>
     <message>
@@ -9382,11 +9382,11 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Mapa: discrepancia entre &amp;vistas</translation>
     </message>
     <message>
-        <source>Map of the floor with the robots&apos; trails</source>
+        <source>Floor map with the robots&apos; trails</source>
         <translation>Mapa del suelo con las estelas de los robots</translation>
     </message>
     <message>
-        <source>What colours the trails of the map</source>
+        <source>Colour of the trails on the map</source>
         <translation>Qué colorea las estelas del mapa</translation>
     </message>
     <message>
@@ -9757,7 +9757,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Ensayos</translation>
     </message>
     <message>
-        <source>&amp;Measure again</source>
+        <source>Rea&amp;nalyse</source>
         <translation>Volver a &amp;medir</translation>
     </message>
     <message>
@@ -9793,7 +9793,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Comparar los ensayos seleccionados</translation>
     </message>
     <message>
-        <source>Select two trials or more (Ctrl or Shift and a click)</source>
+        <source>Select two or more trials (Ctrl+click or Shift+click)</source>
         <translation>Seleccione dos ensayos o más (Ctrl o Mayús y clic)</translation>
     </message>
     <message numerus="yes">
@@ -10788,7 +10788,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Mapa en planta</translation>
     </message>
     <message>
-        <source>How cameras, map and disk do</source>
+        <source>Health of cameras, map and disk</source>
         <translation>Estado de las cámaras, el mapa y el disco</translation>
     </message>
     <message>
@@ -10800,7 +10800,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Cámara %1</translation>
     </message>
     <message>
-        <source>Live picture of %1</source>
+        <source>Live view of %1</source>
         <translation>Imagen en vivo de %1</translation>
     </message>
     <message>
@@ -10820,11 +10820,11 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>en vivo</translation>
     </message>
     <message>
-        <source>Waiting for the first picture…</source>
+        <source>Waiting for the first frame…</source>
         <translation>Esperando la primera imagen…</translation>
     </message>
     <message>
-        <source>No picture now</source>
+        <source>No frames now</source>
         <translation>Ahora sin imagen</translation>
     </message>
     <message>
@@ -10835,7 +10835,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>odo::LiveCameraBox</name>
     <message>
-        <source>Camera that is connected</source>
+        <source>Connected camera</source>
         <translation>Cámara conectada</translation>
     </message>
     <message>
@@ -10843,7 +10843,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>%1, %2×%3</translation>
     </message>
     <message>
-        <source>Looking for cameras…</source>
+        <source>Searching for cameras…</source>
         <translation>Buscando cámaras…</translation>
     </message>
     <message>
@@ -10854,11 +10854,11 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>odo::LiveMap</name>
     <message>
-        <source>Map of the floor with the robots as they drive</source>
+        <source>Live floor map with the robots</source>
         <translation>Mapa del suelo con los robots en movimiento</translation>
     </message>
     <message>
-        <source>No camera is registered to the floor, so that no place on it can be told</source>
+        <source>No camera is registered to the floor: robots cannot be located</source>
         <translation>Ninguna cámara está registrada respecto al suelo, así que no se puede indicar ningún lugar en él</translation>
     </message>
 </context>
@@ -10935,23 +10935,23 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Vaciar &amp;papelera…</translation>
     </message>
     <message>
-        <source>Take the &amp;star off</source>
+        <source>Remove &amp;star</source>
         <translation>Quitar &amp;estrella</translation>
     </message>
     <message>
-        <source>Out of the &amp;archive</source>
+        <source>Restore from &amp;archive</source>
         <translation>Des&amp;archivar</translation>
     </message>
     <message>
-        <source>&amp;Put back</source>
+        <source>Rest&amp;ore</source>
         <translation>Recupera&amp;r</translation>
     </message>
     <message>
-        <source>Takes the selected trials out of the bin (Del)</source>
+        <source>Restore the selected trials from the bin (Del)</source>
         <translation>Saca de la papelera los ensayos seleccionados (Supr)</translation>
     </message>
     <message>
-        <source>Puts the selected trials into the bin (Del); they can be put back</source>
+        <source>Move the selected trials to the bin (Del); you can restore them</source>
         <translation>Lleva a la papelera los ensayos seleccionados (Supr); se pueden recuperar</translation>
     </message>
     <message>
@@ -10966,7 +10966,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         </translation>
     </message>
     <message>
-        <source>Their videos (%1), measurements and results are removed from the disk. This cannot be undone.</source>
+        <source>This removes their videos (%1), measurements and results from the disk. You cannot undo it.</source>
         <translation>Sus videos (%1), mediciones y resultados se borran del disco. No se puede deshacer.</translation>
     </message>
     <message>
@@ -11439,7 +11439,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Posición Y</translation>
     </message>
     <message>
-        <source>Quantity that the chart shows</source>
+        <source>Quantity of the chart</source>
         <translation>Magnitud que muestra la gráfica</translation>
     </message>
     <message>
@@ -11471,15 +11471,15 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>antihorario positivo</translation>
     </message>
     <message>
-        <source>Chart: %1 against time</source>
+        <source>Chart: %1 over time</source>
         <translation>Gráfica: %1 según el tiempo</translation>
     </message>
     <message>
-        <source>Chart: %1 against the distance</source>
+        <source>Chart: %1 over distance</source>
         <translation>Gráfica: %1 según la distancia</translation>
     </message>
     <message>
-        <source>shaded: hidden or doubtful</source>
+        <source>shaded: hidden or ambiguous</source>
         <translation>sombreado: oculto o en duda</translation>
     </message>
 </context>
@@ -11494,15 +11494,15 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>A&amp;juste</translation>
     </message>
     <message>
-        <source>Figures of the range</source>
+        <source>Statistics of the range</source>
         <translation>Indicadores del intervalo</translation>
     </message>
     <message>
-        <source>Robot whose range is shown</source>
+        <source>Robot of the statistics</source>
         <translation>Robot cuyo intervalo se muestra</translation>
     </message>
     <message>
-        <source>What is fitted to the curve</source>
+        <source>Function to fit to the curve</source>
         <translation>Lo que se ajusta a la curva</translation>
     </message>
     <message>
@@ -11522,7 +11522,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>parábola</translation>
     </message>
     <message>
-        <source>Quantity that is fitted</source>
+        <source>Fitted quantity</source>
         <translation>Magnitud que se ajusta</translation>
     </message>
 </context>
@@ -11533,11 +11533,11 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>No hay cámaras conectadas</translation>
     </message>
     <message>
-        <source>Connect a camera, or two, and look again. One that is connected and not found is a case for the set-up doctor.</source>
+        <source>Connect one or two cameras, then search again. If a connected camera is not found, run the set-up doctor.</source>
         <translation>Conecte una cámara, o dos, y busque otra vez. Una cámara conectada que no aparece es un caso para el diagnóstico.</translation>
     </message>
     <message>
-        <source>Look again</source>
+        <source>Search again</source>
         <translation>Buscar otra vez</translation>
     </message>
     <message>
@@ -11553,7 +11553,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Cámaras…</translation>
     </message>
     <message>
-        <source>Choose which connected device is which camera of the project</source>
+        <source>Assign the connected devices to the cameras of the project</source>
         <translation>Elegir qué dispositivo conectado es cada cámara del proyecto</translation>
     </message>
     <message>
@@ -11565,7 +11565,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Diagnóstico…</translation>
     </message>
     <message>
-        <source>Look for what makes cameras lose pictures, or measure wrongly, with advice</source>
+        <source>Check for what makes cameras lose frames or measure wrongly, and get advice</source>
         <translation>Buscar qué hace que las cámaras pierdan imágenes o midan mal, con consejos</translation>
     </message>
     <message>
@@ -11669,15 +11669,15 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>&amp;Tarea</translation>
     </message>
     <message>
-        <source>The usual one</source>
+        <source>Most common</source>
         <translation>La habitual</translation>
     </message>
     <message>
-        <source>&amp;Figure</source>
+        <source>M&amp;etric</source>
         <translation>I&amp;ndicador</translation>
     </message>
     <message>
-        <source>What tells most</source>
+        <source>Most informative</source>
         <translation>El más revelador</translation>
     </message>
     <message>
@@ -11705,7 +11705,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Cerrar</translation>
     </message>
     <message>
-        <source>There is nothing to print yet.</source>
+        <source>Nothing to print yet.</source>
         <translation>Aún no hay nada que imprimir.</translation>
     </message>
     <message numerus="yes">
@@ -11730,7 +11730,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Vista previa de las páginas</translation>
     </message>
     <message>
-        <source>The pages are being painted…</source>
+        <source>Drawing the pages…</source>
         <translation>Dibujando las páginas…</translation>
     </message>
     <message numerus="yes">
@@ -11877,7 +11877,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Datos del ensayo</translation>
     </message>
     <message>
-        <source>This trial has not been tracked yet. Tracking follows the robot through the videos and works out where it was and how fast.</source>
+        <source>This trial has not been tracked yet. Tracking follows the robot through the videos and computes its position and speed.</source>
         <translation>Este ensayo aún no se ha rastreado. El rastreo sigue al robot a través de los videos y calcula dónde estuvo y a qué velocidad.</translation>
     </message>
     <message>
@@ -11896,7 +11896,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>&amp;Siluetas de los robots</translation>
     </message>
     <message>
-        <source>Outline what was taken for a robot in each view</source>
+        <source>Outline the detected robots in each view</source>
         <translation>Dibuja en cada vista el contorno de lo que se tomó por un robot</translation>
     </message>
 </context>
@@ -11907,7 +11907,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Aún no hay ensayos</translation>
     </message>
     <message>
-        <source>A trial is one run of a robot. Bring in the videos that your cameras took of it, and it will be shown here.</source>
+        <source>A trial is one run of a robot. Import the videos that your cameras took of it to see it here.</source>
         <translation>Un ensayo es un recorrido de un robot. Importe los videos que sus cámaras tomaron de él y se mostrará aquí.</translation>
     </message>
     <message>
@@ -12162,7 +12162,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>&amp;Señalar un robot</translation>
     </message>
     <message>
-        <source>The wrong thing is outlined: click the robot in a picture, and the trial is tracked again (%1)</source>
+        <source>Wrong object outlined? Click the robot in a view to track the trial again (%1)</source>
         <translation>Está marcado algo equivocado: haga clic en el robot en una imagen y el ensayo se seguirá de nuevo (%1)</translation>
     </message>
     <message>
@@ -12170,7 +12170,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Este es %1: seguirlo de nuevo</translation>
     </message>
     <message>
-        <source>Find %1 without help</source>
+        <source>Find %1 automatically</source>
         <translation>Buscar %1 sin ayuda</translation>
     </message>
 </context>
@@ -12248,7 +12248,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>En turno</translation>
     </message>
     <message>
-        <source>Robots that drive</source>
+        <source>Robots of this run</source>
         <translation>Robots en movimiento</translation>
     </message>
     <message>
@@ -12280,15 +12280,15 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>V&amp;ueltas</translation>
     </message>
     <message>
-        <source>Laps until it ends</source>
+        <source>Number of laps</source>
         <translation>Vueltas hasta que termina</translation>
     </message>
     <message>
-        <source>Team that is up</source>
+        <source>Team of this run</source>
         <translation>Equipo en turno</translation>
     </message>
     <message>
-        <source>How the recording begins</source>
+        <source>When the recording begins</source>
         <translation>Cómo empieza la grabación</translation>
     </message>
     <message>
@@ -12343,7 +12343,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Segundo recorrido</translation>
     </message>
     <message>
-        <source>The moment that counts as the same</source>
+        <source>How to align the runs</source>
         <translation>El instante que cuenta como el mismo</translation>
     </message>
     <message>
@@ -12351,7 +12351,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Intercambiar los dos recorridos</translation>
     </message>
     <message>
-        <source>Further runs</source>
+        <source>Add more runs</source>
         <translation>Más recorridos</translation>
     </message>
     <message>
@@ -12359,7 +12359,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>&amp;Desfase</translation>
     </message>
     <message>
-        <source>Pla&amp;ce</source>
+        <source>Distan&amp;ce</source>
         <translation>&amp;Lugar</translation>
     </message>
     <message>
@@ -12371,7 +12371,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation> s</translation>
     </message>
     <message>
-        <source>How much later the second run&apos;s moment lies</source>
+        <source>Time shift of the second run; positive: later</source>
         <translation>Cuánto más tarde está el instante del segundo recorrido</translation>
     </message>
     <message>
@@ -12379,11 +12379,11 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation> m</translation>
     </message>
     <message>
-        <source>where all have begun</source>
+        <source>first common point</source>
         <translation>donde todos han empezado</translation>
     </message>
     <message>
-        <source>How far along the way the runs are taken to be at the same time</source>
+        <source>Distance along the path at which the runs are aligned</source>
         <translation>En qué punto del camino se considera que los recorridos están en el mismo instante</translation>
     </message>
     <message>
@@ -12403,7 +12403,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Automático: %1</translation>
     </message>
     <message>
-        <source>There are no further runs</source>
+        <source>No more runs</source>
         <translation>No hay más recorridos</translation>
     </message>
 </context>
@@ -12418,11 +12418,11 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>A&amp;brir en Revisar</translation>
     </message>
     <message>
-        <source>The figures of a run stand here a moment after it has ended.</source>
+        <source>The results appear here shortly after the run ends.</source>
         <translation>Los indicadores de un recorrido aparecen aquí un momento después de que termina.</translation>
     </message>
     <message>
-        <source>Measuring…</source>
+        <source>Analysing…</source>
         <translation>Midiendo…</translation>
     </message>
     <message>
@@ -12430,22 +12430,22 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Atípicos señalados</translation>
     </message>
     <message>
-        <source>From live tracking. The final figures come from the recording, in a moment.</source>
+        <source>From live tracking. The final results follow shortly, from the recording.</source>
         <translation>Del rastreo en vivo. Los indicadores definitivos vienen de la grabación, en un momento.</translation>
     </message>
     <message>
-        <source>Final, from every picture of the recording.</source>
+        <source>Final, from every frame of the recording.</source>
         <translation>Definitivos, de todas las imágenes de la grabación.</translation>
     </message>
 </context>
 <context>
     <name>odo::RunResults</name>
     <message>
-        <source>%1 is measured.</source>
+        <source>%1 is analysed.</source>
         <translation>%1 está medido.</translation>
     </message>
     <message>
-        <source>It is recorded, but could not be measured: %1</source>
+        <source>Recorded, but not analysed: %1</source>
         <translation>Está grabado, pero no se pudo medir: %1</translation>
     </message>
     <message>
@@ -12453,7 +12453,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>%1 está grabado.</translation>
     </message>
     <message>
-        <source>It could not be recorded: %1</source>
+        <source>Recording failed: %1</source>
         <translation>No se pudo grabar: %1</translation>
     </message>
 </context>
@@ -12511,7 +12511,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>odo::SeriesKey</name>
     <message>
-        <source>Key to the lines</source>
+        <source>Legend</source>
         <translation>Leyenda de las líneas</translation>
     </message>
     <message>
@@ -12610,7 +12610,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>&amp;Usar</translation>
     </message>
     <message>
-        <source>What was measured at this moment is right and is to be used, whatever speaks against it</source>
+        <source>Mark the sample at this moment as valid and use it, even if it was flagged</source>
         <translation>Lo medido en este instante es correcto y debe usarse, aunque haya indicios en contra</translation>
     </message>
     <message>
@@ -12618,7 +12618,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Es atí&amp;pico</translation>
     </message>
     <message>
-        <source>What was measured at this moment is wrong and is not to be used</source>
+        <source>Mark the sample at this moment as a spike and do not use it</source>
         <translation>Lo medido en este instante es erróneo y no debe usarse</translation>
     </message>
     <message>
@@ -12626,7 +12626,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>&amp;Automático</translation>
     </message>
     <message>
-        <source>Takes back what was said by hand at this moment</source>
+        <source>Remove the manual override at this moment</source>
         <translation>Revierte lo que se indicó a mano en este instante</translation>
     </message>
 </context>
@@ -12778,7 +12778,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>&amp;Grabar o detener</translation>
     </message>
     <message>
-        <source>Time recorded</source>
+        <source>Recorded time</source>
         <translation>Tiempo grabado</translation>
     </message>
     <message>
@@ -12786,7 +12786,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Grabar</translation>
     </message>
     <message>
-        <source>Writing the last pictures…</source>
+        <source>Writing the last frames…</source>
         <translation>Escribiendo las últimas imágenes…</translation>
     </message>
     <message>
@@ -12798,7 +12798,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>F9 graba, F9 detiene; %1</translation>
     </message>
     <message>
-        <source>Call off</source>
+        <source>Cancel</source>
         <translation>Anular</translation>
     </message>
     <message>
@@ -12810,7 +12810,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Prepárese</translation>
     </message>
     <message>
-        <source>Waiting for the robot at “%1”; it is recorded from a second before</source>
+        <source>Waiting for the robot at “%1”. The recording will include the second before</source>
         <translation>Esperando al robot en “%1”; se graba desde un segundo antes</translation>
     </message>
     <message>
@@ -13279,15 +13279,15 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Equipo %1</translation>
     </message>
     <message>
-        <source>A name on each line</source>
+        <source>One name per line</source>
         <translation>Un nombre en cada línea</translation>
     </message>
     <message>
-        <source>Members of the team, one on each line</source>
+        <source>Members of the team, one per line</source>
         <translation>Miembros del equipo, uno en cada línea</translation>
     </message>
     <message>
-        <source>Record and importing propose these robots for the team&apos;s runs</source>
+        <source>Record and Import propose these robots for the team&apos;s runs</source>
         <translation>Grabar y la importación proponen estos robots para los recorridos del equipo</translation>
     </message>
     <message>
@@ -13329,11 +13329,11 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Cualquier tarea</translation>
     </message>
     <message>
-        <source>Figure</source>
+        <source>Metric</source>
         <translation>Indicador</translation>
     </message>
     <message>
-        <source>How the teams stand</source>
+        <source>Standings</source>
         <translation>Clasificación de los equipos</translation>
     </message>
     <message>
@@ -13341,7 +13341,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>%1 (archivada)</translation>
     </message>
     <message>
-        <source>No team has a figure here</source>
+        <source>No team has a result for this metric</source>
         <translation>Ningún equipo tiene un indicador aquí</translation>
     </message>
     <message numerus="yes">
@@ -13356,7 +13356,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>elija una tarea para clasificarlos: los recorridos de tareas distintas no se pueden comparar</translation>
     </message>
     <message numerus="yes">
-        <source>%n trial(s) left out: measured by another course; measure them again</source>
+        <source>%n trial(s) not counted: analysed with a different course. Reanalyse them</source>
         <translation>
             <numerusform>%n ensayo omitido: se midió con otro circuito; vuelva a medirlo</numerusform>
             <numerusform>%n ensayos omitidos: se midieron con otro circuito; vuelva a medirlos</numerusform>
@@ -13775,7 +13775,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>odo::TimelineBar</name>
     <message>
-        <source>Time line</source>
+        <source>Timeline</source>
         <translation>Línea de tiempo</translation>
     </message>
     <message>
@@ -13787,7 +13787,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Fotograma</translation>
     </message>
     <message>
-        <source>Speed of playing</source>
+        <source>Playback speed</source>
         <translation>Velocidad de reproducción</translation>
     </message>
     <message>
@@ -13972,7 +13972,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Ningún equipo seleccionado</translation>
     </message>
     <message>
-        <source>Select a team to see its trials through the term.</source>
+        <source>Select a team to see its results over the term.</source>
         <translation>Seleccione un equipo para ver sus ensayos a lo largo del periodo.</translation>
     </message>
 </context>
@@ -14093,7 +14093,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Puntuación</translation>
     </message>
     <message>
-        <source>none: it was measured by another course than its task has now; measure it again</source>
+        <source>none: analysed with a different course than its task has now. Reanalyse the trial</source>
         <translation>ninguna: se midió con un circuito distinto del que tiene ahora su tarea; vuelva a medirlo</translation>
     </message>
     <message>
@@ -14117,7 +14117,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Notas del ensayo</translation>
     </message>
     <message>
-        <source>What was changed on the robot? What should be remembered?</source>
+        <source>What did you change on the robot? What do you want to remember?</source>
         <translation>¿Qué se cambió en el robot? ¿Qué conviene recordar?</translation>
     </message>
     <message>
@@ -14232,7 +14232,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
         <translation>Solo ensayos destacados</translation>
     </message>
     <message>
-        <source>Show starred trials only</source>
+        <source>Show only starred trials</source>
         <translation>Mostrar solo los ensayos destacados</translation>
     </message>
 </context>
@@ -14317,11 +14317,11 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>odo::TroubleBar</name>
     <message>
-        <source>What is the matter</source>
+        <source>Problem</source>
         <translation>Qué ocurre</translation>
     </message>
     <message>
-        <source>Put it right</source>
+        <source>Fix</source>
         <translation>Corregirlo</translation>
     </message>
 </context>
@@ -17405,7 +17405,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>ui.bring_file_back</name>
     <message>
-        <source>bring the file back to its place</source>
+        <source>move the file back there</source>
         <translation>devuelva el archivo a su lugar</translation>
     </message>
 </context>
@@ -17489,14 +17489,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>ui.choose_logo</name>
     <message>
-        <source>choose a PNG, JPEG or SVG picture</source>
+        <source>choose a PNG, JPEG or SVG image</source>
         <translation>elija una imagen PNG, JPEG o SVG</translation>
     </message>
 </context>
 <context>
     <name>ui.choose_or_make_class</name>
     <message>
-        <source>choose one of them, or make it in the workbench</source>
+        <source>choose one of them, or create it in the workbench</source>
         <translation>elija una de ellas, o créela en la ventana</translation>
     </message>
 </context>
@@ -17692,7 +17692,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>ui.look_at_printer</name>
     <message>
-        <source>look at the printer and its queue, or save the report as PDF</source>
+        <source>check the printer and its queue, or save the report as PDF</source>
         <translation>mire la impresora y su cola, o guarde el informe como PDF</translation>
     </message>
 </context>
@@ -17818,7 +17818,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>ui.no_further_page</name>
     <message>
-        <source>it takes no further page</source>
+        <source>it accepts no more pages</source>
         <translation>no acepta más páginas</translation>
     </message>
 </context>
@@ -17846,14 +17846,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>ui.no_run_with_figure</name>
     <message>
-        <source>none of its teams has a run with the figure &apos;%1&apos;</source>
+        <source>none of its teams has a run with the metric &apos;%1&apos;</source>
         <translation>ninguno de sus equipos tiene un recorrido con el indicador &apos;%1&apos;</translation>
     </message>
 </context>
 <context>
     <name>ui.no_run_with_figure_in_task</name>
     <message>
-        <source>none of its teams has a run with the figure &apos;%1&apos; in the task &apos;%2&apos;</source>
+        <source>none of its teams has a run with the metric &apos;%1&apos; in the task &apos;%2&apos;</source>
         <translation>ninguno de sus equipos tiene un recorrido con el indicador &apos;%1&apos; en la tarea &apos;%2&apos;</translation>
     </message>
 </context>
@@ -17937,14 +17937,14 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>ui.pages_not_taken</name>
     <message>
-        <source>it did not take the pages</source>
+        <source>it did not accept the pages</source>
         <translation>no ha aceptado las páginas</translation>
     </message>
 </context>
 <context>
     <name>ui.painting_floor</name>
     <message>
-        <source>painting the floor</source>
+        <source>drawing the floor</source>
         <translation>dibujando el suelo</translation>
     </message>
 </context>
@@ -17958,7 +17958,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>ui.picture_of</name>
     <message>
-        <source>picture %1 of %2</source>
+        <source>frame %1 of %2</source>
         <translation>imagen %1 de %2</translation>
     </message>
 </context>
@@ -18140,7 +18140,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>ui.take_team_out</name>
     <message>
-        <source>take team %1 out of its class</source>
+        <source>remove team %1 from its class</source>
         <translation>sacar el equipo %1 de su clase</translation>
     </message>
 </context>
@@ -18175,7 +18175,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>ui.track_or_choose_figure</name>
     <message>
-        <source>track its trials, or choose another task or figure</source>
+        <source>track its trials, or choose another task or metric</source>
         <translation>rastree sus ensayos, o elija otra tarea u otro indicador</translation>
     </message>
 </context>
@@ -18203,7 +18203,7 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>ui.unarchive_class</name>
     <message>
-        <source>take class %1 out of the archive</source>
+        <source>restore class %1 from the archive</source>
         <translation>desarchivar la clase %1</translation>
     </message>
 </context>
@@ -18217,28 +18217,28 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>ui.unarchive_trial</name>
     <message>
-        <source>take %1 out of the archive</source>
+        <source>restore %1 from the archive</source>
         <translation>desarchivar %1</translation>
     </message>
 </context>
 <context>
     <name>ui.unarchive_trials</name>
     <message>
-        <source>take %1 trials out of the archive</source>
+        <source>restore %1 trials from the archive</source>
         <translation>desarchivar %1 ensayos</translation>
     </message>
 </context>
 <context>
     <name>ui.undelete_trial</name>
     <message>
-        <source>take %1 out of the bin</source>
+        <source>restore %1 from the bin</source>
         <translation>sacar %1 de la papelera</translation>
     </message>
 </context>
 <context>
     <name>ui.undelete_trials</name>
     <message>
-        <source>take %1 trials out of the bin</source>
+        <source>restore %1 trials from the bin</source>
         <translation>sacar %1 ensayos de la papelera</translation>
     </message>
 </context>
@@ -18259,28 +18259,28 @@ Mucho más de lo esperado significa que algo no es como se indicó: las vistas n
 <context>
     <name>ui.unstar_trial</name>
     <message>
-        <source>take the star off %1</source>
+        <source>remove the star from %1</source>
         <translation>quitar la estrella a %1</translation>
     </message>
 </context>
 <context>
     <name>ui.unstar_trials</name>
     <message>
-        <source>take the star off %1 trials</source>
+        <source>remove the star from %1 trials</source>
         <translation>quitar la estrella a %1 ensayos</translation>
     </message>
 </context>
 <context>
     <name>ui.video_size_wrong</name>
     <message>
-        <source>its size of %1x%2 is odd, or not from 320x180 to 3840x2160</source>
+        <source>its size of %1x%2 has an odd number of pixels, or is not between 320x180 and 3840x2160</source>
         <translation>su tamaño de %1x%2 es impar, o no está entre 320x180 y 3840x2160</translation>
     </message>
 </context>
 <context>
     <name>ui.video_speed_wrong</name>
     <message>
-        <source>its speed is not from 0.1 to 1</source>
+        <source>its speed is not between 0.1 and 1</source>
         <translation>su velocidad no está entre 0,1 y 1</translation>
     </message>
 </context>

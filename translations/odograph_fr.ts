@@ -86,18 +86,18 @@
         <translation>Cette caméra n’enregistrait pas à cet instant</translation>
     </message>
     <message>
-        <source>This picture cannot be decoded</source>
+        <source>This frame cannot be decoded</source>
         <translation>Cette image ne peut pas être décodée</translation>
     </message>
 </context>
 <context>
     <name>ClassReport</name>
     <message>
-        <source>Rank: one more than the number of teams that are better beyond doubt (medians apart by more than 1.96 σ); teams of one rank cannot be told apart.</source>
+        <source>Rank: one more than the number of significantly better teams (medians differ by more than 1.96 σ). Teams of the same rank do not differ significantly.</source>
         <translation>Rang&#xa0;: un de plus que le nombre d’équipes sûrement meilleures (médianes distantes de plus de 1,96 σ)&#xa0;; les équipes de même rang ne peuvent pas être départagées.</translation>
     </message>
     <message numerus="yes">
-        <source>%n trial(s) left out: measured by another course; measure them again.</source>
+        <source>%n trial(s) not counted: analysed with a different course. Reanalyse them.</source>
         <translation>
             <numerusform>%n essai exclu&#xa0;: mesuré sur un autre parcours&#xa0;; remesurez-le.</numerusform>
             <numerusform>%n essais exclus&#xa0;: mesurés sur un autre parcours&#xa0;; remesurez-les.</numerusform>
@@ -168,7 +168,7 @@
         <translation>Médiane</translation>
     </message>
     <message>
-        <source>Through the term</source>
+        <source>Over the term</source>
         <translation>Au fil du temps</translation>
     </message>
     <message>
@@ -341,7 +341,7 @@
 <context>
     <name>ComparisonReport</name>
     <message>
-        <source>± one σ; grey, ≈: within the error</source>
+        <source>± one σ; grey, ≈: not significant</source>
         <translation>± un σ&#xa0;; gris, ≈&#xa0;: dans la marge d’erreur</translation>
     </message>
     <message>
@@ -361,7 +361,7 @@
         <translation>le long du tracé de l’épreuve</translation>
     </message>
     <message>
-        <source>along the way of the left run</source>
+        <source>along the path of the left run</source>
         <translation>le long du trajet du passage de gauche</translation>
     </message>
     <message>
@@ -373,7 +373,7 @@
         <translation>alignés sur le début du mouvement, %1</translation>
     </message>
     <message>
-        <source>aligned by a place that both pass, %1</source>
+        <source>aligned by a point that both pass, %1</source>
         <translation>alignés sur un endroit où passent les deux, %1</translation>
     </message>
     <message>
@@ -389,11 +389,11 @@
         <translation>%1&#xa0;: analysé le %2, Odograph %3</translation>
     </message>
     <message>
-        <source>Both runs share their calibration: its error cancels as far as they do.</source>
+        <source>Both runs share their calibration: its uncertainty largely cancels.</source>
         <translation>Les deux passages partagent leur étalonnage&#xa0;: son erreur se compense dans la mesure où ils le partagent.</translation>
     </message>
     <message>
-        <source>The runs do not share their calibration: the errors of both count.</source>
+        <source>The runs have different calibrations: the uncertainties of both count.</source>
         <translation>Les passages ne partagent pas leur étalonnage&#xa0;: les erreurs des deux comptent.</translation>
     </message>
     <message>
@@ -401,7 +401,7 @@
         <translation>%1 et %2</translation>
     </message>
     <message>
-        <source>Speed along the way, %1</source>
+        <source>Speed over distance, %1</source>
         <translation>Vitesse le long du trajet, %1</translation>
     </message>
     <message>
@@ -413,7 +413,7 @@
         <translation>Écart de temps, s</translation>
     </message>
     <message>
-        <source>above 0: the right run is later; grey: within the error</source>
+        <source>above 0: the right run is later; grey: not significant</source>
         <translation>au-dessus de 0&#xa0;: le passage de droite est en retard&#xa0;; gris&#xa0;: dans la marge d’erreur</translation>
     </message>
     <message>
@@ -421,7 +421,7 @@
         <translation>Secteurs, s</translation>
     </message>
     <message>
-        <source>Figures</source>
+        <source>Metrics</source>
         <translation>Grandeurs</translation>
     </message>
 </context>
@@ -837,27 +837,27 @@
 <context>
     <name>FactExplanations</name>
     <message>
-        <source>The offset at which the tracks of the robot on the floor, as the two views see it, coincide: least squares of r(t) = p₁(t) − p₂((t − offset)(1 + rate)), with a constant shift and a small scale between them, searched in half frames and refined by Gauss–Newton. The clocks&apos; rate is taken where it is beyond three σ.</source>
+        <source>The time offset at which the robot&apos;s floor tracks from the two views coincide: least squares of r(t) = p₁(t) − p₂((t − offset)(1 + rate)), with a constant shift and a small scale between them, searched in steps of half a frame and refined by Gauss–Newton. The clock rate is used if it exceeds three σ.</source>
         <translation>Le décalage pour lequel les trajectoires du robot au sol, telles que les deux vues le voient, coïncident&#xa0;: moindres carrés de r(t) = p₁(t) − p₂((t − décalage)(1 + dérive)), avec entre elles une translation constante et une petite différence d’échelle, cherché par demi-images et affiné par Gauss–Newton. La dérive des horloges est retenue si elle dépasse trois σ.</translation>
     </message>
     <message>
-        <source>from the curvature of the sum of squares and the residual, which is taken as correlated over half a second</source>
+        <source>from the curvature of the sum of squares and from the residual, assumed to be correlated over half a second</source>
         <translation>de la courbure de la somme des carrés et du résidu, supposé corrélé sur une demi-seconde</translation>
     </message>
     <message>
-        <source>The offset at which the jumps of light that both views saw fall together, taken where no other offset comes within a factor of 150 of its likelihood: the pairs&apos; weighted mean.</source>
+        <source>The time offset at which the jumps in brightness in both views coincide: the weighted mean of the pairs. It is used if every other offset is at least 150 times less likely.</source>
         <translation>Le décalage pour lequel les sauts de lumière vus par les deux vues coïncident, retenu si aucun autre décalage n’atteint le 150e de sa vraisemblance&#xa0;: la moyenne pondérée des paires.</translation>
     </message>
     <message>
-        <source>of the pairs, of their scatter, and a tenth of a frame interval for each view, for its shutter</source>
+        <source>from the pairs and their scatter, plus a tenth of a frame interval per view for its shutter</source>
         <translation>des paires, de leur dispersion, plus un dixième d’intervalle d’image par vue, pour son obturateur</translation>
     </message>
     <message>
-        <source>Each camera&apos;s time stamps, related to this computer&apos;s clock by readings of the camera&apos;s while it recorded.</source>
+        <source>Each camera&apos;s time stamps, converted to this computer&apos;s clock by reading the camera&apos;s clock during the recording.</source>
         <translation>L’horodatage de chaque caméra, rapporté à l’horloge de cet ordinateur par des lectures de celle de la caméra pendant l’enregistrement.</translation>
     </message>
     <message>
-        <source>of both relations of the clocks</source>
+        <source>from both clock conversions</source>
         <translation>des deux relations entre horloges</translation>
     </message>
     <message>
@@ -865,19 +865,19 @@
         <translation>Temps aux portes</translation>
     </message>
     <message>
-        <source>When the robot&apos;s centre crosses the gate&apos;s line between its ends, the way the gate is passed: between two frames the smoothed position is the cubic through both places and velocities. It has passed when it was before the line by three σ of the track&apos;s own noise and then is past it by as much.</source>
+        <source>When the robot&apos;s reference point crosses the gate&apos;s line between its ends, in the direction of the gate. Between two frames, the smoothed position is the cubic through both positions and velocities. A passage counts if the point was before the line by three σ of the track&apos;s own noise and then is past it by as much.</source>
         <translation>L’instant où le centre du robot coupe la ligne de la porte entre ses extrémités, dans le sens où la porte se franchit&#xa0;: entre deux images, la position lissée est la cubique définie par les deux positions et les deux vitesses. La porte est franchie s’il était avant la ligne de trois σ du bruit propre à la trajectoire, puis après elle d’autant.</translation>
     </message>
     <message>
-        <source>σ of the position across the gate over the speed across it, with the calibration&apos;s part</source>
+        <source>σ of the position across the gate divided by the speed across it, including the calibration&apos;s part</source>
         <translation>σ de la position en travers de la porte, divisé par la vitesse en travers de celle-ci, avec la part de l’étalonnage</translation>
     </message>
     <message>
-        <source>From one passing of the start to the finish, or of the one gate to the next; of each split its first passing counts.</source>
+        <source>From a passage of the start to one of the finish, or from one passage of a start-finish gate to the next. Of each split, the first passage counts.</source>
         <translation>D’un franchissement du départ à l’arrivée, ou d’une porte à la suivante&#xa0;; pour chaque intermédiaire, le premier franchissement compte.</translation>
     </message>
     <message>
-        <source>of both passages; the calibration&apos;s error of a gate that is passed twice at one speed cancels</source>
+        <source>from both passages; the calibration&apos;s uncertainty cancels for a gate passed twice at the same speed</source>
         <translation>des deux franchissements&#xa0;; l’erreur d’étalonnage d’une porte franchie deux fois à la même vitesse se compense</translation>
     </message>
     <message>
@@ -885,7 +885,7 @@
         <translation>jusqu’à %1&#xa0;: %2</translation>
     </message>
     <message>
-        <source>View %1 in step with the first</source>
+        <source>Synchronisation of view %1 with the first</source>
         <translation>Vue %1 synchronisée avec la première</translation>
     </message>
     <message>
@@ -897,7 +897,7 @@
         <translation>Hauteur du robot %1</translation>
     </message>
     <message>
-        <source>The solid (box or cylinder, on the floor or a plate at the robot&apos;s top) whose silhouettes the outlines in all views are, by weighted least squares at some forty times of the run; where no such solid explains them, the height at which all views put the robot at the same place.</source>
+        <source>The solid (box or cylinder, on the floor or a plate at the robot&apos;s top) whose silhouettes best match the outlines in all views, by weighted least squares at about forty times of the run. If no such solid explains them: the height at which all views give the same floor position.</source>
         <translation>Le solide (boîte ou cylindre, au sol, ou plaque au sommet du robot) dont les contours de toutes les vues sont les silhouettes, par moindres carrés pondérés à une quarantaine d’instants du passage&#xa0;; si aucun solide de ce genre ne les explique, la hauteur à laquelle toutes les vues placent le robot au même endroit.</translation>
     </message>
 </context>
@@ -971,7 +971,7 @@
 <context>
     <name>HealthWatch</name>
     <message>
-        <source>The project can only be read</source>
+        <source>The project is read-only</source>
         <translation>Le projet ne peut qu’être lu</translation>
     </message>
     <message>
@@ -979,15 +979,15 @@
         <translation>Ouverture des caméras…</translation>
     </message>
     <message>
-        <source>No camera runs</source>
+        <source>No camera is running</source>
         <translation>Aucune caméra ne tourne</translation>
     </message>
     <message>
-        <source>No camera sends pictures</source>
+        <source>No camera sends frames</source>
         <translation>Aucune caméra n’envoie d’images</translation>
     </message>
     <message>
-        <source>This project can only be read: nothing can be recorded into it.</source>
+        <source>This project is read-only: you cannot record into it.</source>
         <translation>Ce projet ne peut qu’être lu&#xa0;: rien ne peut y être enregistré.</translation>
     </message>
     <message>
@@ -1120,23 +1120,23 @@ La méthode suit S. Park, «&#xa0;Computational Vision for Automatic Tracking an
         <translation>de %1 à %2</translation>
     </message>
     <message>
-        <source>What the calibration adds to an angle is not known and not in it.</source>
+        <source>The calibration&apos;s contribution to an angle is unknown and not included.</source>
         <translation>Ce que l’étalonnage ajoute à un angle n’est pas connu et n’y est pas compris.</translation>
     </message>
     <message>
-        <source>The calibration&apos;s error of place is in it.</source>
+        <source>Includes the position uncertainty of the calibration.</source>
         <translation>L’erreur de position de l’étalonnage y est comprise.</translation>
     </message>
     <message>
-        <source>The calibration&apos;s error of scale is in it.</source>
+        <source>Includes the scale uncertainty of the calibration.</source>
         <translation>L’erreur d’échelle de l’étalonnage y est comprise.</translation>
     </message>
     <message>
-        <source>Neighbours of a smoothed curve share their error, so it is averaged out by time and not by frames: with a spectrum of r/(1 + (ω/ω₀)⁶) for the position, ω₀ = √2 σv/σx.</source>
+        <source>Neighbouring points of a smoothed curve have correlated errors. They average out over time, not over frames: with a spectrum of r/(1 + (ω/ω₀)⁶) for the position, ω₀ = √2 σv/σx.</source>
         <translation>Les points voisins d’une courbe lissée partagent leur erreur&#xa0;: la moyenne la réduit donc selon le temps et non selon les images, avec pour la position un spectre en r/(1 + (ω/ω₀)⁶), ω₀ = √2 σv/σx.</translation>
     </message>
     <message>
-        <source>Of the smoothed curve, each value for half the time to both neighbours: its mean, the median (half of the time stays below it), the least and the most beyond doubt (by the value plus or minus 2σ), and the spread √(mean of the squared distance from the mean).</source>
+        <source>From the smoothed curve, each value weighted by half the time to both neighbours: mean; median (the curve is below it half of the time); least and most, chosen by value + 2σ and value − 2σ; spread √(mean of the squared distance from the mean).</source>
         <translation>De la courbe lissée, chaque valeur comptant pour la moitié du temps jusqu’à ses deux voisines&#xa0;: sa moyenne, sa médiane (la moitié du temps se passe en dessous), le minimum et le maximum certains (d’après la valeur plus ou moins 2σ), et la dispersion √(moyenne du carré de la distance à la moyenne).</translation>
     </message>
     <message>
@@ -1175,15 +1175,15 @@ La méthode suit S. Park, «&#xa0;Computational Vision for Automatic Tracking an
         </translation>
     </message>
     <message>
-        <source>not its shape: χ² is %1 times what the errors explain</source>
+        <source>does not fit: χ² is %1 times what the uncertainties explain</source>
         <translation>pas cette forme&#xa0;: χ² vaut %1 fois ce que les erreurs expliquent</translation>
     </message>
     <message>
-        <source>fits; the stated errors are too large: χ² is %1 of what they let expect</source>
+        <source>fits; the stated uncertainties are too large: χ² is %1 of its expected value</source>
         <translation>concorde&#xa0;; les erreurs annoncées sont trop grandes&#xa0;: χ² vaut %1 fois ce qu’elles laissent attendre</translation>
     </message>
     <message>
-        <source>fits: χ² is %1 of what the errors let expect</source>
+        <source>fits: χ² is %1 of its expected value</source>
         <translation>concorde&#xa0;: χ² vaut %1 fois ce que les erreurs laissent attendre</translation>
     </message>
     <message>
@@ -1191,11 +1191,11 @@ La méthode suit S. Park, «&#xa0;Computational Vision for Automatic Tracking an
         <translation>Ajustement&#xa0;: %1</translation>
     </message>
     <message>
-        <source>The polynomial in t − t₀ with the least Σ(residual/σ)² over %1, t₀ = %2. χ² is that sum, over what the errors let expect of it: the number of points less what the coefficients take up.</source>
+        <source>The polynomial in t − t₀ that minimises Σ(residual/σ)² over %1, t₀ = %2. χ² is that sum divided by its expected value: the number of points minus the degrees of freedom of the coefficients.</source>
         <translation>Le polynôme en t − t₀ de plus petit Σ(résidu/σ)² sur %1, t₀ = %2. χ² est cette somme, divisée par ce que les erreurs en laissent attendre&#xa0;: le nombre de points moins ce que prennent les coefficients.</translation>
     </message>
     <message>
-        <source>the measured places that are used</source>
+        <source>the measured positions used</source>
         <translation>les positions mesurées utilisées</translation>
     </message>
     <message>
@@ -1203,11 +1203,11 @@ La méthode suit S. Park, «&#xa0;Computational Vision for Automatic Tracking an
         <translation>la courbe lissée</translation>
     </message>
     <message>
-        <source>The larger of two: that of the measurements, widened by 1 + 2Σρ of the residuals where they hang together (here ×%1), and that of the smoothed curve, which knows what of their errors lasts.</source>
+        <source>The larger of two uncertainties: that of the measurements, widened by 1 + 2Σρ for correlated residuals (here ×%1), and that of the smoothed curve, including the errors that persist.</source>
         <translation>Le plus grand des deux&#xa0;: celui des mesures, élargi du facteur 1 + 2Σρ des résidus s’ils sont corrélés (ici ×%1), et celui de la courbe lissée, qui sait ce qui persiste de leurs erreurs.</translation>
     </message>
     <message>
-        <source>That the shape is the true one is taken for granted; χ² far above 1 says that it is not. Below 1 it comes of a smoother that allows for more motion than there is.</source>
+        <source>Assumes that the shape is correct; χ² far above 1 shows that it is not. χ² below 1 means that the smoother allows for more motion than the robot made.</source>
         <translation>On suppose que la forme est la vraie&#xa0;; un χ² bien supérieur à 1 dit que non. Inférieur à 1, il vient d’un lissage qui admet plus de mouvement qu’il n’y en a.</translation>
     </message>
     <message>
@@ -1262,7 +1262,7 @@ La méthode suit S. Park, «&#xa0;Computational Vision for Automatic Tracking an
 <context>
     <name>RecordHealth</name>
     <message>
-        <source>trouble</source>
+        <source>problem</source>
         <translation>panne</translation>
     </message>
     <message>
@@ -1270,7 +1270,7 @@ La méthode suit S. Park, «&#xa0;Computational Vision for Automatic Tracking an
         <translation>lent</translation>
     </message>
     <message>
-        <source>losses</source>
+        <source>lost frames</source>
         <translation>pertes</translation>
     </message>
     <message>
@@ -1290,11 +1290,11 @@ La méthode suit S. Park, «&#xa0;Computational Vision for Automatic Tracking an
         <translation>Caméra %1</translation>
     </message>
     <message>
-        <source>not seen</source>
+        <source>no camera sees it</source>
         <translation>non vu</translation>
     </message>
     <message>
-        <source>unseen</source>
+        <source>not visible</source>
         <translation>non vu</translation>
     </message>
     <message>
@@ -1306,7 +1306,7 @@ La méthode suit S. Park, «&#xa0;Computational Vision for Automatic Tracking an
         <translation>&#xa0;; une caméra le voit</translation>
     </message>
     <message>
-        <source>seen</source>
+        <source>visible</source>
         <translation>vu</translation>
     </message>
     <message>
@@ -1314,11 +1314,11 @@ La méthode suit S. Park, «&#xa0;Computational Vision for Automatic Tracking an
         <translation>passable</translation>
     </message>
     <message>
-        <source>apart</source>
+        <source>poor</source>
         <translation>décalé</translation>
     </message>
     <message>
-        <source>Step</source>
+        <source>Synchronisation</source>
         <translation>Synchro</translation>
     </message>
     <message>
@@ -1334,11 +1334,11 @@ La méthode suit S. Park, «&#xa0;Computational Vision for Automatic Tracking an
         <translation>Disque</translation>
     </message>
     <message>
-        <source>Camera %1 is not registered to the floor: it is recorded, but cannot tell where a robot is.</source>
+        <source>Camera %1 is not registered to the floor: it records, but cannot locate robots.</source>
         <translation>La caméra %1 n’est pas localisée par rapport au sol&#xa0;: elle est enregistrée, mais ne peut pas dire où se trouve un robot.</translation>
     </message>
     <message>
-        <source>Camera %1 was registered for pictures of %2×%3, which it does not send now: it is recorded, but cannot tell where a robot is.</source>
+        <source>Camera %1 was registered with frames of %2×%3, but now sends another size: it records, but cannot locate robots.</source>
         <translation>La caméra %1 a été localisée pour des images de %2×%3, qu’elle n’envoie pas en ce moment&#xa0;: elle est enregistrée, mais ne peut pas dire où se trouve un robot.</translation>
     </message>
     <message>
@@ -1350,7 +1350,7 @@ La méthode suit S. Park, «&#xa0;Computational Vision for Automatic Tracking an
         <translation>Caméra %1&#xa0;: %2</translation>
     </message>
     <message>
-        <source>The disk is hardly fast enough: record to a faster one, or with fewer cameras.</source>
+        <source>The disk is barely fast enough: record to a faster one, or with fewer cameras.</source>
         <translation>Le disque est à peine assez rapide&#xa0;: enregistrez sur un disque plus rapide, ou avec moins de caméras.</translation>
     </message>
     <message>
@@ -1358,7 +1358,7 @@ La méthode suit S. Park, «&#xa0;Computational Vision for Automatic Tracking an
         <translation>Le disque est presque plein&#xa0;: %1</translation>
     </message>
     <message>
-        <source>The cameras are not in step: set both to the same rate.</source>
+        <source>The cameras are not synchronised: set both to the same frame rate.</source>
         <translation>Les caméras ne sont pas synchronisées&#xa0;: réglez-les toutes deux à la même cadence.</translation>
     </message>
 </context>
@@ -1391,7 +1391,7 @@ La méthode suit S. Park, «&#xa0;Computational Vision for Automatic Tracking an
         <translation>lissé, avec sa bande à ±95&#xa0;%&#xa0;; points&#xa0;: valeurs mesurées</translation>
     </message>
     <message>
-        <source>No curve: the robot was not seen</source>
+        <source>No curve: the robot was not detected</source>
         <translation>Pas de courbe&#xa0;: le robot n’a pas été vu</translation>
     </message>
 </context>
@@ -1481,7 +1481,7 @@ La méthode suit S. Park, «&#xa0;Computational Vision for Automatic Tracking an
         <translation>%1&#xa0;: méthode</translation>
     </message>
     <message>
-        <source>How the figures were computed</source>
+        <source>How the metrics were computed</source>
         <translation>Comment les grandeurs sont calculées</translation>
     </message>
     <message>
@@ -1532,11 +1532,11 @@ La méthode suit S. Park, «&#xa0;Computational Vision for Automatic Tracking an
 <context>
     <name>ReportStills</name>
     <message>
-        <source>no picture: the video cannot be read</source>
+        <source>no image: the video cannot be read</source>
         <translation>pas d’image&#xa0;: la vidéo ne peut pas être lue</translation>
     </message>
     <message>
-        <source>no picture: the video is missing</source>
+        <source>no image: the video is missing</source>
         <translation>pas d’image&#xa0;: la vidéo manque</translation>
     </message>
 </context>
@@ -1567,7 +1567,7 @@ La méthode suit S. Park, «&#xa0;Computational Vision for Automatic Tracking an
         <translation>bleu ciel</translation>
     </message>
     <message>
-        <source>by itself</source>
+        <source>automatic</source>
         <translation>automatique</translation>
     </message>
 </context>
@@ -1942,7 +1942,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>non localisée</translation>
     </message>
     <message>
-        <source>In step</source>
+        <source>Synchronisation</source>
         <translation>Synchro</translation>
     </message>
     <message>
@@ -2006,7 +2006,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Épreuve</translation>
     </message>
     <message>
-        <source>measured by another course</source>
+        <source>analysed with a different course</source>
         <translation>mesuré sur un autre parcours</translation>
     </message>
     <message>
@@ -2014,7 +2014,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Score</translation>
     </message>
     <message>
-        <source>none until it is measured again: the task has another course now</source>
+        <source>none until you reanalyse the trial: the task has a different course now</source>
         <translation>aucun avant d’être remesuré&#xa0;: l’épreuve a maintenant un autre parcours</translation>
     </message>
     <message>
@@ -2078,7 +2078,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Résultats</translation>
     </message>
     <message>
-        <source>%1: changed in the file since they were analysed. Analyse the trial again.</source>
+        <source>%1: changed in the file after the analysis. Reanalyse the trial.</source>
         <translation>%1 : modifiés dans le fichier depuis l’analyse. Analysez de nouveau l’essai.</translation>
     </message>
     <message>
@@ -2090,8 +2090,8 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Vues</translation>
     </message>
     <message>
-        <source>doubtful</source>
-        <translation>douteux</translation>
+        <source>inconsistent</source>
+        <translation>contradictoire</translation>
     </message>
 </context>
 <context>
@@ -2145,7 +2145,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>jusqu’à %1</translation>
     </message>
     <message>
-        <source>Figures</source>
+        <source>Metrics</source>
         <translation>Grandeurs</translation>
     </message>
     <message>
@@ -2157,7 +2157,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Remarques</translation>
     </message>
     <message>
-        <source>This trial has not been tracked yet: there are no figures.</source>
+        <source>This trial has not been tracked yet: it has no metrics.</source>
         <translation>Cet essai n’a pas encore été suivi&#xa0;: il n’y a pas de valeurs.</translation>
     </message>
     <message>
@@ -2185,7 +2185,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Épreuve</translation>
     </message>
     <message>
-        <source>Do not rely on these results: they were changed in the file since they were analysed.</source>
+        <source>Do not rely on these results: they were changed in the file after the analysis.</source>
         <translation>Ne vous fiez pas à ces résultats : ils ont été modifiés dans le fichier depuis l’analyse.</translation>
     </message>
     <message>
@@ -8308,7 +8308,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Caméras pour filmer</translation>
     </message>
     <message>
-        <source>Device that is camera %1</source>
+        <source>Device for camera %1</source>
         <translation>Appareil qui est la caméra %1</translation>
     </message>
     <message>
@@ -8324,7 +8324,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Caméra %1</translation>
     </message>
     <message>
-        <source>&amp;Look again</source>
+        <source>&amp;Search again</source>
         <translation>&amp;Rechercher</translation>
     </message>
     <message>
@@ -8344,15 +8344,15 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>%1 (non connecté)</translation>
     </message>
     <message>
-        <source>Looking for cameras…</source>
+        <source>Searching for cameras…</source>
         <translation>Recherche des caméras…</translation>
     </message>
     <message>
-        <source>Choose at least one camera. With two, the place of a robot is known better, and while one cannot see it.</source>
+        <source>Choose at least one camera. Two cameras locate a robot more accurately, and if one cannot see it, the other often can.</source>
         <translation>Choisissez au moins une caméra. Avec deux, la place d’un robot est mieux connue, et le reste quand l’une ne le voit pas.</translation>
     </message>
     <message>
-        <source>One device cannot be two cameras.</source>
+        <source>You cannot use one device as two cameras.</source>
         <translation>Un appareil ne peut pas être deux caméras.</translation>
     </message>
 </context>
@@ -8398,11 +8398,11 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>odo::CameraView</name>
     <message>
-        <source>in step to %1 ms</source>
+        <source>synchronised to %1 ms</source>
         <translation>synchronisée à %1 ms près</translation>
     </message>
     <message>
-        <source>offset by hand</source>
+        <source>manual offset</source>
         <translation>décalage manuel</translation>
     </message>
     <message>
@@ -8422,18 +8422,18 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Caméra</translation>
     </message>
     <message>
-        <source>Picture of the camera</source>
+        <source>Camera image</source>
         <translation>Image de la caméra</translation>
     </message>
     <message>
-        <source>Picture of %1</source>
+        <source>Image of %1</source>
         <translation>Image de %1</translation>
     </message>
 </context>
 <context>
     <name>odo::CameraWishesDialog</name>
     <message>
-        <source>as the camera has it</source>
+        <source>set by the camera</source>
         <translation>selon la caméra</translation>
     </message>
     <message>
@@ -8445,7 +8445,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>ms</translation>
     </message>
     <message>
-        <source>Ask for each picture, so that all such cameras take theirs together</source>
+        <source>Trigger each frame by software, at the same time for all cameras with this setting</source>
         <translation>Demander chaque image, pour que toutes ces caméras la prennent ensemble</translation>
     </message>
     <message>
@@ -8453,8 +8453,8 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Réglages de %1</translation>
     </message>
     <message>
-        <source>Picture</source>
-        <translation>Image</translation>
+        <source>Format</source>
+        <translation>Format</translation>
     </message>
     <message>
         <source>Rate</source>
@@ -8469,8 +8469,8 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Déclenchement logiciel</translation>
     </message>
     <message>
-        <source>&amp;Picture</source>
-        <translation>&amp;Image</translation>
+        <source>&amp;Format</source>
+        <translation>&amp;Format</translation>
     </message>
     <message>
         <source>&amp;Rate</source>
@@ -8485,7 +8485,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>&amp;Déclenchement</translation>
     </message>
     <message>
-        <source>What the camera cannot do is said when it is opened.</source>
+        <source>If the camera does not support a setting, a message says so when it opens.</source>
         <translation>Ce que la caméra ne sait pas faire est indiqué à son ouverture.</translation>
     </message>
     <message>
@@ -8493,7 +8493,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Appliquer</translation>
     </message>
     <message>
-        <source>the best for tracking</source>
+        <source>best for tracking</source>
         <translation>le mieux pour le suivi</translation>
     </message>
 </context>
@@ -8554,23 +8554,23 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>odo::ChartPicture</name>
     <message>
-        <source>&amp;Copy as a picture</source>
+        <source>&amp;Copy as image</source>
         <translation>&amp;Copier comme image</translation>
     </message>
     <message>
-        <source>&amp;Save as a picture…</source>
+        <source>&amp;Save as image…</source>
         <translation>&amp;Enregistrer comme image…</translation>
     </message>
     <message>
-        <source>SVG pictures (*.svg)</source>
+        <source>SVG images (*.svg)</source>
         <translation>Images SVG (*.svg)</translation>
     </message>
     <message>
-        <source>PNG pictures (*.png)</source>
+        <source>PNG images (*.png)</source>
         <translation>Images PNG (*.png)</translation>
     </message>
     <message>
-        <source>Save as a picture</source>
+        <source>Save as image</source>
         <translation>Enregistrer comme image</translation>
     </message>
     <message>
@@ -8593,7 +8593,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Graphiques&#xa0;: montrer &amp;tout</translation>
     </message>
     <message>
-        <source>Charts against the &amp;distance</source>
+        <source>Charts over &amp;distance</source>
         <translation>Graphiques selon la dist&amp;ance</translation>
     </message>
 </context>
@@ -8726,7 +8726,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Classes</translation>
     </message>
     <message>
-        <source>An archived class is out of the way: History, Record and the standings show its teams and trials only where it is chosen there by name</source>
+        <source>Archiving hides a class: History, Record and the standings show its teams and trials only if you choose the class by name</source>
         <translation>Une classe archivée est mise de côté&#xa0;: «&#xa0;Historique&#xa0;», «&#xa0;Filmer&#xa0;» et le classement ne montrent ses équipes et ses essais que si elle y est choisie par son nom</translation>
     </message>
     <message>
@@ -8750,7 +8750,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Équipes de la classe</translation>
     </message>
     <message>
-        <source>Double-click or F2 changes a name or a pseudonym</source>
+        <source>Double-click or press F2 to change a name or a pseudonym</source>
         <translation>Un double-clic ou F2 modifie un nom ou un pseudonyme</translation>
     </message>
     <message numerus="yes">
@@ -8772,7 +8772,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Équipes sans classe</translation>
     </message>
     <message>
-        <source>Out of the &amp;archive</source>
+        <source>Restore from &amp;archive</source>
         <translation>Dés&amp;archiver</translation>
     </message>
     <message>
@@ -8807,11 +8807,11 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Secteurs</translation>
     </message>
     <message>
-        <source>Figures</source>
+        <source>Metrics</source>
         <translation>Grandeurs</translation>
     </message>
     <message>
-        <source>Run that is shown against the first</source>
+        <source>Run compared with the first one</source>
         <translation>Passage comparé au premier</translation>
     </message>
     <message>
@@ -8823,7 +8823,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Temps de porte à porte</translation>
     </message>
     <message>
-        <source>Figures of both runs</source>
+        <source>Metrics of both runs</source>
         <translation>Grandeurs des deux passages</translation>
     </message>
     <message>
@@ -8831,7 +8831,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>s · faites glisser les portes sur la carte</translation>
     </message>
     <message>
-        <source>grey: within the error</source>
+        <source>grey: not significant</source>
         <translation>gris&#xa0;: dans la marge d’erreur</translation>
     </message>
     <message>
@@ -8843,27 +8843,27 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>de %1</translation>
     </message>
     <message>
-        <source>Later at the end</source>
+        <source>Behind at finish</source>
         <translation>En retard à la fin</translation>
     </message>
     <message>
-        <source>Earlier at the end</source>
+        <source>Ahead at finish</source>
         <translation>En avance à la fin</translation>
     </message>
     <message>
-        <source>At the end</source>
+        <source>Gap at finish</source>
         <translation>À la fin</translation>
     </message>
     <message>
-        <source>Later here</source>
+        <source>Behind at cursor</source>
         <translation>En retard ici</translation>
     </message>
     <message>
-        <source>Earlier here</source>
+        <source>Ahead at cursor</source>
         <translation>En avance ici</translation>
     </message>
     <message>
-        <source>Here</source>
+        <source>Gap at cursor</source>
         <translation>Ici</translation>
     </message>
 </context>
@@ -8874,11 +8874,11 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Carte vue de dessus</translation>
     </message>
     <message>
-        <source>Map of the floor with the ways of the runs and the gates of the sectors</source>
+        <source>Floor map with the paths of the runs and the gates of the sectors</source>
         <translation>Carte du sol avec les trajets des passages et les portes des secteurs</translation>
     </message>
     <message>
-        <source>Drag a gate along the way; with the keys: Up and Down choose one, Left and Right move it</source>
+        <source>Drag a gate along the path. Keys: Up and Down select a gate, Left and Right move it</source>
         <translation>Faites glisser une porte le long du trajet&#xa0;; au clavier&#xa0;: Haut et Bas en choisissent une, Gauche et Droite la déplacent</translation>
     </message>
     <message>
@@ -8898,7 +8898,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>tirets&#xa0;: tracé de l’épreuve</translation>
     </message>
     <message>
-        <source>along the first run&apos;s way</source>
+        <source>along the first run&apos;s path</source>
         <translation>le long du trajet du premier passage</translation>
     </message>
     <message>
@@ -8917,15 +8917,15 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Ces passages ne peuvent pas être comparés</translation>
     </message>
     <message>
-        <source>%1. What helps: %2.</source>
+        <source>%1. What to do: %2.</source>
         <translation>%1. Pour y remédier&#xa0;: %2.</translation>
     </message>
     <message>
-        <source>Two runs are needed</source>
+        <source>Select two runs</source>
         <translation>Il faut deux passages</translation>
     </message>
     <message>
-        <source>Comparing shows where one run is faster than another, and whether that is more than the error. Choose two trials that have been tracked, or bring in another one.</source>
+        <source>A comparison shows where one run is faster than the other, and whether the difference is significant. Select two tracked trials, or import another one.</source>
         <translation>La comparaison montre où un passage est plus rapide qu’un autre, et si l’écart dépasse la marge d’erreur. Choisissez deux essais déjà suivis, ou importez-en un autre.</translation>
     </message>
     <message>
@@ -9041,11 +9041,11 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>odo::DistanceChart</name>
     <message>
-        <source>Speed along the way</source>
+        <source>Speed over distance</source>
         <translation>Vitesse le long du trajet</translation>
     </message>
     <message>
-        <source>Time difference along the way</source>
+        <source>Time difference over distance</source>
         <translation>Écart de temps le long du trajet</translation>
     </message>
     <message>
@@ -9053,18 +9053,18 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>%1 · lissé ±95&#xa0;%</translation>
     </message>
     <message>
-        <source>s · above 0: %2 is later than %1 · ±95 % · grey: within the error</source>
+        <source>s · above 0: %2 is later than %1 · ±95 % · grey: not significant</source>
         <translation>s · au-dessus de 0&#xa0;: %2 en retard sur %1 · ±95&#xa0;% · gris&#xa0;: dans la marge d’erreur</translation>
     </message>
     <message>
-        <source>s · above 0: later than %1 · ±95 % · grey: within the error</source>
+        <source>s · above 0: later than %1 · ±95 % · grey: not significant</source>
         <translation>s · au-dessus de 0&#xa0;: en retard sur %1 · ±95&#xa0;% · gris&#xa0;: dans la marge d’erreur</translation>
     </message>
 </context>
 <context>
     <name>odo::DockGrip</name>
     <message>
-        <source>Drag to move, double click to float</source>
+        <source>Drag to move, double-click to float</source>
         <translation>Glisser pour déplacer, double-clic pour détacher</translation>
     </message>
 </context>
@@ -9075,8 +9075,8 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>bon</translation>
     </message>
     <message>
-        <source>doubtful</source>
-        <translation>douteux</translation>
+        <source>warning</source>
+        <translation>avertissement</translation>
     </message>
     <message>
         <source>bad</source>
@@ -9091,15 +9091,15 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Diagnostic de l’installation</translation>
     </message>
     <message>
-        <source>What was found</source>
+        <source>Findings</source>
         <translation>Ce qui a été trouvé</translation>
     </message>
     <message>
-        <source>&amp;Look again</source>
+        <source>&amp;Check again</source>
         <translation>&amp;Rechercher</translation>
     </message>
     <message>
-        <source>Looking…</source>
+        <source>Checking…</source>
         <translation>Recherche…</translation>
     </message>
     <message>
@@ -9107,22 +9107,22 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>. À faire&#xa0;: %1.</translation>
     </message>
     <message>
-        <source>Nothing was found that would disturb a recording.</source>
+        <source>Found nothing that would disturb a recording.</source>
         <translation>Rien n’a été trouvé qui gênerait un enregistrement.</translation>
     </message>
     <message>
-        <source>There is one thing to look at.</source>
+        <source>Found one problem.</source>
         <translation>Il y a un point à examiner.</translation>
     </message>
     <message>
-        <source>There are %1 things to look at, the worst first.</source>
+        <source>Found %1 problems, the worst first.</source>
         <translation>Il y a %1 points à examiner, le plus grave d’abord.</translation>
     </message>
 </context>
 <context>
     <name>odo::FigureGrid</name>
     <message>
-        <source>Figures</source>
+        <source>Metrics</source>
         <translation>Grandeurs</translation>
     </message>
     <message>
@@ -9382,11 +9382,11 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Carte&#xa0;: désaccord des &amp;vues</translation>
     </message>
     <message>
-        <source>Map of the floor with the robots&apos; trails</source>
+        <source>Floor map with the robots&apos; trails</source>
         <translation>Carte du sol avec les traces des robots</translation>
     </message>
     <message>
-        <source>What colours the trails of the map</source>
+        <source>Colour of the trails on the map</source>
         <translation>Ce qui colore les traces sur la carte</translation>
     </message>
     <message>
@@ -9757,7 +9757,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Essais</translation>
     </message>
     <message>
-        <source>&amp;Measure again</source>
+        <source>Rea&amp;nalyse</source>
         <translation>&amp;Remesurer</translation>
     </message>
     <message>
@@ -9793,7 +9793,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Comparer les essais sélectionnés</translation>
     </message>
     <message>
-        <source>Select two trials or more (Ctrl or Shift and a click)</source>
+        <source>Select two or more trials (Ctrl+click or Shift+click)</source>
         <translation>Sélectionnez au moins deux essais (Ctrl ou Maj et un clic)</translation>
     </message>
     <message numerus="yes">
@@ -10788,7 +10788,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Carte vue de dessus</translation>
     </message>
     <message>
-        <source>How cameras, map and disk do</source>
+        <source>Health of cameras, map and disk</source>
         <translation>L’état des caméras, de la carte et du disque</translation>
     </message>
     <message>
@@ -10800,7 +10800,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Caméra %1</translation>
     </message>
     <message>
-        <source>Live picture of %1</source>
+        <source>Live view of %1</source>
         <translation>Image en direct de %1</translation>
     </message>
     <message>
@@ -10820,11 +10820,11 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>en direct</translation>
     </message>
     <message>
-        <source>Waiting for the first picture…</source>
+        <source>Waiting for the first frame…</source>
         <translation>En attente de la première image…</translation>
     </message>
     <message>
-        <source>No picture now</source>
+        <source>No frames now</source>
         <translation>Pas d’image en ce moment</translation>
     </message>
     <message>
@@ -10835,7 +10835,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>odo::LiveCameraBox</name>
     <message>
-        <source>Camera that is connected</source>
+        <source>Connected camera</source>
         <translation>Caméra connectée</translation>
     </message>
     <message>
@@ -10843,7 +10843,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>%1, %2×%3</translation>
     </message>
     <message>
-        <source>Looking for cameras…</source>
+        <source>Searching for cameras…</source>
         <translation>Recherche des caméras…</translation>
     </message>
     <message>
@@ -10854,11 +10854,11 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>odo::LiveMap</name>
     <message>
-        <source>Map of the floor with the robots as they drive</source>
+        <source>Live floor map with the robots</source>
         <translation>Carte du sol avec les robots qui roulent</translation>
     </message>
     <message>
-        <source>No camera is registered to the floor, so that no place on it can be told</source>
+        <source>No camera is registered to the floor: robots cannot be located</source>
         <translation>Aucune caméra n’est localisée par rapport au sol&#xa0;: aucune place n’y peut être donnée</translation>
     </message>
 </context>
@@ -10935,23 +10935,23 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>&amp;Vider la corbeille…</translation>
     </message>
     <message>
-        <source>Take the &amp;star off</source>
+        <source>Remove &amp;star</source>
         <translation>Retirer l’é&amp;toile</translation>
     </message>
     <message>
-        <source>Out of the &amp;archive</source>
+        <source>Restore from &amp;archive</source>
         <translation>Dés&amp;archiver</translation>
     </message>
     <message>
-        <source>&amp;Put back</source>
+        <source>Rest&amp;ore</source>
         <translation>Re&amp;staurer</translation>
     </message>
     <message>
-        <source>Takes the selected trials out of the bin (Del)</source>
+        <source>Restore the selected trials from the bin (Del)</source>
         <translation>Sort les essais sélectionnés de la corbeille (Suppr)</translation>
     </message>
     <message>
-        <source>Puts the selected trials into the bin (Del); they can be put back</source>
+        <source>Move the selected trials to the bin (Del); you can restore them</source>
         <translation>Met les essais sélectionnés à la corbeille (Suppr)&#xa0;; ils peuvent être restaurés</translation>
     </message>
     <message>
@@ -10966,7 +10966,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         </translation>
     </message>
     <message>
-        <source>Their videos (%1), measurements and results are removed from the disk. This cannot be undone.</source>
+        <source>This removes their videos (%1), measurements and results from the disk. You cannot undo it.</source>
         <translation>Leurs vidéos (%1), leurs mesures et leurs résultats sont supprimés du disque. Cela ne peut pas être annulé.</translation>
     </message>
     <message>
@@ -11439,7 +11439,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Position Y</translation>
     </message>
     <message>
-        <source>Quantity that the chart shows</source>
+        <source>Quantity of the chart</source>
         <translation>Grandeur que montre le graphique</translation>
     </message>
     <message>
@@ -11471,15 +11471,15 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>positif dans le sens trigonométrique</translation>
     </message>
     <message>
-        <source>Chart: %1 against time</source>
+        <source>Chart: %1 over time</source>
         <translation>Graphique&#xa0;: %1 selon le temps</translation>
     </message>
     <message>
-        <source>Chart: %1 against the distance</source>
+        <source>Chart: %1 over distance</source>
         <translation>Graphique&#xa0;: %1 selon la distance</translation>
     </message>
     <message>
-        <source>shaded: hidden or doubtful</source>
+        <source>shaded: hidden or ambiguous</source>
         <translation>ombré&#xa0;: caché ou en doute</translation>
     </message>
 </context>
@@ -11494,15 +11494,15 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>A&amp;justement</translation>
     </message>
     <message>
-        <source>Figures of the range</source>
+        <source>Statistics of the range</source>
         <translation>Grandeurs de la plage</translation>
     </message>
     <message>
-        <source>Robot whose range is shown</source>
+        <source>Robot of the statistics</source>
         <translation>Robot dont la plage est montrée</translation>
     </message>
     <message>
-        <source>What is fitted to the curve</source>
+        <source>Function to fit to the curve</source>
         <translation>Ce qui est ajusté à la courbe</translation>
     </message>
     <message>
@@ -11522,7 +11522,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>parabole</translation>
     </message>
     <message>
-        <source>Quantity that is fitted</source>
+        <source>Fitted quantity</source>
         <translation>Grandeur ajustée</translation>
     </message>
 </context>
@@ -11533,11 +11533,11 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Aucune caméra n’est connectée</translation>
     </message>
     <message>
-        <source>Connect a camera, or two, and look again. One that is connected and not found is a case for the set-up doctor.</source>
+        <source>Connect one or two cameras, then search again. If a connected camera is not found, run the set-up doctor.</source>
         <translation>Connectez une caméra, ou deux, et recherchez de nouveau. Si une caméra connectée n’est pas trouvée, voyez le diagnostic de l’installation.</translation>
     </message>
     <message>
-        <source>Look again</source>
+        <source>Search again</source>
         <translation>Rechercher</translation>
     </message>
     <message>
@@ -11553,7 +11553,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Caméras…</translation>
     </message>
     <message>
-        <source>Choose which connected device is which camera of the project</source>
+        <source>Assign the connected devices to the cameras of the project</source>
         <translation>Choisir quel appareil connecté est quelle caméra du projet</translation>
     </message>
     <message>
@@ -11565,7 +11565,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Diagnostic…</translation>
     </message>
     <message>
-        <source>Look for what makes cameras lose pictures, or measure wrongly, with advice</source>
+        <source>Check for what makes cameras lose frames or measure wrongly, and get advice</source>
         <translation>Chercher ce qui fait perdre des images aux caméras, ou fausse leurs mesures, avec des conseils</translation>
     </message>
     <message>
@@ -11669,15 +11669,15 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>É&amp;preuve</translation>
     </message>
     <message>
-        <source>The usual one</source>
+        <source>Most common</source>
         <translation>La plus courante</translation>
     </message>
     <message>
-        <source>&amp;Figure</source>
+        <source>M&amp;etric</source>
         <translation>&amp;Grandeur</translation>
     </message>
     <message>
-        <source>What tells most</source>
+        <source>Most informative</source>
         <translation>La plus parlante</translation>
     </message>
     <message>
@@ -11705,7 +11705,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Fermer</translation>
     </message>
     <message>
-        <source>There is nothing to print yet.</source>
+        <source>Nothing to print yet.</source>
         <translation>Il n’y a encore rien à imprimer.</translation>
     </message>
     <message numerus="yes">
@@ -11730,7 +11730,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Aperçu des pages</translation>
     </message>
     <message>
-        <source>The pages are being painted…</source>
+        <source>Drawing the pages…</source>
         <translation>Dessin des pages en cours…</translation>
     </message>
     <message numerus="yes">
@@ -11877,7 +11877,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Données de l’essai</translation>
     </message>
     <message>
-        <source>This trial has not been tracked yet. Tracking follows the robot through the videos and works out where it was and how fast.</source>
+        <source>This trial has not been tracked yet. Tracking follows the robot through the videos and computes its position and speed.</source>
         <translation>Cet essai n’a pas encore été suivi. Le suivi accompagne le robot dans les vidéos et détermine où il était et à quelle vitesse.</translation>
     </message>
     <message>
@@ -11896,7 +11896,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>&amp;Silhouettes des robots</translation>
     </message>
     <message>
-        <source>Outline what was taken for a robot in each view</source>
+        <source>Outline the detected robots in each view</source>
         <translation>Trace dans chaque vue le contour de ce qui a été pris pour un robot</translation>
     </message>
 </context>
@@ -11907,7 +11907,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Pas encore d’essai</translation>
     </message>
     <message>
-        <source>A trial is one run of a robot. Bring in the videos that your cameras took of it, and it will be shown here.</source>
+        <source>A trial is one run of a robot. Import the videos that your cameras took of it to see it here.</source>
         <translation>Un essai est un passage d’un robot. Importez les vidéos que vos caméras en ont prises, et il sera montré ici.</translation>
     </message>
     <message>
@@ -12162,7 +12162,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>&amp;Montrer un robot</translation>
     </message>
     <message>
-        <source>The wrong thing is outlined: click the robot in a picture, and the trial is tracked again (%1)</source>
+        <source>Wrong object outlined? Click the robot in a view to track the trial again (%1)</source>
         <translation>Le contour n’est pas celui du robot : cliquez sur le robot dans une image, et l’essai sera suivi de nouveau (%1)</translation>
     </message>
     <message>
@@ -12170,7 +12170,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>C’est %1 : le suivre de nouveau</translation>
     </message>
     <message>
-        <source>Find %1 without help</source>
+        <source>Find %1 automatically</source>
         <translation>Chercher %1 sans aide</translation>
     </message>
 </context>
@@ -12248,7 +12248,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>En piste</translation>
     </message>
     <message>
-        <source>Robots that drive</source>
+        <source>Robots of this run</source>
         <translation>Robots qui roulent</translation>
     </message>
     <message>
@@ -12280,15 +12280,15 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>To&amp;urs</translation>
     </message>
     <message>
-        <source>Laps until it ends</source>
+        <source>Number of laps</source>
         <translation>Tours jusqu’à la fin</translation>
     </message>
     <message>
-        <source>Team that is up</source>
+        <source>Team of this run</source>
         <translation>Équipe en piste</translation>
     </message>
     <message>
-        <source>How the recording begins</source>
+        <source>When the recording begins</source>
         <translation>Comment débute l’enregistrement</translation>
     </message>
     <message>
@@ -12343,7 +12343,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Second passage</translation>
     </message>
     <message>
-        <source>The moment that counts as the same</source>
+        <source>How to align the runs</source>
         <translation>L’instant pris comme commun</translation>
     </message>
     <message>
@@ -12351,7 +12351,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Échanger les deux passages</translation>
     </message>
     <message>
-        <source>Further runs</source>
+        <source>Add more runs</source>
         <translation>Autres passages</translation>
     </message>
     <message>
@@ -12359,7 +12359,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>&amp;Décalage</translation>
     </message>
     <message>
-        <source>Pla&amp;ce</source>
+        <source>Distan&amp;ce</source>
         <translation>Endr&amp;oit</translation>
     </message>
     <message>
@@ -12371,7 +12371,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation> s</translation>
     </message>
     <message>
-        <source>How much later the second run&apos;s moment lies</source>
+        <source>Time shift of the second run; positive: later</source>
         <translation>De combien l’instant du second passage est plus tardif</translation>
     </message>
     <message>
@@ -12379,11 +12379,11 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation> m</translation>
     </message>
     <message>
-        <source>where all have begun</source>
+        <source>first common point</source>
         <translation>où tous ont commencé</translation>
     </message>
     <message>
-        <source>How far along the way the runs are taken to be at the same time</source>
+        <source>Distance along the path at which the runs are aligned</source>
         <translation>À quelle distance sur le trajet les passages sont pris comme simultanés</translation>
     </message>
     <message>
@@ -12403,7 +12403,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Automatique&#xa0;: %1</translation>
     </message>
     <message>
-        <source>There are no further runs</source>
+        <source>No more runs</source>
         <translation>Il n’y a pas d’autre passage</translation>
     </message>
 </context>
@@ -12418,11 +12418,11 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>E&amp;xaminer</translation>
     </message>
     <message>
-        <source>The figures of a run stand here a moment after it has ended.</source>
+        <source>The results appear here shortly after the run ends.</source>
         <translation>Les grandeurs d’un passage s’affichent ici un instant après sa fin.</translation>
     </message>
     <message>
-        <source>Measuring…</source>
+        <source>Analysing…</source>
         <translation>Mesure en cours…</translation>
     </message>
     <message>
@@ -12430,22 +12430,22 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Pics aberrants signalés</translation>
     </message>
     <message>
-        <source>From live tracking. The final figures come from the recording, in a moment.</source>
+        <source>From live tracking. The final results follow shortly, from the recording.</source>
         <translation>D’après le suivi en direct. Les valeurs définitives viennent de l’enregistrement, dans un instant.</translation>
     </message>
     <message>
-        <source>Final, from every picture of the recording.</source>
+        <source>Final, from every frame of the recording.</source>
         <translation>Définitif, d’après toutes les images de l’enregistrement.</translation>
     </message>
 </context>
 <context>
     <name>odo::RunResults</name>
     <message>
-        <source>%1 is measured.</source>
+        <source>%1 is analysed.</source>
         <translation>%1 est mesuré.</translation>
     </message>
     <message>
-        <source>It is recorded, but could not be measured: %1</source>
+        <source>Recorded, but not analysed: %1</source>
         <translation>Il est enregistré, mais n’a pas pu être mesuré&#xa0;: %1</translation>
     </message>
     <message>
@@ -12453,7 +12453,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>%1 est enregistré.</translation>
     </message>
     <message>
-        <source>It could not be recorded: %1</source>
+        <source>Recording failed: %1</source>
         <translation>Il n’a pas pu être enregistré&#xa0;: %1</translation>
     </message>
 </context>
@@ -12511,7 +12511,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>odo::SeriesKey</name>
     <message>
-        <source>Key to the lines</source>
+        <source>Legend</source>
         <translation>Légende des lignes</translation>
     </message>
     <message>
@@ -12610,7 +12610,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>&amp;Utiliser</translation>
     </message>
     <message>
-        <source>What was measured at this moment is right and is to be used, whatever speaks against it</source>
+        <source>Mark the sample at this moment as valid and use it, even if it was flagged</source>
         <translation>Ce qui a été mesuré à cet instant est juste et doit être utilisé, malgré tout ce qui s’y oppose</translation>
     </message>
     <message>
@@ -12618,7 +12618,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>&amp;Marquer</translation>
     </message>
     <message>
-        <source>What was measured at this moment is wrong and is not to be used</source>
+        <source>Mark the sample at this moment as a spike and do not use it</source>
         <translation>Ce qui a été mesuré à cet instant est faux et ne doit pas être utilisé</translation>
     </message>
     <message>
@@ -12626,7 +12626,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>&amp;Automatique</translation>
     </message>
     <message>
-        <source>Takes back what was said by hand at this moment</source>
+        <source>Remove the manual override at this moment</source>
         <translation>Annule ce qui a été dit à la main à cet instant</translation>
     </message>
 </context>
@@ -12778,7 +12778,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Fil&amp;mer ou arrêter</translation>
     </message>
     <message>
-        <source>Time recorded</source>
+        <source>Recorded time</source>
         <translation>Durée filmée</translation>
     </message>
     <message>
@@ -12786,7 +12786,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Filmer</translation>
     </message>
     <message>
-        <source>Writing the last pictures…</source>
+        <source>Writing the last frames…</source>
         <translation>Écriture des dernières images…</translation>
     </message>
     <message>
@@ -12798,7 +12798,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>F9 filme, F9 arrête&#xa0;; %1</translation>
     </message>
     <message>
-        <source>Call off</source>
+        <source>Cancel</source>
         <translation>Abandonner</translation>
     </message>
     <message>
@@ -12810,7 +12810,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Tenez-vous prêts</translation>
     </message>
     <message>
-        <source>Waiting for the robot at “%1”; it is recorded from a second before</source>
+        <source>Waiting for the robot at “%1”. The recording will include the second before</source>
         <translation>En attente du robot à «&#xa0;%1&#xa0;»&#xa0;; il est filmé à partir d’une seconde avant</translation>
     </message>
     <message>
@@ -13279,15 +13279,15 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Équipe %1</translation>
     </message>
     <message>
-        <source>A name on each line</source>
+        <source>One name per line</source>
         <translation>Un nom par ligne</translation>
     </message>
     <message>
-        <source>Members of the team, one on each line</source>
+        <source>Members of the team, one per line</source>
         <translation>Membres de l’équipe, un par ligne</translation>
     </message>
     <message>
-        <source>Record and importing propose these robots for the team&apos;s runs</source>
+        <source>Record and Import propose these robots for the team&apos;s runs</source>
         <translation>«&#xa0;Filmer&#xa0;» et l’importation proposent ces robots pour les passages de l’équipe</translation>
     </message>
     <message>
@@ -13329,11 +13329,11 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Toute épreuve</translation>
     </message>
     <message>
-        <source>Figure</source>
+        <source>Metric</source>
         <translation>Grandeur</translation>
     </message>
     <message>
-        <source>How the teams stand</source>
+        <source>Standings</source>
         <translation>Classement des équipes</translation>
     </message>
     <message>
@@ -13341,7 +13341,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>%1 (archivée)</translation>
     </message>
     <message>
-        <source>No team has a figure here</source>
+        <source>No team has a result for this metric</source>
         <translation>Aucune équipe n’a de valeur ici</translation>
     </message>
     <message numerus="yes">
@@ -13356,7 +13356,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>choisissez une épreuve pour les classer&#xa0;: les passages d’épreuves différentes ne peuvent pas être comparés</translation>
     </message>
     <message numerus="yes">
-        <source>%n trial(s) left out: measured by another course; measure them again</source>
+        <source>%n trial(s) not counted: analysed with a different course. Reanalyse them</source>
         <translation>
             <numerusform>%n essai exclu&#xa0;: mesuré sur un autre parcours&#xa0;; remesurez-le</numerusform>
             <numerusform>%n essais exclus&#xa0;: mesurés sur un autre parcours&#xa0;; remesurez-les</numerusform>
@@ -13775,7 +13775,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>odo::TimelineBar</name>
     <message>
-        <source>Time line</source>
+        <source>Timeline</source>
         <translation>Ligne de temps</translation>
     </message>
     <message>
@@ -13787,7 +13787,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Image</translation>
     </message>
     <message>
-        <source>Speed of playing</source>
+        <source>Playback speed</source>
         <translation>Vitesse de lecture</translation>
     </message>
     <message>
@@ -13972,7 +13972,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Aucune équipe n’est sélectionnée</translation>
     </message>
     <message>
-        <source>Select a team to see its trials through the term.</source>
+        <source>Select a team to see its results over the term.</source>
         <translation>Sélectionnez une équipe pour voir ses essais au fil du temps.</translation>
     </message>
 </context>
@@ -14093,7 +14093,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Score</translation>
     </message>
     <message>
-        <source>none: it was measured by another course than its task has now; measure it again</source>
+        <source>none: analysed with a different course than its task has now. Reanalyse the trial</source>
         <translation>aucun&#xa0;: il a été mesuré sur un autre parcours que celui de son épreuve&#xa0;; remesurez-le</translation>
     </message>
     <message>
@@ -14117,7 +14117,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Notes de l’essai</translation>
     </message>
     <message>
-        <source>What was changed on the robot? What should be remembered?</source>
+        <source>What did you change on the robot? What do you want to remember?</source>
         <translation>Qu’est-ce qui a été changé sur le robot&#xa0;? Que faut-il retenir&#xa0;?</translation>
     </message>
     <message>
@@ -14232,7 +14232,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
         <translation>Essais avec étoile seulement</translation>
     </message>
     <message>
-        <source>Show starred trials only</source>
+        <source>Show only starred trials</source>
         <translation>Ne montrer que les essais avec étoile</translation>
     </message>
 </context>
@@ -14317,11 +14317,11 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>odo::TroubleBar</name>
     <message>
-        <source>What is the matter</source>
+        <source>Problem</source>
         <translation>Ce qui ne va pas</translation>
     </message>
     <message>
-        <source>Put it right</source>
+        <source>Fix</source>
         <translation>Corriger</translation>
     </message>
 </context>
@@ -17405,7 +17405,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>ui.bring_file_back</name>
     <message>
-        <source>bring the file back to its place</source>
+        <source>move the file back there</source>
         <translation>remettez le fichier à sa place</translation>
     </message>
 </context>
@@ -17489,14 +17489,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>ui.choose_logo</name>
     <message>
-        <source>choose a PNG, JPEG or SVG picture</source>
+        <source>choose a PNG, JPEG or SVG image</source>
         <translation>choisissez une image PNG, JPEG ou SVG</translation>
     </message>
 </context>
 <context>
     <name>ui.choose_or_make_class</name>
     <message>
-        <source>choose one of them, or make it in the workbench</source>
+        <source>choose one of them, or create it in the workbench</source>
         <translation>choisissez-en une, ou créez-la dans la fenêtre d’Odograph</translation>
     </message>
 </context>
@@ -17692,7 +17692,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>ui.look_at_printer</name>
     <message>
-        <source>look at the printer and its queue, or save the report as PDF</source>
+        <source>check the printer and its queue, or save the report as PDF</source>
         <translation>regardez l’imprimante et sa file d’attente, ou enregistrez le rapport en PDF</translation>
     </message>
 </context>
@@ -17818,7 +17818,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>ui.no_further_page</name>
     <message>
-        <source>it takes no further page</source>
+        <source>it accepts no more pages</source>
         <translation>elle n’accepte plus de page</translation>
     </message>
 </context>
@@ -17846,14 +17846,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>ui.no_run_with_figure</name>
     <message>
-        <source>none of its teams has a run with the figure &apos;%1&apos;</source>
+        <source>none of its teams has a run with the metric &apos;%1&apos;</source>
         <translation>aucune de ses équipes n’a de passage avec la grandeur &apos;%1&apos;</translation>
     </message>
 </context>
 <context>
     <name>ui.no_run_with_figure_in_task</name>
     <message>
-        <source>none of its teams has a run with the figure &apos;%1&apos; in the task &apos;%2&apos;</source>
+        <source>none of its teams has a run with the metric &apos;%1&apos; in the task &apos;%2&apos;</source>
         <translation>aucune de ses équipes n’a de passage avec la grandeur &apos;%1&apos; dans l’épreuve &apos;%2&apos;</translation>
     </message>
 </context>
@@ -17937,14 +17937,14 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>ui.pages_not_taken</name>
     <message>
-        <source>it did not take the pages</source>
+        <source>it did not accept the pages</source>
         <translation>elle n’a pas accepté les pages</translation>
     </message>
 </context>
 <context>
     <name>ui.painting_floor</name>
     <message>
-        <source>painting the floor</source>
+        <source>drawing the floor</source>
         <translation>dessin du sol</translation>
     </message>
 </context>
@@ -17958,7 +17958,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>ui.picture_of</name>
     <message>
-        <source>picture %1 of %2</source>
+        <source>frame %1 of %2</source>
         <translation>image %1 sur %2</translation>
     </message>
 </context>
@@ -18140,7 +18140,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>ui.take_team_out</name>
     <message>
-        <source>take team %1 out of its class</source>
+        <source>remove team %1 from its class</source>
         <translation>retrait de l’équipe %1 de sa classe</translation>
     </message>
 </context>
@@ -18175,7 +18175,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>ui.track_or_choose_figure</name>
     <message>
-        <source>track its trials, or choose another task or figure</source>
+        <source>track its trials, or choose another task or metric</source>
         <translation>suivez ses essais, ou choisissez une autre épreuve ou grandeur</translation>
     </message>
 </context>
@@ -18203,7 +18203,7 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>ui.unarchive_class</name>
     <message>
-        <source>take class %1 out of the archive</source>
+        <source>restore class %1 from the archive</source>
         <translation>désarchivage de la classe %1</translation>
     </message>
 </context>
@@ -18217,28 +18217,28 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>ui.unarchive_trial</name>
     <message>
-        <source>take %1 out of the archive</source>
+        <source>restore %1 from the archive</source>
         <translation>désarchivage de %1</translation>
     </message>
 </context>
 <context>
     <name>ui.unarchive_trials</name>
     <message>
-        <source>take %1 trials out of the archive</source>
+        <source>restore %1 trials from the archive</source>
         <translation>désarchivage de %1 essais</translation>
     </message>
 </context>
 <context>
     <name>ui.undelete_trial</name>
     <message>
-        <source>take %1 out of the bin</source>
+        <source>restore %1 from the bin</source>
         <translation>restauration de %1 depuis la corbeille</translation>
     </message>
 </context>
 <context>
     <name>ui.undelete_trials</name>
     <message>
-        <source>take %1 trials out of the bin</source>
+        <source>restore %1 trials from the bin</source>
         <translation>restauration de %1 essais depuis la corbeille</translation>
     </message>
 </context>
@@ -18259,28 +18259,28 @@ Bien plus qu’attendu signifie que quelque chose n’est pas comme indiqué&#xa
 <context>
     <name>ui.unstar_trial</name>
     <message>
-        <source>take the star off %1</source>
+        <source>remove the star from %1</source>
         <translation>étoile retirée à %1</translation>
     </message>
 </context>
 <context>
     <name>ui.unstar_trials</name>
     <message>
-        <source>take the star off %1 trials</source>
+        <source>remove the star from %1 trials</source>
         <translation>étoile retirée à %1 essais</translation>
     </message>
 </context>
 <context>
     <name>ui.video_size_wrong</name>
     <message>
-        <source>its size of %1x%2 is odd, or not from 320x180 to 3840x2160</source>
+        <source>its size of %1x%2 has an odd number of pixels, or is not between 320x180 and 3840x2160</source>
         <translation>sa taille de %1x%2 est impaire, ou n’est pas comprise entre 320x180 et 3840x2160</translation>
     </message>
 </context>
 <context>
     <name>ui.video_speed_wrong</name>
     <message>
-        <source>its speed is not from 0.1 to 1</source>
+        <source>its speed is not between 0.1 and 1</source>
         <translation>sa vitesse n’est pas comprise entre 0,1 et 1</translation>
     </message>
 </context>

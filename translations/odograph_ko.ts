@@ -86,18 +86,18 @@
         <translation>이 카메라는 이때 녹화하고 있지 않았습니다</translation>
     </message>
     <message>
-        <source>This picture cannot be decoded</source>
+        <source>This frame cannot be decoded</source>
         <translation>이 영상을 디코딩할 수 없습니다</translation>
     </message>
 </context>
 <context>
     <name>ClassReport</name>
     <message>
-        <source>Rank: one more than the number of teams that are better beyond doubt (medians apart by more than 1.96 σ); teams of one rank cannot be told apart.</source>
+        <source>Rank: one more than the number of significantly better teams (medians differ by more than 1.96 σ). Teams of the same rank do not differ significantly.</source>
         <translation>순위: 확실히 더 나은 팀(중앙값 차이가 1.96 σ 초과)의 수에 1을 더한 값입니다. 순위가 같은 팀끼리는 우열을 가릴 수 없습니다.</translation>
     </message>
     <message numerus="yes">
-        <source>%n trial(s) left out: measured by another course; measure them again.</source>
+        <source>%n trial(s) not counted: analysed with a different course. Reanalyse them.</source>
         <translation>
             <numerusform>시행 %n개 제외: 다른 코스로 측정됨. 다시 측정하십시오.</numerusform>
         </translation>
@@ -167,7 +167,7 @@
         <translation>중앙값</translation>
     </message>
     <message>
-        <source>Through the term</source>
+        <source>Over the term</source>
         <translation>학기 중 변화</translation>
     </message>
     <message>
@@ -339,7 +339,7 @@
 <context>
     <name>ComparisonReport</name>
     <message>
-        <source>± one σ; grey, ≈: within the error</source>
+        <source>± one σ; grey, ≈: not significant</source>
         <translation>± 1 σ; 회색, ≈: 오차 이내</translation>
     </message>
     <message>
@@ -359,7 +359,7 @@
         <translation>과제의 경로를 따라</translation>
     </message>
     <message>
-        <source>along the way of the left run</source>
+        <source>along the path of the left run</source>
         <translation>왼쪽 주행의 경로를 따라</translation>
     </message>
     <message>
@@ -371,7 +371,7 @@
         <translation>움직임 시작으로 정렬, %1</translation>
     </message>
     <message>
-        <source>aligned by a place that both pass, %1</source>
+        <source>aligned by a point that both pass, %1</source>
         <translation>둘 다 지나는 위치로 정렬, %1</translation>
     </message>
     <message>
@@ -387,11 +387,11 @@
         <translation>%1: %2 분석, Odograph %3</translation>
     </message>
     <message>
-        <source>Both runs share their calibration: its error cancels as far as they do.</source>
+        <source>Both runs share their calibration: its uncertainty largely cancels.</source>
         <translation>두 주행이 보정을 공유합니다. 공유하는 만큼 보정 오차가 상쇄됩니다.</translation>
     </message>
     <message>
-        <source>The runs do not share their calibration: the errors of both count.</source>
+        <source>The runs have different calibrations: the uncertainties of both count.</source>
         <translation>두 주행이 보정을 공유하지 않습니다. 양쪽의 오차를 모두 셈에 넣습니다.</translation>
     </message>
     <message>
@@ -399,7 +399,7 @@
         <translation>%1, %2</translation>
     </message>
     <message>
-        <source>Speed along the way, %1</source>
+        <source>Speed over distance, %1</source>
         <translation>경로상의 속력, %1</translation>
     </message>
     <message>
@@ -411,7 +411,7 @@
         <translation>시간차, s</translation>
     </message>
     <message>
-        <source>above 0: the right run is later; grey: within the error</source>
+        <source>above 0: the right run is later; grey: not significant</source>
         <translation>0보다 크면 오른쪽 주행이 늦음; 회색: 오차 이내</translation>
     </message>
     <message>
@@ -419,7 +419,7 @@
         <translation>구간, s</translation>
     </message>
     <message>
-        <source>Figures</source>
+        <source>Metrics</source>
         <translation>지표</translation>
     </message>
 </context>
@@ -835,27 +835,27 @@
 <context>
     <name>FactExplanations</name>
     <message>
-        <source>The offset at which the tracks of the robot on the floor, as the two views see it, coincide: least squares of r(t) = p₁(t) − p₂((t − offset)(1 + rate)), with a constant shift and a small scale between them, searched in half frames and refined by Gauss–Newton. The clocks&apos; rate is taken where it is beyond three σ.</source>
+        <source>The time offset at which the robot&apos;s floor tracks from the two views coincide: least squares of r(t) = p₁(t) − p₂((t − offset)(1 + rate)), with a constant shift and a small scale between them, searched in steps of half a frame and refined by Gauss–Newton. The clock rate is used if it exceeds three σ.</source>
         <translation>두 뷰에서 본 로봇의 바닥 궤적이 일치하는 오프셋입니다. r(t) = p₁(t) − p₂((t − 오프셋)(1 + 시계 비율))의 최소 제곱으로 구하며, 둘 사이에 일정한 이동과 작은 축척을 허용하고, 반 프레임 간격으로 찾은 뒤 가우스–뉴턴법으로 정밀화합니다. 시계 비율은 3 σ를 넘을 때만 반영합니다.</translation>
     </message>
     <message>
-        <source>from the curvature of the sum of squares and the residual, which is taken as correlated over half a second</source>
+        <source>from the curvature of the sum of squares and from the residual, assumed to be correlated over half a second</source>
         <translation>제곱합의 곡률과 잔차에서 구하며, 잔차는 0.5초 동안 상관이 있다고 봄</translation>
     </message>
     <message>
-        <source>The offset at which the jumps of light that both views saw fall together, taken where no other offset comes within a factor of 150 of its likelihood: the pairs&apos; weighted mean.</source>
+        <source>The time offset at which the jumps in brightness in both views coincide: the weighted mean of the pairs. It is used if every other offset is at least 150 times less likely.</source>
         <translation>두 뷰가 모두 본 밝기의 급변이 서로 겹치는 오프셋입니다. 다른 어떤 오프셋의 가능도도 이것의 150분의 1을 넘지 못할 때만 채택하며, 쌍들의 가중 평균입니다.</translation>
     </message>
     <message>
-        <source>of the pairs, of their scatter, and a tenth of a frame interval for each view, for its shutter</source>
+        <source>from the pairs and their scatter, plus a tenth of a frame interval per view for its shutter</source>
         <translation>쌍들의 오차와 흩어짐, 그리고 셔터를 고려하여 뷰마다 프레임 간격의 10분의 1</translation>
     </message>
     <message>
-        <source>Each camera&apos;s time stamps, related to this computer&apos;s clock by readings of the camera&apos;s while it recorded.</source>
+        <source>Each camera&apos;s time stamps, converted to this computer&apos;s clock by reading the camera&apos;s clock during the recording.</source>
         <translation>각 카메라의 타임스탬프이며, 녹화하는 동안 카메라 시계를 읽어 이 컴퓨터의 시계와 맞춘 것입니다.</translation>
     </message>
     <message>
-        <source>of both relations of the clocks</source>
+        <source>from both clock conversions</source>
         <translation>두 시계 관계의 오차</translation>
     </message>
     <message>
@@ -863,19 +863,19 @@
         <translation>게이트 통과 시각</translation>
     </message>
     <message>
-        <source>When the robot&apos;s centre crosses the gate&apos;s line between its ends, the way the gate is passed: between two frames the smoothed position is the cubic through both places and velocities. It has passed when it was before the line by three σ of the track&apos;s own noise and then is past it by as much.</source>
+        <source>When the robot&apos;s reference point crosses the gate&apos;s line between its ends, in the direction of the gate. Between two frames, the smoothed position is the cubic through both positions and velocities. A passage counts if the point was before the line by three σ of the track&apos;s own noise and then is past it by as much.</source>
         <translation>로봇의 중심이 게이트 양 끝 사이의 선을 통과 방향으로 지나는 때입니다. 두 프레임 사이에서 평활화된 위치는 양쪽의 위치와 속도를 잇는 3차식입니다. 궤적 자체 잡음의 3 σ만큼 선 앞에 있다가 그만큼 선을 넘으면 통과한 것으로 봅니다.</translation>
     </message>
     <message>
-        <source>σ of the position across the gate over the speed across it, with the calibration&apos;s part</source>
+        <source>σ of the position across the gate divided by the speed across it, including the calibration&apos;s part</source>
         <translation>게이트에 수직인 방향 위치의 σ를 그 방향의 속력으로 나눈 값, 보정에서 오는 몫 포함</translation>
     </message>
     <message>
-        <source>From one passing of the start to the finish, or of the one gate to the next; of each split its first passing counts.</source>
+        <source>From a passage of the start to one of the finish, or from one passage of a start-finish gate to the next. Of each split, the first passage counts.</source>
         <translation>출발 통과에서 도착 통과까지, 게이트가 하나이면 그 게이트의 다음 통과까지입니다. 중간 게이트는 각각 처음 통과한 것만 셉니다.</translation>
     </message>
     <message>
-        <source>of both passages; the calibration&apos;s error of a gate that is passed twice at one speed cancels</source>
+        <source>from both passages; the calibration&apos;s uncertainty cancels for a gate passed twice at the same speed</source>
         <translation>두 통과 시각의 오차; 같은 게이트를 같은 속력으로 두 번 지나면 보정 오차는 상쇄됨</translation>
     </message>
     <message>
@@ -883,7 +883,7 @@
         <translation>%1까지: %2</translation>
     </message>
     <message>
-        <source>View %1 in step with the first</source>
+        <source>Synchronisation of view %1 with the first</source>
         <translation>뷰 %1과 첫째 뷰의 동기</translation>
     </message>
     <message>
@@ -895,7 +895,7 @@
         <translation>로봇 %1의 높이</translation>
     </message>
     <message>
-        <source>The solid (box or cylinder, on the floor or a plate at the robot&apos;s top) whose silhouettes the outlines in all views are, by weighted least squares at some forty times of the run; where no such solid explains them, the height at which all views put the robot at the same place.</source>
+        <source>The solid (box or cylinder, on the floor or a plate at the robot&apos;s top) whose silhouettes best match the outlines in all views, by weighted least squares at about forty times of the run. If no such solid explains them: the height at which all views give the same floor position.</source>
         <translation>모든 뷰의 윤곽을 실루엣으로 갖는 입체(바닥 위, 또는 로봇 윗면의 판인 상자나 원기둥)이며, 주행 중 약 40개 시각에서 가중 최소 제곱으로 구합니다. 그런 입체로 설명되지 않으면 모든 뷰가 로봇을 같은 위치에 놓는 높이입니다.</translation>
     </message>
 </context>
@@ -969,7 +969,7 @@
 <context>
     <name>HealthWatch</name>
     <message>
-        <source>The project can only be read</source>
+        <source>The project is read-only</source>
         <translation>프로젝트를 읽기만 할 수 있음</translation>
     </message>
     <message>
@@ -977,15 +977,15 @@
         <translation>카메라를 여는 중…</translation>
     </message>
     <message>
-        <source>No camera runs</source>
+        <source>No camera is running</source>
         <translation>작동 중인 카메라 없음</translation>
     </message>
     <message>
-        <source>No camera sends pictures</source>
+        <source>No camera sends frames</source>
         <translation>영상을 보내는 카메라 없음</translation>
     </message>
     <message>
-        <source>This project can only be read: nothing can be recorded into it.</source>
+        <source>This project is read-only: you cannot record into it.</source>
         <translation>이 프로젝트는 읽기만 할 수 있어 녹화할 수 없습니다.</translation>
     </message>
     <message>
@@ -1118,23 +1118,23 @@ GNU 일반 공중 사용 허가서(GPL) 버전 3 이상을 따르는 자유 소�
         <translation>%1부터 %2까지</translation>
     </message>
     <message>
-        <source>What the calibration adds to an angle is not known and not in it.</source>
+        <source>The calibration&apos;s contribution to an angle is unknown and not included.</source>
         <translation>보정이 각도에 더하는 오차는 알 수 없어 포함하지 않았습니다.</translation>
     </message>
     <message>
-        <source>The calibration&apos;s error of place is in it.</source>
+        <source>Includes the position uncertainty of the calibration.</source>
         <translation>보정의 위치 오차를 포함합니다.</translation>
     </message>
     <message>
-        <source>The calibration&apos;s error of scale is in it.</source>
+        <source>Includes the scale uncertainty of the calibration.</source>
         <translation>보정의 축척 오차를 포함합니다.</translation>
     </message>
     <message>
-        <source>Neighbours of a smoothed curve share their error, so it is averaged out by time and not by frames: with a spectrum of r/(1 + (ω/ω₀)⁶) for the position, ω₀ = √2 σv/σx.</source>
+        <source>Neighbouring points of a smoothed curve have correlated errors. They average out over time, not over frames: with a spectrum of r/(1 + (ω/ω₀)⁶) for the position, ω₀ = √2 σv/σx.</source>
         <translation>평활화된 곡선에서 이웃한 값은 오차를 공유하므로 오차는 프레임 수가 아니라 시간으로 평균됩니다. 위치의 스펙트럼을 r/(1 + (ω/ω₀)⁶), ω₀ = √2 σv/σx로 봅니다.</translation>
     </message>
     <message>
-        <source>Of the smoothed curve, each value for half the time to both neighbours: its mean, the median (half of the time stays below it), the least and the most beyond doubt (by the value plus or minus 2σ), and the spread √(mean of the squared distance from the mean).</source>
+        <source>From the smoothed curve, each value weighted by half the time to both neighbours: mean; median (the curve is below it half of the time); least and most, chosen by value + 2σ and value − 2σ; spread √(mean of the squared distance from the mean).</source>
         <translation>평활화된 곡선의 각 값이 양쪽 이웃까지 시간의 절반씩을 대표합니다. 평균, 중앙값(시간의 절반 동안 이보다 작음), 확실한 최솟값과 최댓값(값에 2σ를 더하거나 뺀 것으로 판단), 산포 √(평균과의 차이의 제곱 평균)를 구합니다.</translation>
     </message>
     <message>
@@ -1172,15 +1172,15 @@ GNU 일반 공중 사용 허가서(GPL) 버전 3 이상을 따르는 자유 소�
         </translation>
     </message>
     <message>
-        <source>not its shape: χ² is %1 times what the errors explain</source>
+        <source>does not fit: χ² is %1 times what the uncertainties explain</source>
         <translation>이 모양이 아님: χ²가 오차로 설명되는 값의 %1배</translation>
     </message>
     <message>
-        <source>fits; the stated errors are too large: χ² is %1 of what they let expect</source>
+        <source>fits; the stated uncertainties are too large: χ² is %1 of its expected value</source>
         <translation>맞음; 표시된 오차가 너무 큼: χ²가 기대되는 값의 %1배</translation>
     </message>
     <message>
-        <source>fits: χ² is %1 of what the errors let expect</source>
+        <source>fits: χ² is %1 of its expected value</source>
         <translation>맞음: χ²가 오차로 기대되는 값의 %1배</translation>
     </message>
     <message>
@@ -1188,11 +1188,11 @@ GNU 일반 공중 사용 허가서(GPL) 버전 3 이상을 따르는 자유 소�
         <translation>%1 피팅</translation>
     </message>
     <message>
-        <source>The polynomial in t − t₀ with the least Σ(residual/σ)² over %1, t₀ = %2. χ² is that sum, over what the errors let expect of it: the number of points less what the coefficients take up.</source>
+        <source>The polynomial in t − t₀ that minimises Σ(residual/σ)² over %1, t₀ = %2. χ² is that sum divided by its expected value: the number of points minus the degrees of freedom of the coefficients.</source>
         <translation>%1에 대하여 Σ(잔차/σ)²가 가장 작은, t − t₀의 다항식이며 t₀ = %2입니다. χ²는 이 합을 오차로 기대되는 값, 곧 점의 수에서 계수가 차지하는 수를 뺀 값으로 나눈 것입니다.</translation>
     </message>
     <message>
-        <source>the measured places that are used</source>
+        <source>the measured positions used</source>
         <translation>사용한 측정 위치</translation>
     </message>
     <message>
@@ -1200,11 +1200,11 @@ GNU 일반 공중 사용 허가서(GPL) 버전 3 이상을 따르는 자유 소�
         <translation>평활화된 곡선</translation>
     </message>
     <message>
-        <source>The larger of two: that of the measurements, widened by 1 + 2Σρ of the residuals where they hang together (here ×%1), and that of the smoothed curve, which knows what of their errors lasts.</source>
+        <source>The larger of two uncertainties: that of the measurements, widened by 1 + 2Σρ for correlated residuals (here ×%1), and that of the smoothed curve, including the errors that persist.</source>
         <translation>둘 중 큰 값: 측정값의 오차를 잔차가 서로 상관된 만큼 1 + 2Σρ로 넓힌 것(여기서는 ×%1)과, 측정 오차 가운데 오래 남는 부분까지 반영한 평활화된 곡선의 오차.</translation>
     </message>
     <message>
-        <source>That the shape is the true one is taken for granted; χ² far above 1 says that it is not. Below 1 it comes of a smoother that allows for more motion than there is.</source>
+        <source>Assumes that the shape is correct; χ² far above 1 shows that it is not. χ² below 1 means that the smoother allows for more motion than the robot made.</source>
         <translation>이 모양이 참이라고 전제합니다. χ²가 1보다 훨씬 크면 그렇지 않다는 뜻입니다. 1보다 작은 것은 평활기가 실제보다 많은 움직임을 허용하기 때문입니다.</translation>
     </message>
     <message>
@@ -1259,7 +1259,7 @@ GNU 일반 공중 사용 허가서(GPL) 버전 3 이상을 따르는 자유 소�
 <context>
     <name>RecordHealth</name>
     <message>
-        <source>trouble</source>
+        <source>problem</source>
         <translation>장애</translation>
     </message>
     <message>
@@ -1267,7 +1267,7 @@ GNU 일반 공중 사용 허가서(GPL) 버전 3 이상을 따르는 자유 소�
         <translation>느림</translation>
     </message>
     <message>
-        <source>losses</source>
+        <source>lost frames</source>
         <translation>누락</translation>
     </message>
     <message>
@@ -1287,11 +1287,11 @@ GNU 일반 공중 사용 허가서(GPL) 버전 3 이상을 따르는 자유 소�
         <translation>카메라 %1</translation>
     </message>
     <message>
-        <source>not seen</source>
+        <source>no camera sees it</source>
         <translation>보이지 않음</translation>
     </message>
     <message>
-        <source>unseen</source>
+        <source>not visible</source>
         <translation>안 보임</translation>
     </message>
     <message>
@@ -1303,7 +1303,7 @@ GNU 일반 공중 사용 허가서(GPL) 버전 3 이상을 따르는 자유 소�
         <translation>; 카메라 한 대에서만 보임</translation>
     </message>
     <message>
-        <source>seen</source>
+        <source>visible</source>
         <translation>보임</translation>
     </message>
     <message>
@@ -1311,11 +1311,11 @@ GNU 일반 공중 사용 허가서(GPL) 버전 3 이상을 따르는 자유 소�
         <translation>보통</translation>
     </message>
     <message>
-        <source>apart</source>
+        <source>poor</source>
         <translation>어긋남</translation>
     </message>
     <message>
-        <source>Step</source>
+        <source>Synchronisation</source>
         <translation>동기</translation>
     </message>
     <message>
@@ -1331,11 +1331,11 @@ GNU 일반 공중 사용 허가서(GPL) 버전 3 이상을 따르는 자유 소�
         <translation>디스크</translation>
     </message>
     <message>
-        <source>Camera %1 is not registered to the floor: it is recorded, but cannot tell where a robot is.</source>
+        <source>Camera %1 is not registered to the floor: it records, but cannot locate robots.</source>
         <translation>카메라 %1이(가) 바닥에 정합되지 않았습니다. 녹화는 되지만 로봇의 위치를 구할 수 없습니다.</translation>
     </message>
     <message>
-        <source>Camera %1 was registered for pictures of %2×%3, which it does not send now: it is recorded, but cannot tell where a robot is.</source>
+        <source>Camera %1 was registered with frames of %2×%3, but now sends another size: it records, but cannot locate robots.</source>
         <translation>카메라 %1은(는) %2×%3 영상으로 정합했으나 지금 보내는 영상은 그렇지 않습니다. 녹화는 되지만 로봇의 위치를 구할 수 없습니다.</translation>
     </message>
     <message>
@@ -1347,7 +1347,7 @@ GNU 일반 공중 사용 허가서(GPL) 버전 3 이상을 따르는 자유 소�
         <translation>카메라 %1: %2</translation>
     </message>
     <message>
-        <source>The disk is hardly fast enough: record to a faster one, or with fewer cameras.</source>
+        <source>The disk is barely fast enough: record to a faster one, or with fewer cameras.</source>
         <translation>디스크 속도가 빠듯합니다. 더 빠른 디스크에 녹화하거나 카메라 수를 줄이십시오.</translation>
     </message>
     <message>
@@ -1355,7 +1355,7 @@ GNU 일반 공중 사용 허가서(GPL) 버전 3 이상을 따르는 자유 소�
         <translation>디스크가 거의 찼습니다: %1</translation>
     </message>
     <message>
-        <source>The cameras are not in step: set both to the same rate.</source>
+        <source>The cameras are not synchronised: set both to the same frame rate.</source>
         <translation>카메라들의 동기가 맞지 않습니다. 둘 다 같은 프레임 속도로 설정하십시오.</translation>
     </message>
 </context>
@@ -1387,7 +1387,7 @@ GNU 일반 공중 사용 허가서(GPL) 버전 3 이상을 따르는 자유 소�
         <translation>평활화, ±95 % 띠 포함; 점: 측정값</translation>
     </message>
     <message>
-        <source>No curve: the robot was not seen</source>
+        <source>No curve: the robot was not detected</source>
         <translation>곡선 없음: 로봇이 보이지 않음</translation>
     </message>
 </context>
@@ -1476,7 +1476,7 @@ GNU 일반 공중 사용 허가서(GPL) 버전 3 이상을 따르는 자유 소�
         <translation>%1: 방법</translation>
     </message>
     <message>
-        <source>How the figures were computed</source>
+        <source>How the metrics were computed</source>
         <translation>지표를 계산한 방법</translation>
     </message>
     <message>
@@ -1527,11 +1527,11 @@ GNU 일반 공중 사용 허가서(GPL) 버전 3 이상을 따르는 자유 소�
 <context>
     <name>ReportStills</name>
     <message>
-        <source>no picture: the video cannot be read</source>
+        <source>no image: the video cannot be read</source>
         <translation>사진 없음: 동영상을 읽을 수 없음</translation>
     </message>
     <message>
-        <source>no picture: the video is missing</source>
+        <source>no image: the video is missing</source>
         <translation>사진 없음: 동영상을 찾을 수 없음</translation>
     </message>
 </context>
@@ -1562,7 +1562,7 @@ GNU 일반 공중 사용 허가서(GPL) 버전 3 이상을 따르는 자유 소�
         <translation>하늘색</translation>
     </message>
     <message>
-        <source>by itself</source>
+        <source>automatic</source>
         <translation>자동</translation>
     </message>
 </context>
@@ -1936,7 +1936,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>정합 안 됨</translation>
     </message>
     <message>
-        <source>In step</source>
+        <source>Synchronisation</source>
         <translation>동기</translation>
     </message>
     <message>
@@ -2000,7 +2000,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>과제</translation>
     </message>
     <message>
-        <source>measured by another course</source>
+        <source>analysed with a different course</source>
         <translation>다른 코스로 측정함</translation>
     </message>
     <message>
@@ -2008,7 +2008,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>점수</translation>
     </message>
     <message>
-        <source>none until it is measured again: the task has another course now</source>
+        <source>none until you reanalyse the trial: the task has a different course now</source>
         <translation>다시 측정할 때까지 없음: 과제의 코스가 바뀌었음</translation>
     </message>
     <message>
@@ -2072,7 +2072,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>결과</translation>
     </message>
     <message>
-        <source>%1: changed in the file since they were analysed. Analyse the trial again.</source>
+        <source>%1: changed in the file after the analysis. Reanalyse the trial.</source>
         <translation>%1: 분석 후 파일에서 변경되었습니다. 시행을 다시 분석하십시오.</translation>
     </message>
     <message>
@@ -2084,8 +2084,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>뷰</translation>
     </message>
     <message>
-        <source>doubtful</source>
-        <translation>의심</translation>
+        <source>inconsistent</source>
+        <translation>불일치</translation>
     </message>
 </context>
 <context>
@@ -2139,7 +2139,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>%1까지</translation>
     </message>
     <message>
-        <source>Figures</source>
+        <source>Metrics</source>
         <translation>지표</translation>
     </message>
     <message>
@@ -2151,7 +2151,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>참고 사항</translation>
     </message>
     <message>
-        <source>This trial has not been tracked yet: there are no figures.</source>
+        <source>This trial has not been tracked yet: it has no metrics.</source>
         <translation>이 시행은 아직 추적하지 않았으므로 지표가 없습니다.</translation>
     </message>
     <message>
@@ -2179,7 +2179,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>과제</translation>
     </message>
     <message>
-        <source>Do not rely on these results: they were changed in the file since they were analysed.</source>
+        <source>Do not rely on these results: they were changed in the file after the analysis.</source>
         <translation>이 결과를 신뢰하지 마십시오: 분석 후 파일에서 변경되었습니다.</translation>
     </message>
     <message>
@@ -8302,7 +8302,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>녹화에 쓸 카메라</translation>
     </message>
     <message>
-        <source>Device that is camera %1</source>
+        <source>Device for camera %1</source>
         <translation>카메라 %1에 해당하는 장치</translation>
     </message>
     <message>
@@ -8318,7 +8318,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>카메라 %1</translation>
     </message>
     <message>
-        <source>&amp;Look again</source>
+        <source>&amp;Search again</source>
         <translation>다시 찾기(&amp;L)</translation>
     </message>
     <message>
@@ -8338,15 +8338,15 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>%1(연결 안 됨)</translation>
     </message>
     <message>
-        <source>Looking for cameras…</source>
+        <source>Searching for cameras…</source>
         <translation>카메라를 찾는 중…</translation>
     </message>
     <message>
-        <source>Choose at least one camera. With two, the place of a robot is known better, and while one cannot see it.</source>
+        <source>Choose at least one camera. Two cameras locate a robot more accurately, and if one cannot see it, the other often can.</source>
         <translation>카메라를 하나 이상 선택하십시오. 두 대를 쓰면 로봇의 위치를 더 정확히 알 수 있고, 한 대가 로봇을 보지 못하는 동안에도 알 수 있습니다.</translation>
     </message>
     <message>
-        <source>One device cannot be two cameras.</source>
+        <source>You cannot use one device as two cameras.</source>
         <translation>장치 하나를 카메라 두 대로 쓸 수 없습니다.</translation>
     </message>
 </context>
@@ -8392,11 +8392,11 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>odo::CameraView</name>
     <message>
-        <source>in step to %1 ms</source>
+        <source>synchronised to %1 ms</source>
         <translation>동기 오차 %1 ms</translation>
     </message>
     <message>
-        <source>offset by hand</source>
+        <source>manual offset</source>
         <translation>오프셋 직접 지정</translation>
     </message>
     <message>
@@ -8416,18 +8416,18 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>카메라</translation>
     </message>
     <message>
-        <source>Picture of the camera</source>
+        <source>Camera image</source>
         <translation>카메라 영상</translation>
     </message>
     <message>
-        <source>Picture of %1</source>
+        <source>Image of %1</source>
         <translation>%1의 영상</translation>
     </message>
 </context>
 <context>
     <name>odo::CameraWishesDialog</name>
     <message>
-        <source>as the camera has it</source>
+        <source>set by the camera</source>
         <translation>카메라 기본값</translation>
     </message>
     <message>
@@ -8439,7 +8439,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>ms</translation>
     </message>
     <message>
-        <source>Ask for each picture, so that all such cameras take theirs together</source>
+        <source>Trigger each frame by software, at the same time for all cameras with this setting</source>
         <translation>프레임마다 촬영을 요청하여 해당 카메라들이 모두 동시에 찍게 합니다</translation>
     </message>
     <message>
@@ -8447,8 +8447,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>%1 설정</translation>
     </message>
     <message>
-        <source>Picture</source>
-        <translation>영상</translation>
+        <source>Format</source>
+        <translation>형식</translation>
     </message>
     <message>
         <source>Rate</source>
@@ -8463,8 +8463,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>소프트웨어 트리거</translation>
     </message>
     <message>
-        <source>&amp;Picture</source>
-        <translation>영상(&amp;P)</translation>
+        <source>&amp;Format</source>
+        <translation>형식(&amp;F)</translation>
     </message>
     <message>
         <source>&amp;Rate</source>
@@ -8479,7 +8479,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>트리거(&amp;T)</translation>
     </message>
     <message>
-        <source>What the camera cannot do is said when it is opened.</source>
+        <source>If the camera does not support a setting, a message says so when it opens.</source>
         <translation>카메라가 할 수 없는 것은 카메라를 열 때 알려 드립니다.</translation>
     </message>
     <message>
@@ -8487,7 +8487,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>이대로 사용</translation>
     </message>
     <message>
-        <source>the best for tracking</source>
+        <source>best for tracking</source>
         <translation>추적에 가장 적합</translation>
     </message>
 </context>
@@ -8548,23 +8548,23 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>odo::ChartPicture</name>
     <message>
-        <source>&amp;Copy as a picture</source>
+        <source>&amp;Copy as image</source>
         <translation>그림으로 복사(&amp;C)</translation>
     </message>
     <message>
-        <source>&amp;Save as a picture…</source>
+        <source>&amp;Save as image…</source>
         <translation>그림으로 저장(&amp;S)…</translation>
     </message>
     <message>
-        <source>SVG pictures (*.svg)</source>
+        <source>SVG images (*.svg)</source>
         <translation>SVG 그림 (*.svg)</translation>
     </message>
     <message>
-        <source>PNG pictures (*.png)</source>
+        <source>PNG images (*.png)</source>
         <translation>PNG 그림 (*.png)</translation>
     </message>
     <message>
-        <source>Save as a picture</source>
+        <source>Save as image</source>
         <translation>그림으로 저장</translation>
     </message>
     <message>
@@ -8587,7 +8587,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>차트: 전체 보기(&amp;A)</translation>
     </message>
     <message>
-        <source>Charts against the &amp;distance</source>
+        <source>Charts over &amp;distance</source>
         <translation>차트 가로축을 거리로(&amp;D)</translation>
     </message>
 </context>
@@ -8720,7 +8720,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>학급</translation>
     </message>
     <message>
-        <source>An archived class is out of the way: History, Record and the standings show its teams and trials only where it is chosen there by name</source>
+        <source>Archiving hides a class: History, Record and the standings show its teams and trials only if you choose the class by name</source>
         <translation>보관된 학급은 평소에 보이지 않습니다. 그 학급의 팀과 시행은 이력, 녹화, 순위표에서 그 학급을 직접 선택할 때만 나타납니다</translation>
     </message>
     <message>
@@ -8744,7 +8744,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>학급의 팀</translation>
     </message>
     <message>
-        <source>Double-click or F2 changes a name or a pseudonym</source>
+        <source>Double-click or press F2 to change a name or a pseudonym</source>
         <translation>두 번 클릭하거나 F2를 누르면 이름이나 가명을 바꿀 수 있습니다</translation>
     </message>
     <message numerus="yes">
@@ -8764,7 +8764,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>학급이 없는 팀</translation>
     </message>
     <message>
-        <source>Out of the &amp;archive</source>
+        <source>Restore from &amp;archive</source>
         <translation>보관 해제(&amp;A)</translation>
     </message>
     <message>
@@ -8799,11 +8799,11 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>구간</translation>
     </message>
     <message>
-        <source>Figures</source>
+        <source>Metrics</source>
         <translation>지표</translation>
     </message>
     <message>
-        <source>Run that is shown against the first</source>
+        <source>Run compared with the first one</source>
         <translation>첫째 주행과 견주어 표시할 주행</translation>
     </message>
     <message>
@@ -8815,7 +8815,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>게이트 사이의 시간</translation>
     </message>
     <message>
-        <source>Figures of both runs</source>
+        <source>Metrics of both runs</source>
         <translation>두 주행의 지표</translation>
     </message>
     <message>
@@ -8823,7 +8823,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>s · 지도의 게이트를 끌어 옮기기</translation>
     </message>
     <message>
-        <source>grey: within the error</source>
+        <source>grey: not significant</source>
         <translation>회색: 오차 이내</translation>
     </message>
     <message>
@@ -8835,27 +8835,27 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>대상: %1</translation>
     </message>
     <message>
-        <source>Later at the end</source>
+        <source>Behind at finish</source>
         <translation>끝에서 늦음</translation>
     </message>
     <message>
-        <source>Earlier at the end</source>
+        <source>Ahead at finish</source>
         <translation>끝에서 빠름</translation>
     </message>
     <message>
-        <source>At the end</source>
+        <source>Gap at finish</source>
         <translation>끝에서</translation>
     </message>
     <message>
-        <source>Later here</source>
+        <source>Behind at cursor</source>
         <translation>여기서 늦음</translation>
     </message>
     <message>
-        <source>Earlier here</source>
+        <source>Ahead at cursor</source>
         <translation>여기서 빠름</translation>
     </message>
     <message>
-        <source>Here</source>
+        <source>Gap at cursor</source>
         <translation>여기서</translation>
     </message>
 </context>
@@ -8866,11 +8866,11 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>평면 지도</translation>
     </message>
     <message>
-        <source>Map of the floor with the ways of the runs and the gates of the sectors</source>
+        <source>Floor map with the paths of the runs and the gates of the sectors</source>
         <translation>주행 경로와 구간 게이트가 표시된 바닥 지도</translation>
     </message>
     <message>
-        <source>Drag a gate along the way; with the keys: Up and Down choose one, Left and Right move it</source>
+        <source>Drag a gate along the path. Keys: Up and Down select a gate, Left and Right move it</source>
         <translation>게이트를 경로를 따라 끄십시오. 키보드: 위/아래로 게이트를 고르고 왼쪽/오른쪽으로 옮깁니다</translation>
     </message>
     <message>
@@ -8890,7 +8890,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>점선: 과제의 경로</translation>
     </message>
     <message>
-        <source>along the first run&apos;s way</source>
+        <source>along the first run&apos;s path</source>
         <translation>첫째 주행의 경로 기준</translation>
     </message>
     <message>
@@ -8909,15 +8909,15 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>이 주행들은 비교할 수 없습니다</translation>
     </message>
     <message>
-        <source>%1. What helps: %2.</source>
+        <source>%1. What to do: %2.</source>
         <translation>%1. 해결 방법: %2.</translation>
     </message>
     <message>
-        <source>Two runs are needed</source>
+        <source>Select two runs</source>
         <translation>주행이 두 개 필요합니다</translation>
     </message>
     <message>
-        <source>Comparing shows where one run is faster than another, and whether that is more than the error. Choose two trials that have been tracked, or bring in another one.</source>
+        <source>A comparison shows where one run is faster than the other, and whether the difference is significant. Select two tracked trials, or import another one.</source>
         <translation>비교는 한 주행이 다른 주행보다 어디에서 더 빠른지, 그리고 그 차이가 오차보다 큰지를 보여 줍니다. 추적을 마친 시행 두 개를 선택하거나 다른 시행을 가져오십시오.</translation>
     </message>
     <message>
@@ -9033,11 +9033,11 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>odo::DistanceChart</name>
     <message>
-        <source>Speed along the way</source>
+        <source>Speed over distance</source>
         <translation>경로상의 속력</translation>
     </message>
     <message>
-        <source>Time difference along the way</source>
+        <source>Time difference over distance</source>
         <translation>경로상의 시간차</translation>
     </message>
     <message>
@@ -9045,18 +9045,18 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>%1 · 평활화 ±95 %</translation>
     </message>
     <message>
-        <source>s · above 0: %2 is later than %1 · ±95 % · grey: within the error</source>
+        <source>s · above 0: %2 is later than %1 · ±95 % · grey: not significant</source>
         <translation>s · 0보다 크면 %2이(가) %1보다 늦음 · ±95 % · 회색: 오차 이내</translation>
     </message>
     <message>
-        <source>s · above 0: later than %1 · ±95 % · grey: within the error</source>
+        <source>s · above 0: later than %1 · ±95 % · grey: not significant</source>
         <translation>s · 0보다 크면 %1보다 늦음 · ±95 % · 회색: 오차 이내</translation>
     </message>
 </context>
 <context>
     <name>odo::DockGrip</name>
     <message>
-        <source>Drag to move, double click to float</source>
+        <source>Drag to move, double-click to float</source>
         <translation>끌어서 옮기고, 두 번 클릭하면 떼어 냅니다</translation>
     </message>
 </context>
@@ -9067,8 +9067,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>양호</translation>
     </message>
     <message>
-        <source>doubtful</source>
-        <translation>의심</translation>
+        <source>warning</source>
+        <translation>주의</translation>
     </message>
     <message>
         <source>bad</source>
@@ -9083,15 +9083,15 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>장비 진단</translation>
     </message>
     <message>
-        <source>What was found</source>
+        <source>Findings</source>
         <translation>진단 결과</translation>
     </message>
     <message>
-        <source>&amp;Look again</source>
+        <source>&amp;Check again</source>
         <translation>다시 진단(&amp;L)</translation>
     </message>
     <message>
-        <source>Looking…</source>
+        <source>Checking…</source>
         <translation>진단 중…</translation>
     </message>
     <message>
@@ -9099,22 +9099,22 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>. 조치: %1.</translation>
     </message>
     <message>
-        <source>Nothing was found that would disturb a recording.</source>
+        <source>Found nothing that would disturb a recording.</source>
         <translation>녹화에 지장을 줄 만한 것은 없습니다.</translation>
     </message>
     <message>
-        <source>There is one thing to look at.</source>
+        <source>Found one problem.</source>
         <translation>살펴볼 것이 하나 있습니다.</translation>
     </message>
     <message>
-        <source>There are %1 things to look at, the worst first.</source>
+        <source>Found %1 problems, the worst first.</source>
         <translation>살펴볼 것이 %1가지 있습니다. 가장 심각한 것이 먼저 나옵니다.</translation>
     </message>
 </context>
 <context>
     <name>odo::FigureGrid</name>
     <message>
-        <source>Figures</source>
+        <source>Metrics</source>
         <translation>지표</translation>
     </message>
     <message>
@@ -9374,11 +9374,11 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>지도: 뷰 간 불일치(&amp;V)</translation>
     </message>
     <message>
-        <source>Map of the floor with the robots&apos; trails</source>
+        <source>Floor map with the robots&apos; trails</source>
         <translation>로봇의 자취가 표시된 바닥 지도</translation>
     </message>
     <message>
-        <source>What colours the trails of the map</source>
+        <source>Colour of the trails on the map</source>
         <translation>지도 자취의 색 기준</translation>
     </message>
     <message>
@@ -9745,7 +9745,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>시행</translation>
     </message>
     <message>
-        <source>&amp;Measure again</source>
+        <source>Rea&amp;nalyse</source>
         <translation>다시 측정(&amp;M)</translation>
     </message>
     <message>
@@ -9781,7 +9781,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>선택한 시행을 비교합니다</translation>
     </message>
     <message>
-        <source>Select two trials or more (Ctrl or Shift and a click)</source>
+        <source>Select two or more trials (Ctrl+click or Shift+click)</source>
         <translation>시행을 두 개 이상 선택하십시오(Ctrl 또는 Shift를 누른 채 클릭)</translation>
     </message>
     <message numerus="yes">
@@ -10774,7 +10774,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>평면 지도</translation>
     </message>
     <message>
-        <source>How cameras, map and disk do</source>
+        <source>Health of cameras, map and disk</source>
         <translation>카메라, 지도, 디스크의 상태</translation>
     </message>
     <message>
@@ -10786,7 +10786,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>카메라 %1</translation>
     </message>
     <message>
-        <source>Live picture of %1</source>
+        <source>Live view of %1</source>
         <translation>%1의 실시간 영상</translation>
     </message>
     <message>
@@ -10806,11 +10806,11 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>실시간</translation>
     </message>
     <message>
-        <source>Waiting for the first picture…</source>
+        <source>Waiting for the first frame…</source>
         <translation>첫 영상을 기다리는 중…</translation>
     </message>
     <message>
-        <source>No picture now</source>
+        <source>No frames now</source>
         <translation>지금은 영상 없음</translation>
     </message>
     <message>
@@ -10821,7 +10821,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>odo::LiveCameraBox</name>
     <message>
-        <source>Camera that is connected</source>
+        <source>Connected camera</source>
         <translation>연결된 카메라</translation>
     </message>
     <message>
@@ -10829,7 +10829,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>%1, %2×%3</translation>
     </message>
     <message>
-        <source>Looking for cameras…</source>
+        <source>Searching for cameras…</source>
         <translation>카메라를 찾는 중…</translation>
     </message>
     <message>
@@ -10840,11 +10840,11 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>odo::LiveMap</name>
     <message>
-        <source>Map of the floor with the robots as they drive</source>
+        <source>Live floor map with the robots</source>
         <translation>주행 중인 로봇이 표시된 바닥 지도</translation>
     </message>
     <message>
-        <source>No camera is registered to the floor, so that no place on it can be told</source>
+        <source>No camera is registered to the floor: robots cannot be located</source>
         <translation>바닥에 정합된 카메라가 없어 바닥의 위치를 알 수 없습니다</translation>
     </message>
 </context>
@@ -10921,23 +10921,23 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>휴지통 비우기(&amp;E)…</translation>
     </message>
     <message>
-        <source>Take the &amp;star off</source>
+        <source>Remove &amp;star</source>
         <translation>별표 떼기(&amp;S)</translation>
     </message>
     <message>
-        <source>Out of the &amp;archive</source>
+        <source>Restore from &amp;archive</source>
         <translation>보관 해제(&amp;A)</translation>
     </message>
     <message>
-        <source>&amp;Put back</source>
+        <source>Rest&amp;ore</source>
         <translation>복원(&amp;P)</translation>
     </message>
     <message>
-        <source>Takes the selected trials out of the bin (Del)</source>
+        <source>Restore the selected trials from the bin (Del)</source>
         <translation>선택한 시행을 휴지통에서 꺼냅니다(Del)</translation>
     </message>
     <message>
-        <source>Puts the selected trials into the bin (Del); they can be put back</source>
+        <source>Move the selected trials to the bin (Del); you can restore them</source>
         <translation>선택한 시행을 휴지통에 넣습니다(Del). 복원할 수 있습니다</translation>
     </message>
     <message>
@@ -10951,7 +10951,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         </translation>
     </message>
     <message>
-        <source>Their videos (%1), measurements and results are removed from the disk. This cannot be undone.</source>
+        <source>This removes their videos (%1), measurements and results from the disk. You cannot undo it.</source>
         <translation>해당 동영상(%1)과 측정값과 결과가 디스크에서 삭제됩니다. 되돌릴 수 없습니다.</translation>
     </message>
     <message>
@@ -11424,7 +11424,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>위치 Y</translation>
     </message>
     <message>
-        <source>Quantity that the chart shows</source>
+        <source>Quantity of the chart</source>
         <translation>차트에 표시할 양</translation>
     </message>
     <message>
@@ -11456,15 +11456,15 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>반시계 방향이 양</translation>
     </message>
     <message>
-        <source>Chart: %1 against time</source>
+        <source>Chart: %1 over time</source>
         <translation>차트: 시간에 따른 %1</translation>
     </message>
     <message>
-        <source>Chart: %1 against the distance</source>
+        <source>Chart: %1 over distance</source>
         <translation>차트: 거리에 따른 %1</translation>
     </message>
     <message>
-        <source>shaded: hidden or doubtful</source>
+        <source>shaded: hidden or ambiguous</source>
         <translation>음영: 가려짐 또는 불확실</translation>
     </message>
 </context>
@@ -11479,15 +11479,15 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>피팅(&amp;F)</translation>
     </message>
     <message>
-        <source>Figures of the range</source>
+        <source>Statistics of the range</source>
         <translation>범위의 지표</translation>
     </message>
     <message>
-        <source>Robot whose range is shown</source>
+        <source>Robot of the statistics</source>
         <translation>범위를 표시할 로봇</translation>
     </message>
     <message>
-        <source>What is fitted to the curve</source>
+        <source>Function to fit to the curve</source>
         <translation>곡선에 피팅할 함수</translation>
     </message>
     <message>
@@ -11507,7 +11507,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>포물선</translation>
     </message>
     <message>
-        <source>Quantity that is fitted</source>
+        <source>Fitted quantity</source>
         <translation>피팅할 양</translation>
     </message>
 </context>
@@ -11518,11 +11518,11 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>연결된 카메라가 없습니다</translation>
     </message>
     <message>
-        <source>Connect a camera, or two, and look again. One that is connected and not found is a case for the set-up doctor.</source>
+        <source>Connect one or two cameras, then search again. If a connected camera is not found, run the set-up doctor.</source>
         <translation>카메라를 한 대나 두 대 연결하고 다시 찾으십시오. 연결했는데도 찾지 못하면 장비 진단을 실행하십시오.</translation>
     </message>
     <message>
-        <source>Look again</source>
+        <source>Search again</source>
         <translation>다시 찾기</translation>
     </message>
     <message>
@@ -11538,7 +11538,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>카메라…</translation>
     </message>
     <message>
-        <source>Choose which connected device is which camera of the project</source>
+        <source>Assign the connected devices to the cameras of the project</source>
         <translation>연결된 장치가 각각 프로젝트의 어느 카메라인지 지정합니다</translation>
     </message>
     <message>
@@ -11550,7 +11550,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>진단…</translation>
     </message>
     <message>
-        <source>Look for what makes cameras lose pictures, or measure wrongly, with advice</source>
+        <source>Check for what makes cameras lose frames or measure wrongly, and get advice</source>
         <translation>카메라의 영상 누락이나 잘못된 측정의 원인을 찾아 조치를 안내합니다</translation>
     </message>
     <message>
@@ -11653,15 +11653,15 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>과제(&amp;T)</translation>
     </message>
     <message>
-        <source>The usual one</source>
+        <source>Most common</source>
         <translation>주된 과제</translation>
     </message>
     <message>
-        <source>&amp;Figure</source>
+        <source>M&amp;etric</source>
         <translation>지표(&amp;F)</translation>
     </message>
     <message>
-        <source>What tells most</source>
+        <source>Most informative</source>
         <translation>가장 뜻있는 지표</translation>
     </message>
     <message>
@@ -11689,7 +11689,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>닫기</translation>
     </message>
     <message>
-        <source>There is nothing to print yet.</source>
+        <source>Nothing to print yet.</source>
         <translation>아직 인쇄할 것이 없습니다.</translation>
     </message>
     <message numerus="yes">
@@ -11712,7 +11712,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>쪽 미리 보기</translation>
     </message>
     <message>
-        <source>The pages are being painted…</source>
+        <source>Drawing the pages…</source>
         <translation>쪽을 그리는 중…</translation>
     </message>
     <message numerus="yes">
@@ -11858,7 +11858,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>시행 정보</translation>
     </message>
     <message>
-        <source>This trial has not been tracked yet. Tracking follows the robot through the videos and works out where it was and how fast.</source>
+        <source>This trial has not been tracked yet. Tracking follows the robot through the videos and computes its position and speed.</source>
         <translation>이 시행은 아직 추적하지 않았습니다. 추적은 동영상에서 로봇을 따라가며 어디에 있었고 얼마나 빨랐는지 구합니다.</translation>
     </message>
     <message>
@@ -11877,7 +11877,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>로봇의 실루엣(&amp;S)</translation>
     </message>
     <message>
-        <source>Outline what was taken for a robot in each view</source>
+        <source>Outline the detected robots in each view</source>
         <translation>각 화면에서 로봇으로 여긴 부분의 윤곽선을 그립니다</translation>
     </message>
 </context>
@@ -11888,7 +11888,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>아직 시행이 없습니다</translation>
     </message>
     <message>
-        <source>A trial is one run of a robot. Bring in the videos that your cameras took of it, and it will be shown here.</source>
+        <source>A trial is one run of a robot. Import the videos that your cameras took of it to see it here.</source>
         <translation>시행은 로봇의 주행 한 번입니다. 카메라로 찍은 동영상을 가져오면 여기에 나타납니다.</translation>
     </message>
     <message>
@@ -12143,7 +12143,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>로봇 가리키기(&amp;P)</translation>
     </message>
     <message>
-        <source>The wrong thing is outlined: click the robot in a picture, and the trial is tracked again (%1)</source>
+        <source>Wrong object outlined? Click the robot in a view to track the trial again (%1)</source>
         <translation>엉뚱한 것에 윤곽이 그려져 있습니다: 영상에서 로봇을 클릭하면 시행을 다시 추적합니다 (%1)</translation>
     </message>
     <message>
@@ -12151,7 +12151,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>이것이 %1입니다: 다시 추적</translation>
     </message>
     <message>
-        <source>Find %1 without help</source>
+        <source>Find %1 automatically</source>
         <translation>도움 없이 %1 찾기</translation>
     </message>
 </context>
@@ -12229,7 +12229,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>현재 차례</translation>
     </message>
     <message>
-        <source>Robots that drive</source>
+        <source>Robots of this run</source>
         <translation>주행하는 로봇</translation>
     </message>
     <message>
@@ -12261,15 +12261,15 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>랩 수(&amp;L)</translation>
     </message>
     <message>
-        <source>Laps until it ends</source>
+        <source>Number of laps</source>
         <translation>끝날 때까지의 랩 수</translation>
     </message>
     <message>
-        <source>Team that is up</source>
+        <source>Team of this run</source>
         <translation>차례인 팀</translation>
     </message>
     <message>
-        <source>How the recording begins</source>
+        <source>When the recording begins</source>
         <translation>녹화 시작 방법</translation>
     </message>
     <message>
@@ -12324,7 +12324,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>둘째 주행</translation>
     </message>
     <message>
-        <source>The moment that counts as the same</source>
+        <source>How to align the runs</source>
         <translation>같은 때로 보는 순간</translation>
     </message>
     <message>
@@ -12332,7 +12332,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>두 주행 맞바꾸기</translation>
     </message>
     <message>
-        <source>Further runs</source>
+        <source>Add more runs</source>
         <translation>다른 주행</translation>
     </message>
     <message>
@@ -12340,7 +12340,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>시간 이동(&amp;S)</translation>
     </message>
     <message>
-        <source>Pla&amp;ce</source>
+        <source>Distan&amp;ce</source>
         <translation>위치(&amp;C)</translation>
     </message>
     <message>
@@ -12352,7 +12352,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation> s</translation>
     </message>
     <message>
-        <source>How much later the second run&apos;s moment lies</source>
+        <source>Time shift of the second run; positive: later</source>
         <translation>둘째 주행의 그 순간이 얼마나 늦은지</translation>
     </message>
     <message>
@@ -12360,11 +12360,11 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation> m</translation>
     </message>
     <message>
-        <source>where all have begun</source>
+        <source>first common point</source>
         <translation>모두 출발한 곳</translation>
     </message>
     <message>
-        <source>How far along the way the runs are taken to be at the same time</source>
+        <source>Distance along the path at which the runs are aligned</source>
         <translation>경로의 어디에서 주행들이 같은 시각에 있다고 볼지</translation>
     </message>
     <message>
@@ -12384,7 +12384,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>자동: %1</translation>
     </message>
     <message>
-        <source>There are no further runs</source>
+        <source>No more runs</source>
         <translation>다른 주행이 없습니다</translation>
     </message>
 </context>
@@ -12399,11 +12399,11 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>검토에서 열기(&amp;O)</translation>
     </message>
     <message>
-        <source>The figures of a run stand here a moment after it has ended.</source>
+        <source>The results appear here shortly after the run ends.</source>
         <translation>주행이 끝나고 잠시 뒤에 그 지표가 여기에 나옵니다.</translation>
     </message>
     <message>
-        <source>Measuring…</source>
+        <source>Analysing…</source>
         <translation>측정 중…</translation>
     </message>
     <message>
@@ -12411,22 +12411,22 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>표시된 이상점</translation>
     </message>
     <message>
-        <source>From live tracking. The final figures come from the recording, in a moment.</source>
+        <source>From live tracking. The final results follow shortly, from the recording.</source>
         <translation>실시간 추적의 결과입니다. 최종 지표는 잠시 뒤 녹화에서 구합니다.</translation>
     </message>
     <message>
-        <source>Final, from every picture of the recording.</source>
+        <source>Final, from every frame of the recording.</source>
         <translation>최종 결과, 녹화의 모든 프레임에서 구함.</translation>
     </message>
 </context>
 <context>
     <name>odo::RunResults</name>
     <message>
-        <source>%1 is measured.</source>
+        <source>%1 is analysed.</source>
         <translation>%1 측정을 마쳤습니다.</translation>
     </message>
     <message>
-        <source>It is recorded, but could not be measured: %1</source>
+        <source>Recorded, but not analysed: %1</source>
         <translation>녹화했으나 측정하지 못했습니다: %1</translation>
     </message>
     <message>
@@ -12434,7 +12434,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>%1 녹화를 마쳤습니다.</translation>
     </message>
     <message>
-        <source>It could not be recorded: %1</source>
+        <source>Recording failed: %1</source>
         <translation>녹화하지 못했습니다: %1</translation>
     </message>
 </context>
@@ -12492,7 +12492,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>odo::SeriesKey</name>
     <message>
-        <source>Key to the lines</source>
+        <source>Legend</source>
         <translation>선 범례</translation>
     </message>
     <message>
@@ -12591,7 +12591,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>샘플 사용(&amp;U)</translation>
     </message>
     <message>
-        <source>What was measured at this moment is right and is to be used, whatever speaks against it</source>
+        <source>Mark the sample at this moment as valid and use it, even if it was flagged</source>
         <translation>이 순간의 측정값은 옳으며, 반하는 근거가 있더라도 사용합니다</translation>
     </message>
     <message>
@@ -12599,7 +12599,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>이상점으로 표시(&amp;S)</translation>
     </message>
     <message>
-        <source>What was measured at this moment is wrong and is not to be used</source>
+        <source>Mark the sample at this moment as a spike and do not use it</source>
         <translation>이 순간의 측정값은 틀렸으며 사용하지 않습니다</translation>
     </message>
     <message>
@@ -12607,7 +12607,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>자동(&amp;A)</translation>
     </message>
     <message>
-        <source>Takes back what was said by hand at this moment</source>
+        <source>Remove the manual override at this moment</source>
         <translation>이 순간에 직접 판정한 것을 되돌립니다</translation>
     </message>
 </context>
@@ -12759,7 +12759,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>녹화 또는 정지(&amp;R)</translation>
     </message>
     <message>
-        <source>Time recorded</source>
+        <source>Recorded time</source>
         <translation>녹화한 시간</translation>
     </message>
     <message>
@@ -12767,7 +12767,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>녹화</translation>
     </message>
     <message>
-        <source>Writing the last pictures…</source>
+        <source>Writing the last frames…</source>
         <translation>마지막 영상을 기록하는 중…</translation>
     </message>
     <message>
@@ -12779,7 +12779,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>F9로 녹화, F9로 정지; %1</translation>
     </message>
     <message>
-        <source>Call off</source>
+        <source>Cancel</source>
         <translation>취소</translation>
     </message>
     <message>
@@ -12791,7 +12791,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>준비하십시오</translation>
     </message>
     <message>
-        <source>Waiting for the robot at “%1”; it is recorded from a second before</source>
+        <source>Waiting for the robot at “%1”. The recording will include the second before</source>
         <translation>“%1”에서 로봇을 기다리는 중; 1초 전부터 녹화합니다</translation>
     </message>
     <message>
@@ -13253,15 +13253,15 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>팀 %1</translation>
     </message>
     <message>
-        <source>A name on each line</source>
+        <source>One name per line</source>
         <translation>한 줄에 이름 하나씩</translation>
     </message>
     <message>
-        <source>Members of the team, one on each line</source>
+        <source>Members of the team, one per line</source>
         <translation>팀원, 한 줄에 한 명씩</translation>
     </message>
     <message>
-        <source>Record and importing propose these robots for the team&apos;s runs</source>
+        <source>Record and Import propose these robots for the team&apos;s runs</source>
         <translation>녹화와 가져오기에서 이 팀의 주행에 이 로봇들을 제안합니다</translation>
     </message>
     <message>
@@ -13302,11 +13302,11 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>모든 과제</translation>
     </message>
     <message>
-        <source>Figure</source>
+        <source>Metric</source>
         <translation>지표</translation>
     </message>
     <message>
-        <source>How the teams stand</source>
+        <source>Standings</source>
         <translation>팀 순위표</translation>
     </message>
     <message>
@@ -13314,7 +13314,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>%1(보관됨)</translation>
     </message>
     <message>
-        <source>No team has a figure here</source>
+        <source>No team has a result for this metric</source>
         <translation>여기에 지표가 있는 팀이 없습니다</translation>
     </message>
     <message numerus="yes">
@@ -13328,7 +13328,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>과제를 선택하면 순위를 매깁니다. 서로 다른 과제의 주행은 비교할 수 없습니다</translation>
     </message>
     <message numerus="yes">
-        <source>%n trial(s) left out: measured by another course; measure them again</source>
+        <source>%n trial(s) not counted: analysed with a different course. Reanalyse them</source>
         <translation>
             <numerusform>시행 %n개 제외: 다른 코스로 측정됨. 다시 측정하십시오</numerusform>
         </translation>
@@ -13746,7 +13746,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>odo::TimelineBar</name>
     <message>
-        <source>Time line</source>
+        <source>Timeline</source>
         <translation>타임라인</translation>
     </message>
     <message>
@@ -13758,7 +13758,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>프레임</translation>
     </message>
     <message>
-        <source>Speed of playing</source>
+        <source>Playback speed</source>
         <translation>재생 속도</translation>
     </message>
     <message>
@@ -13939,7 +13939,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>선택한 팀이 없습니다</translation>
     </message>
     <message>
-        <source>Select a team to see its trials through the term.</source>
+        <source>Select a team to see its results over the term.</source>
         <translation>팀을 선택하면 학기 중 시행이 나옵니다.</translation>
     </message>
 </context>
@@ -14060,7 +14060,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>점수</translation>
     </message>
     <message>
-        <source>none: it was measured by another course than its task has now; measure it again</source>
+        <source>none: analysed with a different course than its task has now. Reanalyse the trial</source>
         <translation>없음: 과제의 현재 코스와 다른 코스로 측정함. 다시 측정하십시오</translation>
     </message>
     <message>
@@ -14084,7 +14084,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>시행 메모</translation>
     </message>
     <message>
-        <source>What was changed on the robot? What should be remembered?</source>
+        <source>What did you change on the robot? What do you want to remember?</source>
         <translation>로봇에서 무엇을 바꾸었습니까? 기억해 둘 것은 무엇입니까?</translation>
     </message>
     <message>
@@ -14199,7 +14199,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>별표 시행만</translation>
     </message>
     <message>
-        <source>Show starred trials only</source>
+        <source>Show only starred trials</source>
         <translation>별표를 붙인 시행만 표시합니다</translation>
     </message>
 </context>
@@ -14284,11 +14284,11 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>odo::TroubleBar</name>
     <message>
-        <source>What is the matter</source>
+        <source>Problem</source>
         <translation>문제 내용</translation>
     </message>
     <message>
-        <source>Put it right</source>
+        <source>Fix</source>
         <translation>문제 해결</translation>
     </message>
 </context>
@@ -17372,7 +17372,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>ui.bring_file_back</name>
     <message>
-        <source>bring the file back to its place</source>
+        <source>move the file back there</source>
         <translation>파일을 제자리에 돌려놓으십시오</translation>
     </message>
 </context>
@@ -17456,14 +17456,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>ui.choose_logo</name>
     <message>
-        <source>choose a PNG, JPEG or SVG picture</source>
+        <source>choose a PNG, JPEG or SVG image</source>
         <translation>PNG, JPEG 또는 SVG 그림을 고르십시오</translation>
     </message>
 </context>
 <context>
     <name>ui.choose_or_make_class</name>
     <message>
-        <source>choose one of them, or make it in the workbench</source>
+        <source>choose one of them, or create it in the workbench</source>
         <translation>그중 하나를 고르거나 창에서 학급을 만드십시오</translation>
     </message>
 </context>
@@ -17659,7 +17659,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>ui.look_at_printer</name>
     <message>
-        <source>look at the printer and its queue, or save the report as PDF</source>
+        <source>check the printer and its queue, or save the report as PDF</source>
         <translation>프린터와 대기열을 확인하거나 보고서를 PDF로 저장하십시오</translation>
     </message>
 </context>
@@ -17785,7 +17785,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>ui.no_further_page</name>
     <message>
-        <source>it takes no further page</source>
+        <source>it accepts no more pages</source>
         <translation>더 이상 쪽을 받지 않습니다</translation>
     </message>
 </context>
@@ -17813,14 +17813,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>ui.no_run_with_figure</name>
     <message>
-        <source>none of its teams has a run with the figure &apos;%1&apos;</source>
+        <source>none of its teams has a run with the metric &apos;%1&apos;</source>
         <translation>지표 &apos;%1&apos;이(가) 있는 주행을 한 팀이 없습니다</translation>
     </message>
 </context>
 <context>
     <name>ui.no_run_with_figure_in_task</name>
     <message>
-        <source>none of its teams has a run with the figure &apos;%1&apos; in the task &apos;%2&apos;</source>
+        <source>none of its teams has a run with the metric &apos;%1&apos; in the task &apos;%2&apos;</source>
         <translation>과제 &apos;%2&apos;에서 지표 &apos;%1&apos;이(가) 있는 주행을 한 팀이 없습니다</translation>
     </message>
 </context>
@@ -17904,14 +17904,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>ui.pages_not_taken</name>
     <message>
-        <source>it did not take the pages</source>
+        <source>it did not accept the pages</source>
         <translation>쪽을 받지 않았습니다</translation>
     </message>
 </context>
 <context>
     <name>ui.painting_floor</name>
     <message>
-        <source>painting the floor</source>
+        <source>drawing the floor</source>
         <translation>바닥 그리는 중</translation>
     </message>
 </context>
@@ -17925,7 +17925,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>ui.picture_of</name>
     <message>
-        <source>picture %1 of %2</source>
+        <source>frame %1 of %2</source>
         <translation>영상 %2장 중 %1</translation>
     </message>
 </context>
@@ -18107,7 +18107,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>ui.take_team_out</name>
     <message>
-        <source>take team %1 out of its class</source>
+        <source>remove team %1 from its class</source>
         <translation>팀 %1을(를) 학급에서 빼기</translation>
     </message>
 </context>
@@ -18142,7 +18142,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>ui.track_or_choose_figure</name>
     <message>
-        <source>track its trials, or choose another task or figure</source>
+        <source>track its trials, or choose another task or metric</source>
         <translation>시행을 추적하거나 다른 과제나 지표를 고르십시오</translation>
     </message>
 </context>
@@ -18170,7 +18170,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>ui.unarchive_class</name>
     <message>
-        <source>take class %1 out of the archive</source>
+        <source>restore class %1 from the archive</source>
         <translation>학급 %1 보관 해제</translation>
     </message>
 </context>
@@ -18184,28 +18184,28 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>ui.unarchive_trial</name>
     <message>
-        <source>take %1 out of the archive</source>
+        <source>restore %1 from the archive</source>
         <translation>%1 보관 해제</translation>
     </message>
 </context>
 <context>
     <name>ui.unarchive_trials</name>
     <message>
-        <source>take %1 trials out of the archive</source>
+        <source>restore %1 trials from the archive</source>
         <translation>시행 %1개 보관 해제</translation>
     </message>
 </context>
 <context>
     <name>ui.undelete_trial</name>
     <message>
-        <source>take %1 out of the bin</source>
+        <source>restore %1 from the bin</source>
         <translation>%1 휴지통에서 복원</translation>
     </message>
 </context>
 <context>
     <name>ui.undelete_trials</name>
     <message>
-        <source>take %1 trials out of the bin</source>
+        <source>restore %1 trials from the bin</source>
         <translation>시행 %1개 휴지통에서 복원</translation>
     </message>
 </context>
@@ -18226,28 +18226,28 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>ui.unstar_trial</name>
     <message>
-        <source>take the star off %1</source>
+        <source>remove the star from %1</source>
         <translation>%1 별표 떼기</translation>
     </message>
 </context>
 <context>
     <name>ui.unstar_trials</name>
     <message>
-        <source>take the star off %1 trials</source>
+        <source>remove the star from %1 trials</source>
         <translation>시행 %1개 별표 떼기</translation>
     </message>
 </context>
 <context>
     <name>ui.video_size_wrong</name>
     <message>
-        <source>its size of %1x%2 is odd, or not from 320x180 to 3840x2160</source>
+        <source>its size of %1x%2 has an odd number of pixels, or is not between 320x180 and 3840x2160</source>
         <translation>크기 %1x%2이(가) 홀수이거나 320x180에서 3840x2160 사이가 아닙니다</translation>
     </message>
 </context>
 <context>
     <name>ui.video_speed_wrong</name>
     <message>
-        <source>its speed is not from 0.1 to 1</source>
+        <source>its speed is not between 0.1 and 1</source>
         <translation>속도가 0.1에서 1 사이가 아닙니다</translation>
     </message>
 </context>

@@ -86,18 +86,18 @@
         <translation>此时该相机没有在录制</translation>
     </message>
     <message>
-        <source>This picture cannot be decoded</source>
+        <source>This frame cannot be decoded</source>
         <translation>此画面无法解码</translation>
     </message>
 </context>
 <context>
     <name>ClassReport</name>
     <message>
-        <source>Rank: one more than the number of teams that are better beyond doubt (medians apart by more than 1.96 σ); teams of one rank cannot be told apart.</source>
+        <source>Rank: one more than the number of significantly better teams (medians differ by more than 1.96 σ). Teams of the same rank do not differ significantly.</source>
         <translation>名次：确定更好（中位数相差超过 1.96 σ）的小组数加一；同名次的小组无法区分优劣。</translation>
     </message>
     <message numerus="yes">
-        <source>%n trial(s) left out: measured by another course; measure them again.</source>
+        <source>%n trial(s) not counted: analysed with a different course. Reanalyse them.</source>
         <translation>
             <numerusform>有 %n 次试验未计入：是按另一赛道测量的，请重新测量。</numerusform>
         </translation>
@@ -167,7 +167,7 @@
         <translation>中位数</translation>
     </message>
     <message>
-        <source>Through the term</source>
+        <source>Over the term</source>
         <translation>本学期的变化</translation>
     </message>
     <message>
@@ -339,7 +339,7 @@
 <context>
     <name>ComparisonReport</name>
     <message>
-        <source>± one σ; grey, ≈: within the error</source>
+        <source>± one σ; grey, ≈: not significant</source>
         <translation>± 一个 σ；灰色、≈：在误差范围内</translation>
     </message>
     <message>
@@ -359,7 +359,7 @@
         <translation>沿任务的路径</translation>
     </message>
     <message>
-        <source>along the way of the left run</source>
+        <source>along the path of the left run</source>
         <translation>沿左栏运行的路线</translation>
     </message>
     <message>
@@ -371,7 +371,7 @@
         <translation>按开始运动对齐，%1</translation>
     </message>
     <message>
-        <source>aligned by a place that both pass, %1</source>
+        <source>aligned by a point that both pass, %1</source>
         <translation>按两者都经过的一处对齐，%1</translation>
     </message>
     <message>
@@ -387,11 +387,11 @@
         <translation>%1：分析于 %2，Odograph %3</translation>
     </message>
     <message>
-        <source>Both runs share their calibration: its error cancels as far as they do.</source>
+        <source>Both runs share their calibration: its uncertainty largely cancels.</source>
         <translation>两次运行共用标定：共用的部分误差相互抵消。</translation>
     </message>
     <message>
-        <source>The runs do not share their calibration: the errors of both count.</source>
+        <source>The runs have different calibrations: the uncertainties of both count.</source>
         <translation>两次运行不共用标定：两者的误差都计入。</translation>
     </message>
     <message>
@@ -399,7 +399,7 @@
         <translation>%1 与 %2</translation>
     </message>
     <message>
-        <source>Speed along the way, %1</source>
+        <source>Speed over distance, %1</source>
         <translation>沿程速度，%1</translation>
     </message>
     <message>
@@ -411,7 +411,7 @@
         <translation>时间差，s</translation>
     </message>
     <message>
-        <source>above 0: the right run is later; grey: within the error</source>
+        <source>above 0: the right run is later; grey: not significant</source>
         <translation>大于 0：右栏的运行较晚；灰色：在误差范围内</translation>
     </message>
     <message>
@@ -419,7 +419,7 @@
         <translation>区段，s</translation>
     </message>
     <message>
-        <source>Figures</source>
+        <source>Metrics</source>
         <translation>指标</translation>
     </message>
 </context>
@@ -835,27 +835,27 @@
 <context>
     <name>FactExplanations</name>
     <message>
-        <source>The offset at which the tracks of the robot on the floor, as the two views see it, coincide: least squares of r(t) = p₁(t) − p₂((t − offset)(1 + rate)), with a constant shift and a small scale between them, searched in half frames and refined by Gauss–Newton. The clocks&apos; rate is taken where it is beyond three σ.</source>
+        <source>The time offset at which the robot&apos;s floor tracks from the two views coincide: least squares of r(t) = p₁(t) − p₂((t − offset)(1 + rate)), with a constant shift and a small scale between them, searched in steps of half a frame and refined by Gauss–Newton. The clock rate is used if it exceeds three σ.</source>
         <translation>使机器人在地面上由两个视角所见的轨迹重合的时间偏移：对 r(t) = p₁(t) − p₂((t − 偏移)(1 + 速率)) 作最小二乘，两者之间允许有恒定位移和微小的尺度差，先以半帧为步长搜索，再用 Gauss–Newton 法细化。时钟速率只有超过三个 σ 时才采用。</translation>
     </message>
     <message>
-        <source>from the curvature of the sum of squares and the residual, which is taken as correlated over half a second</source>
+        <source>from the curvature of the sum of squares and from the residual, assumed to be correlated over half a second</source>
         <translation>由平方和的曲率与残差得出，并认为残差在半秒内相关</translation>
     </message>
     <message>
-        <source>The offset at which the jumps of light that both views saw fall together, taken where no other offset comes within a factor of 150 of its likelihood: the pairs&apos; weighted mean.</source>
+        <source>The time offset at which the jumps in brightness in both views coincide: the weighted mean of the pairs. It is used if every other offset is at least 150 times less likely.</source>
         <translation>使两个视角都看到的亮度突变相重合的时间偏移；只有当其他偏移的似然都不到它的 1/150 时才采用：取各对的加权平均值。</translation>
     </message>
     <message>
-        <source>of the pairs, of their scatter, and a tenth of a frame interval for each view, for its shutter</source>
+        <source>from the pairs and their scatter, plus a tenth of a frame interval per view for its shutter</source>
         <translation>各对的误差、各对的离散，以及每个视角因快门而计入的十分之一帧间隔</translation>
     </message>
     <message>
-        <source>Each camera&apos;s time stamps, related to this computer&apos;s clock by readings of the camera&apos;s while it recorded.</source>
+        <source>Each camera&apos;s time stamps, converted to this computer&apos;s clock by reading the camera&apos;s clock during the recording.</source>
         <translation>各相机的时间戳；录制时读取相机时钟，由此与本计算机的时钟建立关系。</translation>
     </message>
     <message>
-        <source>of both relations of the clocks</source>
+        <source>from both clock conversions</source>
         <translation>两个时钟关系的误差</translation>
     </message>
     <message>
@@ -863,19 +863,19 @@
         <translation>通过计时门的时间</translation>
     </message>
     <message>
-        <source>When the robot&apos;s centre crosses the gate&apos;s line between its ends, the way the gate is passed: between two frames the smoothed position is the cubic through both places and velocities. It has passed when it was before the line by three σ of the track&apos;s own noise and then is past it by as much.</source>
+        <source>When the robot&apos;s reference point crosses the gate&apos;s line between its ends, in the direction of the gate. Between two frames, the smoothed position is the cubic through both positions and velocities. A passage counts if the point was before the line by three σ of the track&apos;s own noise and then is past it by as much.</source>
         <translation>机器人中心按通过方向在计时门两端之间越过门线的时刻：两帧之间的平滑位置取经过两处位置和速度的三次曲线。先在门线之前、再到门线之后，均超过轨迹自身噪声的三个 σ，才算通过。</translation>
     </message>
     <message>
-        <source>σ of the position across the gate over the speed across it, with the calibration&apos;s part</source>
+        <source>σ of the position across the gate divided by the speed across it, including the calibration&apos;s part</source>
         <translation>垂直于计时门方向位置的 σ 除以同方向的速度，含标定部分</translation>
     </message>
     <message>
-        <source>From one passing of the start to the finish, or of the one gate to the next; of each split its first passing counts.</source>
+        <source>From a passage of the start to one of the finish, or from one passage of a start-finish gate to the next. Of each split, the first passage counts.</source>
         <translation>从一次通过起点到通过终点，或从同一计时门的一次通过到下一次；每个分段门只计首次通过。</translation>
     </message>
     <message>
-        <source>of both passages; the calibration&apos;s error of a gate that is passed twice at one speed cancels</source>
+        <source>from both passages; the calibration&apos;s uncertainty cancels for a gate passed twice at the same speed</source>
         <translation>两次通过的误差；以同一速度两次通过同一计时门，标定误差相互抵消</translation>
     </message>
     <message>
@@ -883,7 +883,7 @@
         <translation>到 %1：%2</translation>
     </message>
     <message>
-        <source>View %1 in step with the first</source>
+        <source>Synchronisation of view %1 with the first</source>
         <translation>视角 %1 与视角 1 同步</translation>
     </message>
     <message>
@@ -895,7 +895,7 @@
         <translation>机器人 %1 的高度</translation>
     </message>
     <message>
-        <source>The solid (box or cylinder, on the floor or a plate at the robot&apos;s top) whose silhouettes the outlines in all views are, by weighted least squares at some forty times of the run; where no such solid explains them, the height at which all views put the robot at the same place.</source>
+        <source>The solid (box or cylinder, on the floor or a plate at the robot&apos;s top) whose silhouettes best match the outlines in all views, by weighted least squares at about forty times of the run. If no such solid explains them: the height at which all views give the same floor position.</source>
         <translation>以某种几何体（立于地面的长方体或圆柱体，或位于机器人顶部的平板）的剪影来解释所有视角中的轮廓，在运行中约四十个时刻作加权最小二乘；若没有这样的几何体能解释，则取使所有视角把机器人定在同一位置的高度。</translation>
     </message>
 </context>
@@ -969,7 +969,7 @@
 <context>
     <name>HealthWatch</name>
     <message>
-        <source>The project can only be read</source>
+        <source>The project is read-only</source>
         <translation>项目只能读取</translation>
     </message>
     <message>
@@ -977,15 +977,15 @@
         <translation>正在打开相机…</translation>
     </message>
     <message>
-        <source>No camera runs</source>
+        <source>No camera is running</source>
         <translation>没有相机在运行</translation>
     </message>
     <message>
-        <source>No camera sends pictures</source>
+        <source>No camera sends frames</source>
         <translation>没有相机发送画面</translation>
     </message>
     <message>
-        <source>This project can only be read: nothing can be recorded into it.</source>
+        <source>This project is read-only: you cannot record into it.</source>
         <translation>此项目只能读取：不能向其中录制。</translation>
     </message>
     <message>
@@ -1118,23 +1118,23 @@ The method follows S. Park, “Computational Vision for Automatic Tracking and O
         <translation>从 %1 到 %2</translation>
     </message>
     <message>
-        <source>What the calibration adds to an angle is not known and not in it.</source>
+        <source>The calibration&apos;s contribution to an angle is unknown and not included.</source>
         <translation>标定给角度带来的误差未知，未计入。</translation>
     </message>
     <message>
-        <source>The calibration&apos;s error of place is in it.</source>
+        <source>Includes the position uncertainty of the calibration.</source>
         <translation>已计入标定的位置误差。</translation>
     </message>
     <message>
-        <source>The calibration&apos;s error of scale is in it.</source>
+        <source>Includes the scale uncertainty of the calibration.</source>
         <translation>已计入标定的尺度误差。</translation>
     </message>
     <message>
-        <source>Neighbours of a smoothed curve share their error, so it is averaged out by time and not by frames: with a spectrum of r/(1 + (ω/ω₀)⁶) for the position, ω₀ = √2 σv/σx.</source>
+        <source>Neighbouring points of a smoothed curve have correlated errors. They average out over time, not over frames: with a spectrum of r/(1 + (ω/ω₀)⁶) for the position, ω₀ = √2 σv/σx.</source>
         <translation>平滑曲线上相邻点的误差是共有的，因此误差随时间而不是随帧数平均而减小：位置的误差谱取 r/(1 + (ω/ω₀)⁶)，ω₀ = √2 σv/σx。</translation>
     </message>
     <message>
-        <source>Of the smoothed curve, each value for half the time to both neighbours: its mean, the median (half of the time stays below it), the least and the most beyond doubt (by the value plus or minus 2σ), and the spread √(mean of the squared distance from the mean).</source>
+        <source>From the smoothed curve, each value weighted by half the time to both neighbours: mean; median (the curve is below it half of the time); least and most, chosen by value + 2σ and value − 2σ; spread √(mean of the squared distance from the mean).</source>
         <translation>取自平滑曲线，每个值代表到前后相邻点各一半的时间：平均值、中位数（一半时间低于它）、确定的最小值和最大值（按该值加或减 2σ 判断），以及离散度 √(与平均值之差的平方的平均值)。</translation>
     </message>
     <message>
@@ -1172,15 +1172,15 @@ The method follows S. Park, “Computational Vision for Automatic Tracking and O
         </translation>
     </message>
     <message>
-        <source>not its shape: χ² is %1 times what the errors explain</source>
+        <source>does not fit: χ² is %1 times what the uncertainties explain</source>
         <translation>形状不符：χ² 是误差所能解释的 %1 倍</translation>
     </message>
     <message>
-        <source>fits; the stated errors are too large: χ² is %1 of what they let expect</source>
+        <source>fits; the stated uncertainties are too large: χ² is %1 of its expected value</source>
         <translation>相符；所给误差偏大：χ² 是其预期值的 %1 倍</translation>
     </message>
     <message>
-        <source>fits: χ² is %1 of what the errors let expect</source>
+        <source>fits: χ² is %1 of its expected value</source>
         <translation>相符：χ² 是误差预期值的 %1 倍</translation>
     </message>
     <message>
@@ -1188,11 +1188,11 @@ The method follows S. Park, “Computational Vision for Automatic Tracking and O
         <translation>%1的拟合</translation>
     </message>
     <message>
-        <source>The polynomial in t − t₀ with the least Σ(residual/σ)² over %1, t₀ = %2. χ² is that sum, over what the errors let expect of it: the number of points less what the coefficients take up.</source>
+        <source>The polynomial in t − t₀ that minimises Σ(residual/σ)² over %1, t₀ = %2. χ² is that sum divided by its expected value: the number of points minus the degrees of freedom of the coefficients.</source>
         <translation>对%1拟合 t − t₀ 的多项式，使 Σ(残差/σ)² 最小，t₀ = %2。χ² 是该总和除以误差的预期值：点数减去系数所占的个数。</translation>
     </message>
     <message>
-        <source>the measured places that are used</source>
+        <source>the measured positions used</source>
         <translation>所采用的测得位置</translation>
     </message>
     <message>
@@ -1200,11 +1200,11 @@ The method follows S. Park, “Computational Vision for Automatic Tracking and O
         <translation>平滑曲线</translation>
     </message>
     <message>
-        <source>The larger of two: that of the measurements, widened by 1 + 2Σρ of the residuals where they hang together (here ×%1), and that of the smoothed curve, which knows what of their errors lasts.</source>
+        <source>The larger of two uncertainties: that of the measurements, widened by 1 + 2Σρ for correlated residuals (here ×%1), and that of the smoothed curve, including the errors that persist.</source>
         <translation>取两者中较大的：一是测量的误差，残差相关时按 1 + 2Σρ 放大（此处为 ×%1）；二是平滑曲线的误差，其中包含了测量误差中持续存在的部分。</translation>
     </message>
     <message>
-        <source>That the shape is the true one is taken for granted; χ² far above 1 says that it is not. Below 1 it comes of a smoother that allows for more motion than there is.</source>
+        <source>Assumes that the shape is correct; χ² far above 1 shows that it is not. χ² below 1 means that the smoother allows for more motion than the robot made.</source>
         <translation>前提是所选形状为真实形状；χ² 远大于 1 说明并非如此。小于 1 则是因为平滑器允许的运动变化多于实际。</translation>
     </message>
     <message>
@@ -1259,7 +1259,7 @@ The method follows S. Park, “Computational Vision for Automatic Tracking and O
 <context>
     <name>RecordHealth</name>
     <message>
-        <source>trouble</source>
+        <source>problem</source>
         <translation>故障</translation>
     </message>
     <message>
@@ -1267,7 +1267,7 @@ The method follows S. Park, “Computational Vision for Automatic Tracking and O
         <translation>缓慢</translation>
     </message>
     <message>
-        <source>losses</source>
+        <source>lost frames</source>
         <translation>有丢帧</translation>
     </message>
     <message>
@@ -1287,11 +1287,11 @@ The method follows S. Park, “Computational Vision for Automatic Tracking and O
         <translation>相机 %1</translation>
     </message>
     <message>
-        <source>not seen</source>
+        <source>no camera sees it</source>
         <translation>未看到</translation>
     </message>
     <message>
-        <source>unseen</source>
+        <source>not visible</source>
         <translation>未见</translation>
     </message>
     <message>
@@ -1303,7 +1303,7 @@ The method follows S. Park, “Computational Vision for Automatic Tracking and O
         <translation>；仅一台相机看到</translation>
     </message>
     <message>
-        <source>seen</source>
+        <source>visible</source>
         <translation>可见</translation>
     </message>
     <message>
@@ -1311,11 +1311,11 @@ The method follows S. Park, “Computational Vision for Automatic Tracking and O
         <translation>尚可</translation>
     </message>
     <message>
-        <source>apart</source>
+        <source>poor</source>
         <translation>不同步</translation>
     </message>
     <message>
-        <source>Step</source>
+        <source>Synchronisation</source>
         <translation>同步</translation>
     </message>
     <message>
@@ -1331,11 +1331,11 @@ The method follows S. Park, “Computational Vision for Automatic Tracking and O
         <translation>磁盘</translation>
     </message>
     <message>
-        <source>Camera %1 is not registered to the floor: it is recorded, but cannot tell where a robot is.</source>
+        <source>Camera %1 is not registered to the floor: it records, but cannot locate robots.</source>
         <translation>相机 %1 未配准到地面：会录制，但无法由它得知机器人的位置。</translation>
     </message>
     <message>
-        <source>Camera %1 was registered for pictures of %2×%3, which it does not send now: it is recorded, but cannot tell where a robot is.</source>
+        <source>Camera %1 was registered with frames of %2×%3, but now sends another size: it records, but cannot locate robots.</source>
         <translation>相机 %1 是按 %2×%3 的画面配准的，而现在发送的画面不是这个尺寸：会录制，但无法由它得知机器人的位置。</translation>
     </message>
     <message>
@@ -1347,7 +1347,7 @@ The method follows S. Park, “Computational Vision for Automatic Tracking and O
         <translation>相机 %1：%2</translation>
     </message>
     <message>
-        <source>The disk is hardly fast enough: record to a faster one, or with fewer cameras.</source>
+        <source>The disk is barely fast enough: record to a faster one, or with fewer cameras.</source>
         <translation>磁盘速度勉强够用：请录制到更快的磁盘，或减少相机。</translation>
     </message>
     <message>
@@ -1355,7 +1355,7 @@ The method follows S. Park, “Computational Vision for Automatic Tracking and O
         <translation>磁盘将满：%1</translation>
     </message>
     <message>
-        <source>The cameras are not in step: set both to the same rate.</source>
+        <source>The cameras are not synchronised: set both to the same frame rate.</source>
         <translation>两台相机不同步：请将它们设为相同的帧率。</translation>
     </message>
 </context>
@@ -1387,7 +1387,7 @@ The method follows S. Park, “Computational Vision for Automatic Tracking and O
         <translation>平滑后，含 ±95 % 置信带；点：测量值</translation>
     </message>
     <message>
-        <source>No curve: the robot was not seen</source>
+        <source>No curve: the robot was not detected</source>
         <translation>无曲线：未看到机器人</translation>
     </message>
 </context>
@@ -1476,7 +1476,7 @@ The method follows S. Park, “Computational Vision for Automatic Tracking and O
         <translation>%1：方法</translation>
     </message>
     <message>
-        <source>How the figures were computed</source>
+        <source>How the metrics were computed</source>
         <translation>各指标的计算方法</translation>
     </message>
     <message>
@@ -1527,11 +1527,11 @@ The method follows S. Park, “Computational Vision for Automatic Tracking and O
 <context>
     <name>ReportStills</name>
     <message>
-        <source>no picture: the video cannot be read</source>
+        <source>no image: the video cannot be read</source>
         <translation>无画面：视频无法读取</translation>
     </message>
     <message>
-        <source>no picture: the video is missing</source>
+        <source>no image: the video is missing</source>
         <translation>无画面：视频缺失</translation>
     </message>
 </context>
@@ -1562,7 +1562,7 @@ The method follows S. Park, “Computational Vision for Automatic Tracking and O
         <translation>天蓝色</translation>
     </message>
     <message>
-        <source>by itself</source>
+        <source>automatic</source>
         <translation>自动</translation>
     </message>
 </context>
@@ -1936,7 +1936,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>未配准</translation>
     </message>
     <message>
-        <source>In step</source>
+        <source>Synchronisation</source>
         <translation>同步</translation>
     </message>
     <message>
@@ -2000,7 +2000,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>任务</translation>
     </message>
     <message>
-        <source>measured by another course</source>
+        <source>analysed with a different course</source>
         <translation>按另一赛道测量</translation>
     </message>
     <message>
@@ -2008,7 +2008,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>得分</translation>
     </message>
     <message>
-        <source>none until it is measured again: the task has another course now</source>
+        <source>none until you reanalyse the trial: the task has a different course now</source>
         <translation>重新测量之前无得分：任务现在用的是另一赛道</translation>
     </message>
     <message>
@@ -2072,7 +2072,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>结果</translation>
     </message>
     <message>
-        <source>%1: changed in the file since they were analysed. Analyse the trial again.</source>
+        <source>%1: changed in the file after the analysis. Reanalyse the trial.</source>
         <translation>%1：分析后在文件中被更改。请重新分析该试验。</translation>
     </message>
     <message>
@@ -2084,8 +2084,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>视角</translation>
     </message>
     <message>
-        <source>doubtful</source>
-        <translation>可疑</translation>
+        <source>inconsistent</source>
+        <translation>不一致</translation>
     </message>
 </context>
 <context>
@@ -2139,7 +2139,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>到 %1</translation>
     </message>
     <message>
-        <source>Figures</source>
+        <source>Metrics</source>
         <translation>指标</translation>
     </message>
     <message>
@@ -2151,7 +2151,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>备注</translation>
     </message>
     <message>
-        <source>This trial has not been tracked yet: there are no figures.</source>
+        <source>This trial has not been tracked yet: it has no metrics.</source>
         <translation>此试验尚未跟踪：没有指标。</translation>
     </message>
     <message>
@@ -2179,7 +2179,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>任务</translation>
     </message>
     <message>
-        <source>Do not rely on these results: they were changed in the file since they were analysed.</source>
+        <source>Do not rely on these results: they were changed in the file after the analysis.</source>
         <translation>请勿采信这些结果：分析后它们在文件中被更改过。</translation>
     </message>
     <message>
@@ -8302,7 +8302,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>用于录制的相机</translation>
     </message>
     <message>
-        <source>Device that is camera %1</source>
+        <source>Device for camera %1</source>
         <translation>用作相机 %1 的设备</translation>
     </message>
     <message>
@@ -8318,7 +8318,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>相机 %1</translation>
     </message>
     <message>
-        <source>&amp;Look again</source>
+        <source>&amp;Search again</source>
         <translation>重新查找(&amp;L)</translation>
     </message>
     <message>
@@ -8338,15 +8338,15 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>%1（未连接）</translation>
     </message>
     <message>
-        <source>Looking for cameras…</source>
+        <source>Searching for cameras…</source>
         <translation>正在查找相机…</translation>
     </message>
     <message>
-        <source>Choose at least one camera. With two, the place of a robot is known better, and while one cannot see it.</source>
+        <source>Choose at least one camera. Two cameras locate a robot more accurately, and if one cannot see it, the other often can.</source>
         <translation>请至少选择一台相机。用两台时，机器人的位置测得更准，其中一台看不到时也能测量。</translation>
     </message>
     <message>
-        <source>One device cannot be two cameras.</source>
+        <source>You cannot use one device as two cameras.</source>
         <translation>一个设备不能同时用作两台相机。</translation>
     </message>
 </context>
@@ -8392,11 +8392,11 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>odo::CameraView</name>
     <message>
-        <source>in step to %1 ms</source>
+        <source>synchronised to %1 ms</source>
         <translation>同步至 %1 ms</translation>
     </message>
     <message>
-        <source>offset by hand</source>
+        <source>manual offset</source>
         <translation>手动偏移</translation>
     </message>
     <message>
@@ -8416,18 +8416,18 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>相机</translation>
     </message>
     <message>
-        <source>Picture of the camera</source>
+        <source>Camera image</source>
         <translation>相机画面</translation>
     </message>
     <message>
-        <source>Picture of %1</source>
+        <source>Image of %1</source>
         <translation>%1 的画面</translation>
     </message>
 </context>
 <context>
     <name>odo::CameraWishesDialog</name>
     <message>
-        <source>as the camera has it</source>
+        <source>set by the camera</source>
         <translation>按相机现有设置</translation>
     </message>
     <message>
@@ -8439,7 +8439,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>ms</translation>
     </message>
     <message>
-        <source>Ask for each picture, so that all such cameras take theirs together</source>
+        <source>Trigger each frame by software, at the same time for all cameras with this setting</source>
         <translation>逐帧请求画面，使所有此类相机同时拍摄</translation>
     </message>
     <message>
@@ -8447,8 +8447,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>%1 的设置</translation>
     </message>
     <message>
-        <source>Picture</source>
-        <translation>画面</translation>
+        <source>Format</source>
+        <translation>格式</translation>
     </message>
     <message>
         <source>Rate</source>
@@ -8463,8 +8463,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>软件触发</translation>
     </message>
     <message>
-        <source>&amp;Picture</source>
-        <translation>画面(&amp;P)</translation>
+        <source>&amp;Format</source>
+        <translation>格式(&amp;F)</translation>
     </message>
     <message>
         <source>&amp;Rate</source>
@@ -8479,7 +8479,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>触发(&amp;T)</translation>
     </message>
     <message>
-        <source>What the camera cannot do is said when it is opened.</source>
+        <source>If the camera does not support a setting, a message says so when it opens.</source>
         <translation>相机不支持的项目会在打开相机时说明。</translation>
     </message>
     <message>
@@ -8487,7 +8487,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>使用这些</translation>
     </message>
     <message>
-        <source>the best for tracking</source>
+        <source>best for tracking</source>
         <translation>最适合跟踪的设置</translation>
     </message>
 </context>
@@ -8548,23 +8548,23 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>odo::ChartPicture</name>
     <message>
-        <source>&amp;Copy as a picture</source>
+        <source>&amp;Copy as image</source>
         <translation>复制为图片(&amp;C)</translation>
     </message>
     <message>
-        <source>&amp;Save as a picture…</source>
+        <source>&amp;Save as image…</source>
         <translation>保存为图片(&amp;S)…</translation>
     </message>
     <message>
-        <source>SVG pictures (*.svg)</source>
+        <source>SVG images (*.svg)</source>
         <translation>SVG 图片 (*.svg)</translation>
     </message>
     <message>
-        <source>PNG pictures (*.png)</source>
+        <source>PNG images (*.png)</source>
         <translation>PNG 图片 (*.png)</translation>
     </message>
     <message>
-        <source>Save as a picture</source>
+        <source>Save as image</source>
         <translation>保存为图片</translation>
     </message>
     <message>
@@ -8587,7 +8587,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>图表：显示全部(&amp;A)</translation>
     </message>
     <message>
-        <source>Charts against the &amp;distance</source>
+        <source>Charts over &amp;distance</source>
         <translation>图表以路程为横轴(&amp;D)</translation>
     </message>
 </context>
@@ -8720,7 +8720,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>班级</translation>
     </message>
     <message>
-        <source>An archived class is out of the way: History, Record and the standings show its teams and trials only where it is chosen there by name</source>
+        <source>Archiving hides a class: History, Record and the standings show its teams and trials only if you choose the class by name</source>
         <translation>归档的班级不再显示：只有在“历史”“录制”和排名中按名称选择它时，才会列出其小组和试验</translation>
     </message>
     <message>
@@ -8744,7 +8744,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>班级中的小组</translation>
     </message>
     <message>
-        <source>Double-click or F2 changes a name or a pseudonym</source>
+        <source>Double-click or press F2 to change a name or a pseudonym</source>
         <translation>双击或按 F2 可修改名称或化名</translation>
     </message>
     <message numerus="yes">
@@ -8764,7 +8764,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>不属于班级的小组</translation>
     </message>
     <message>
-        <source>Out of the &amp;archive</source>
+        <source>Restore from &amp;archive</source>
         <translation>取消归档(&amp;A)</translation>
     </message>
     <message>
@@ -8799,11 +8799,11 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>区段</translation>
     </message>
     <message>
-        <source>Figures</source>
+        <source>Metrics</source>
         <translation>指标</translation>
     </message>
     <message>
-        <source>Run that is shown against the first</source>
+        <source>Run compared with the first one</source>
         <translation>与运行 1 对照的运行</translation>
     </message>
     <message>
@@ -8815,7 +8815,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>各计时门之间的时间</translation>
     </message>
     <message>
-        <source>Figures of both runs</source>
+        <source>Metrics of both runs</source>
         <translation>两次运行的指标</translation>
     </message>
     <message>
@@ -8823,7 +8823,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>s · 可在地图上拖动计时门</translation>
     </message>
     <message>
-        <source>grey: within the error</source>
+        <source>grey: not significant</source>
         <translation>灰色：在误差范围内</translation>
     </message>
     <message>
@@ -8835,27 +8835,27 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>对象：%1</translation>
     </message>
     <message>
-        <source>Later at the end</source>
+        <source>Behind at finish</source>
         <translation>末端较晚</translation>
     </message>
     <message>
-        <source>Earlier at the end</source>
+        <source>Ahead at finish</source>
         <translation>末端较早</translation>
     </message>
     <message>
-        <source>At the end</source>
+        <source>Gap at finish</source>
         <translation>末端</translation>
     </message>
     <message>
-        <source>Later here</source>
+        <source>Behind at cursor</source>
         <translation>此处较晚</translation>
     </message>
     <message>
-        <source>Earlier here</source>
+        <source>Ahead at cursor</source>
         <translation>此处较早</translation>
     </message>
     <message>
-        <source>Here</source>
+        <source>Gap at cursor</source>
         <translation>此处</translation>
     </message>
 </context>
@@ -8866,11 +8866,11 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>俯视地图</translation>
     </message>
     <message>
-        <source>Map of the floor with the ways of the runs and the gates of the sectors</source>
+        <source>Floor map with the paths of the runs and the gates of the sectors</source>
         <translation>地面地图，含各次运行的路线和区段的计时门</translation>
     </message>
     <message>
-        <source>Drag a gate along the way; with the keys: Up and Down choose one, Left and Right move it</source>
+        <source>Drag a gate along the path. Keys: Up and Down select a gate, Left and Right move it</source>
         <translation>可沿路线拖动计时门；按键：上、下选择，左、右移动</translation>
     </message>
     <message>
@@ -8890,7 +8890,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>虚线：任务的路径</translation>
     </message>
     <message>
-        <source>along the first run&apos;s way</source>
+        <source>along the first run&apos;s path</source>
         <translation>沿运行 1 的路线</translation>
     </message>
     <message>
@@ -8909,15 +8909,15 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>这些运行无法比较</translation>
     </message>
     <message>
-        <source>%1. What helps: %2.</source>
+        <source>%1. What to do: %2.</source>
         <translation>%1。解决办法：%2。</translation>
     </message>
     <message>
-        <source>Two runs are needed</source>
+        <source>Select two runs</source>
         <translation>需要两次运行</translation>
     </message>
     <message>
-        <source>Comparing shows where one run is faster than another, and whether that is more than the error. Choose two trials that have been tracked, or bring in another one.</source>
+        <source>A comparison shows where one run is faster than the other, and whether the difference is significant. Select two tracked trials, or import another one.</source>
         <translation>比较可以看出一次运行在哪里比另一次快，以及差别是否超过误差。请选择两次已跟踪的试验，或再导入一次试验。</translation>
     </message>
     <message>
@@ -9033,11 +9033,11 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>odo::DistanceChart</name>
     <message>
-        <source>Speed along the way</source>
+        <source>Speed over distance</source>
         <translation>沿程速度</translation>
     </message>
     <message>
-        <source>Time difference along the way</source>
+        <source>Time difference over distance</source>
         <translation>沿程时间差</translation>
     </message>
     <message>
@@ -9045,18 +9045,18 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>%1 · 平滑后 ±95 %</translation>
     </message>
     <message>
-        <source>s · above 0: %2 is later than %1 · ±95 % · grey: within the error</source>
+        <source>s · above 0: %2 is later than %1 · ±95 % · grey: not significant</source>
         <translation>s · 大于 0：%2 比 %1 晚 · ±95 % · 灰色：在误差范围内</translation>
     </message>
     <message>
-        <source>s · above 0: later than %1 · ±95 % · grey: within the error</source>
+        <source>s · above 0: later than %1 · ±95 % · grey: not significant</source>
         <translation>s · 大于 0：比 %1 晚 · ±95 % · 灰色：在误差范围内</translation>
     </message>
 </context>
 <context>
     <name>odo::DockGrip</name>
     <message>
-        <source>Drag to move, double click to float</source>
+        <source>Drag to move, double-click to float</source>
         <translation>拖动可移动，双击可浮动</translation>
     </message>
 </context>
@@ -9067,8 +9067,8 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>良好</translation>
     </message>
     <message>
-        <source>doubtful</source>
-        <translation>可疑</translation>
+        <source>warning</source>
+        <translation>警告</translation>
     </message>
     <message>
         <source>bad</source>
@@ -9083,15 +9083,15 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>装置诊断</translation>
     </message>
     <message>
-        <source>What was found</source>
+        <source>Findings</source>
         <translation>诊断结果</translation>
     </message>
     <message>
-        <source>&amp;Look again</source>
+        <source>&amp;Check again</source>
         <translation>重新检查(&amp;L)</translation>
     </message>
     <message>
-        <source>Looking…</source>
+        <source>Checking…</source>
         <translation>正在检查…</translation>
     </message>
     <message>
@@ -9099,22 +9099,22 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>。处理办法：%1。</translation>
     </message>
     <message>
-        <source>Nothing was found that would disturb a recording.</source>
+        <source>Found nothing that would disturb a recording.</source>
         <translation>未发现会干扰录制的问题。</translation>
     </message>
     <message>
-        <source>There is one thing to look at.</source>
+        <source>Found one problem.</source>
         <translation>有一项需要注意。</translation>
     </message>
     <message>
-        <source>There are %1 things to look at, the worst first.</source>
+        <source>Found %1 problems, the worst first.</source>
         <translation>有 %1 项需要注意，最严重的在前。</translation>
     </message>
 </context>
 <context>
     <name>odo::FigureGrid</name>
     <message>
-        <source>Figures</source>
+        <source>Metrics</source>
         <translation>指标</translation>
     </message>
     <message>
@@ -9374,11 +9374,11 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>地图：视角差异(&amp;V)</translation>
     </message>
     <message>
-        <source>Map of the floor with the robots&apos; trails</source>
+        <source>Floor map with the robots&apos; trails</source>
         <translation>地面地图，含机器人的轨迹</translation>
     </message>
     <message>
-        <source>What colours the trails of the map</source>
+        <source>Colour of the trails on the map</source>
         <translation>地图上轨迹的着色依据</translation>
     </message>
     <message>
@@ -9745,7 +9745,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>试验</translation>
     </message>
     <message>
-        <source>&amp;Measure again</source>
+        <source>Rea&amp;nalyse</source>
         <translation>重新测量(&amp;M)</translation>
     </message>
     <message>
@@ -9781,7 +9781,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>比较所选试验</translation>
     </message>
     <message>
-        <source>Select two trials or more (Ctrl or Shift and a click)</source>
+        <source>Select two or more trials (Ctrl+click or Shift+click)</source>
         <translation>请选择两次或更多试验（按住 Ctrl 或 Shift 点击）</translation>
     </message>
     <message numerus="yes">
@@ -10774,7 +10774,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>俯视地图</translation>
     </message>
     <message>
-        <source>How cameras, map and disk do</source>
+        <source>Health of cameras, map and disk</source>
         <translation>相机、地图和磁盘的状况</translation>
     </message>
     <message>
@@ -10786,7 +10786,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>相机 %1</translation>
     </message>
     <message>
-        <source>Live picture of %1</source>
+        <source>Live view of %1</source>
         <translation>%1 的实时画面</translation>
     </message>
     <message>
@@ -10806,11 +10806,11 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>实时</translation>
     </message>
     <message>
-        <source>Waiting for the first picture…</source>
+        <source>Waiting for the first frame…</source>
         <translation>正在等待第一帧画面…</translation>
     </message>
     <message>
-        <source>No picture now</source>
+        <source>No frames now</source>
         <translation>当前没有画面</translation>
     </message>
     <message>
@@ -10821,7 +10821,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>odo::LiveCameraBox</name>
     <message>
-        <source>Camera that is connected</source>
+        <source>Connected camera</source>
         <translation>已连接的相机</translation>
     </message>
     <message>
@@ -10829,7 +10829,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>%1，%2×%3</translation>
     </message>
     <message>
-        <source>Looking for cameras…</source>
+        <source>Searching for cameras…</source>
         <translation>正在查找相机…</translation>
     </message>
     <message>
@@ -10840,11 +10840,11 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>odo::LiveMap</name>
     <message>
-        <source>Map of the floor with the robots as they drive</source>
+        <source>Live floor map with the robots</source>
         <translation>地面地图，显示正在行驶的机器人</translation>
     </message>
     <message>
-        <source>No camera is registered to the floor, so that no place on it can be told</source>
+        <source>No camera is registered to the floor: robots cannot be located</source>
         <translation>没有相机配准到地面，因此无法给出地面上的位置</translation>
     </message>
 </context>
@@ -10921,23 +10921,23 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>清空回收站(&amp;E)…</translation>
     </message>
     <message>
-        <source>Take the &amp;star off</source>
+        <source>Remove &amp;star</source>
         <translation>取消星标(&amp;S)</translation>
     </message>
     <message>
-        <source>Out of the &amp;archive</source>
+        <source>Restore from &amp;archive</source>
         <translation>取消归档(&amp;A)</translation>
     </message>
     <message>
-        <source>&amp;Put back</source>
+        <source>Rest&amp;ore</source>
         <translation>放回(&amp;P)</translation>
     </message>
     <message>
-        <source>Takes the selected trials out of the bin (Del)</source>
+        <source>Restore the selected trials from the bin (Del)</source>
         <translation>将所选试验从回收站放回 (Del)</translation>
     </message>
     <message>
-        <source>Puts the selected trials into the bin (Del); they can be put back</source>
+        <source>Move the selected trials to the bin (Del); you can restore them</source>
         <translation>将所选试验移入回收站 (Del)；可以放回</translation>
     </message>
     <message>
@@ -10951,7 +10951,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         </translation>
     </message>
     <message>
-        <source>Their videos (%1), measurements and results are removed from the disk. This cannot be undone.</source>
+        <source>This removes their videos (%1), measurements and results from the disk. You cannot undo it.</source>
         <translation>其视频（%1）、测量数据和结果将从磁盘上移除。此操作不能撤销。</translation>
     </message>
     <message>
@@ -11424,7 +11424,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>位置 Y</translation>
     </message>
     <message>
-        <source>Quantity that the chart shows</source>
+        <source>Quantity of the chart</source>
         <translation>图表所示的物理量</translation>
     </message>
     <message>
@@ -11456,15 +11456,15 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>逆时针为正</translation>
     </message>
     <message>
-        <source>Chart: %1 against time</source>
+        <source>Chart: %1 over time</source>
         <translation>图表：%1 随时间的变化</translation>
     </message>
     <message>
-        <source>Chart: %1 against the distance</source>
+        <source>Chart: %1 over distance</source>
         <translation>图表：%1 随路程的变化</translation>
     </message>
     <message>
-        <source>shaded: hidden or doubtful</source>
+        <source>shaded: hidden or ambiguous</source>
         <translation>阴影：被遮挡或存疑</translation>
     </message>
 </context>
@@ -11479,15 +11479,15 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>拟合(&amp;F)</translation>
     </message>
     <message>
-        <source>Figures of the range</source>
+        <source>Statistics of the range</source>
         <translation>区间的指标</translation>
     </message>
     <message>
-        <source>Robot whose range is shown</source>
+        <source>Robot of the statistics</source>
         <translation>显示哪个机器人的区间</translation>
     </message>
     <message>
-        <source>What is fitted to the curve</source>
+        <source>Function to fit to the curve</source>
         <translation>对曲线作何种拟合</translation>
     </message>
     <message>
@@ -11507,7 +11507,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>抛物线</translation>
     </message>
     <message>
-        <source>Quantity that is fitted</source>
+        <source>Fitted quantity</source>
         <translation>拟合的物理量</translation>
     </message>
 </context>
@@ -11518,11 +11518,11 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>未连接相机</translation>
     </message>
     <message>
-        <source>Connect a camera, or two, and look again. One that is connected and not found is a case for the set-up doctor.</source>
+        <source>Connect one or two cameras, then search again. If a connected camera is not found, run the set-up doctor.</source>
         <translation>请连接一台或两台相机，然后重新查找。若已连接却找不到，请使用装置诊断。</translation>
     </message>
     <message>
-        <source>Look again</source>
+        <source>Search again</source>
         <translation>重新查找</translation>
     </message>
     <message>
@@ -11538,7 +11538,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>相机…</translation>
     </message>
     <message>
-        <source>Choose which connected device is which camera of the project</source>
+        <source>Assign the connected devices to the cameras of the project</source>
         <translation>选择哪个已连接的设备是项目中的哪台相机</translation>
     </message>
     <message>
@@ -11550,7 +11550,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>诊断…</translation>
     </message>
     <message>
-        <source>Look for what makes cameras lose pictures, or measure wrongly, with advice</source>
+        <source>Check for what makes cameras lose frames or measure wrongly, and get advice</source>
         <translation>查找导致相机丢失画面或测量错误的原因，并给出建议</translation>
     </message>
     <message>
@@ -11653,15 +11653,15 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>任务(&amp;T)</translation>
     </message>
     <message>
-        <source>The usual one</source>
+        <source>Most common</source>
         <translation>常用任务</translation>
     </message>
     <message>
-        <source>&amp;Figure</source>
+        <source>M&amp;etric</source>
         <translation>指标(&amp;F)</translation>
     </message>
     <message>
-        <source>What tells most</source>
+        <source>Most informative</source>
         <translation>最能说明问题的指标</translation>
     </message>
     <message>
@@ -11689,7 +11689,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>关闭</translation>
     </message>
     <message>
-        <source>There is nothing to print yet.</source>
+        <source>Nothing to print yet.</source>
         <translation>尚无可打印的内容。</translation>
     </message>
     <message numerus="yes">
@@ -11712,7 +11712,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>页面预览</translation>
     </message>
     <message>
-        <source>The pages are being painted…</source>
+        <source>Drawing the pages…</source>
         <translation>正在绘制页面…</translation>
     </message>
     <message numerus="yes">
@@ -11858,7 +11858,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>试验概况</translation>
     </message>
     <message>
-        <source>This trial has not been tracked yet. Tracking follows the robot through the videos and works out where it was and how fast.</source>
+        <source>This trial has not been tracked yet. Tracking follows the robot through the videos and computes its position and speed.</source>
         <translation>此试验尚未跟踪。跟踪会在视频中追随机器人，并得出它在何处、速度多大。</translation>
     </message>
     <message>
@@ -11877,7 +11877,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>机器人的轮廓(&amp;S)</translation>
     </message>
     <message>
-        <source>Outline what was taken for a robot in each view</source>
+        <source>Outline the detected robots in each view</source>
         <translation>在每个视角中描出被当作机器人的部分的轮廓</translation>
     </message>
 </context>
@@ -11888,7 +11888,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>尚无试验</translation>
     </message>
     <message>
-        <source>A trial is one run of a robot. Bring in the videos that your cameras took of it, and it will be shown here.</source>
+        <source>A trial is one run of a robot. Import the videos that your cameras took of it to see it here.</source>
         <translation>一次试验就是机器人的一次运行。请导入相机拍下的视频，试验就会显示在这里。</translation>
     </message>
     <message>
@@ -12143,7 +12143,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>指出机器人(&amp;P)</translation>
     </message>
     <message>
-        <source>The wrong thing is outlined: click the robot in a picture, and the trial is tracked again (%1)</source>
+        <source>Wrong object outlined? Click the robot in a view to track the trial again (%1)</source>
         <translation>轮廓画错了对象：请在画面中点击机器人，试验将重新跟踪（%1）</translation>
     </message>
     <message>
@@ -12151,7 +12151,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>这是 %1：重新跟踪</translation>
     </message>
     <message>
-        <source>Find %1 without help</source>
+        <source>Find %1 automatically</source>
         <translation>不借助提示查找 %1</translation>
     </message>
 </context>
@@ -12229,7 +12229,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>当前上场</translation>
     </message>
     <message>
-        <source>Robots that drive</source>
+        <source>Robots of this run</source>
         <translation>行驶的机器人</translation>
     </message>
     <message>
@@ -12261,15 +12261,15 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>圈数(&amp;L)</translation>
     </message>
     <message>
-        <source>Laps until it ends</source>
+        <source>Number of laps</source>
         <translation>跑满多少圈后结束</translation>
     </message>
     <message>
-        <source>Team that is up</source>
+        <source>Team of this run</source>
         <translation>上场小组</translation>
     </message>
     <message>
-        <source>How the recording begins</source>
+        <source>When the recording begins</source>
         <translation>录制的开始方式</translation>
     </message>
     <message>
@@ -12324,7 +12324,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>运行 2</translation>
     </message>
     <message>
-        <source>The moment that counts as the same</source>
+        <source>How to align the runs</source>
         <translation>视为相同的时刻</translation>
     </message>
     <message>
@@ -12332,7 +12332,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>交换两次运行</translation>
     </message>
     <message>
-        <source>Further runs</source>
+        <source>Add more runs</source>
         <translation>更多运行</translation>
     </message>
     <message>
@@ -12340,7 +12340,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>偏移(&amp;S)</translation>
     </message>
     <message>
-        <source>Pla&amp;ce</source>
+        <source>Distan&amp;ce</source>
         <translation>位置(&amp;C)</translation>
     </message>
     <message>
@@ -12352,7 +12352,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation> s</translation>
     </message>
     <message>
-        <source>How much later the second run&apos;s moment lies</source>
+        <source>Time shift of the second run; positive: later</source>
         <translation>运行 2 的该时刻晚多少</translation>
     </message>
     <message>
@@ -12360,11 +12360,11 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation> m</translation>
     </message>
     <message>
-        <source>where all have begun</source>
+        <source>first common point</source>
         <translation>全部已开始处</translation>
     </message>
     <message>
-        <source>How far along the way the runs are taken to be at the same time</source>
+        <source>Distance along the path at which the runs are aligned</source>
         <translation>沿路线多远处视为各次运行的同一时刻</translation>
     </message>
     <message>
@@ -12384,7 +12384,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>自动：%1</translation>
     </message>
     <message>
-        <source>There are no further runs</source>
+        <source>No more runs</source>
         <translation>没有更多运行</translation>
     </message>
 </context>
@@ -12399,11 +12399,11 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>在“回放”中打开(&amp;O)</translation>
     </message>
     <message>
-        <source>The figures of a run stand here a moment after it has ended.</source>
+        <source>The results appear here shortly after the run ends.</source>
         <translation>运行结束片刻后，其指标会显示在此处。</translation>
     </message>
     <message>
-        <source>Measuring…</source>
+        <source>Analysing…</source>
         <translation>正在测量…</translation>
     </message>
     <message>
@@ -12411,22 +12411,22 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>标出的异常点</translation>
     </message>
     <message>
-        <source>From live tracking. The final figures come from the recording, in a moment.</source>
+        <source>From live tracking. The final results follow shortly, from the recording.</source>
         <translation>来自实时跟踪。最终指标稍后由录像得出。</translation>
     </message>
     <message>
-        <source>Final, from every picture of the recording.</source>
+        <source>Final, from every frame of the recording.</source>
         <translation>最终结果，由录像的每一帧得出。</translation>
     </message>
 </context>
 <context>
     <name>odo::RunResults</name>
     <message>
-        <source>%1 is measured.</source>
+        <source>%1 is analysed.</source>
         <translation>%1 已测量。</translation>
     </message>
     <message>
-        <source>It is recorded, but could not be measured: %1</source>
+        <source>Recorded, but not analysed: %1</source>
         <translation>已录制，但无法测量：%1</translation>
     </message>
     <message>
@@ -12434,7 +12434,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>%1 已录制。</translation>
     </message>
     <message>
-        <source>It could not be recorded: %1</source>
+        <source>Recording failed: %1</source>
         <translation>无法录制：%1</translation>
     </message>
 </context>
@@ -12492,7 +12492,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>odo::SeriesKey</name>
     <message>
-        <source>Key to the lines</source>
+        <source>Legend</source>
         <translation>图例</translation>
     </message>
     <message>
@@ -12591,7 +12591,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>采用采样点(&amp;U)</translation>
     </message>
     <message>
-        <source>What was measured at this moment is right and is to be used, whatever speaks against it</source>
+        <source>Mark the sample at this moment as valid and use it, even if it was flagged</source>
         <translation>此刻的测量是正确的，无论有何反证都应采用</translation>
     </message>
     <message>
@@ -12599,7 +12599,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>标为异常点(&amp;S)</translation>
     </message>
     <message>
-        <source>What was measured at this moment is wrong and is not to be used</source>
+        <source>Mark the sample at this moment as a spike and do not use it</source>
         <translation>此刻的测量是错误的，不应采用</translation>
     </message>
     <message>
@@ -12607,7 +12607,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>自动判定(&amp;A)</translation>
     </message>
     <message>
-        <source>Takes back what was said by hand at this moment</source>
+        <source>Remove the manual override at this moment</source>
         <translation>撤回此刻的手动判定</translation>
     </message>
 </context>
@@ -12759,7 +12759,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>录制或停止(&amp;R)</translation>
     </message>
     <message>
-        <source>Time recorded</source>
+        <source>Recorded time</source>
         <translation>已录制时间</translation>
     </message>
     <message>
@@ -12767,7 +12767,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>录制</translation>
     </message>
     <message>
-        <source>Writing the last pictures…</source>
+        <source>Writing the last frames…</source>
         <translation>正在写入最后的画面…</translation>
     </message>
     <message>
@@ -12779,7 +12779,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>F9 开始录制，F9 停止；%1</translation>
     </message>
     <message>
-        <source>Call off</source>
+        <source>Cancel</source>
         <translation>取消</translation>
     </message>
     <message>
@@ -12791,7 +12791,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>准备</translation>
     </message>
     <message>
-        <source>Waiting for the robot at “%1”; it is recorded from a second before</source>
+        <source>Waiting for the robot at “%1”. The recording will include the second before</source>
         <translation>正在等待机器人到达“%1”；录像从一秒前开始</translation>
     </message>
     <message>
@@ -13253,15 +13253,15 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>小组 %1</translation>
     </message>
     <message>
-        <source>A name on each line</source>
+        <source>One name per line</source>
         <translation>每行一个名字</translation>
     </message>
     <message>
-        <source>Members of the team, one on each line</source>
+        <source>Members of the team, one per line</source>
         <translation>小组成员，每行一人</translation>
     </message>
     <message>
-        <source>Record and importing propose these robots for the team&apos;s runs</source>
+        <source>Record and Import propose these robots for the team&apos;s runs</source>
         <translation>“录制”和导入会为该小组的运行默认选用这些机器人</translation>
     </message>
     <message>
@@ -13302,11 +13302,11 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>任意任务</translation>
     </message>
     <message>
-        <source>Figure</source>
+        <source>Metric</source>
         <translation>指标</translation>
     </message>
     <message>
-        <source>How the teams stand</source>
+        <source>Standings</source>
         <translation>小组排名</translation>
     </message>
     <message>
@@ -13314,7 +13314,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>%1（已归档）</translation>
     </message>
     <message>
-        <source>No team has a figure here</source>
+        <source>No team has a result for this metric</source>
         <translation>此处没有小组有指标</translation>
     </message>
     <message numerus="yes">
@@ -13328,7 +13328,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>选择任务即可排名：不同任务的运行不能比较</translation>
     </message>
     <message numerus="yes">
-        <source>%n trial(s) left out: measured by another course; measure them again</source>
+        <source>%n trial(s) not counted: analysed with a different course. Reanalyse them</source>
         <translation>
             <numerusform>有 %n 次试验未计入：是按另一赛道测量的，请重新测量</numerusform>
         </translation>
@@ -13746,7 +13746,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>odo::TimelineBar</name>
     <message>
-        <source>Time line</source>
+        <source>Timeline</source>
         <translation>时间轴</translation>
     </message>
     <message>
@@ -13758,7 +13758,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>帧</translation>
     </message>
     <message>
-        <source>Speed of playing</source>
+        <source>Playback speed</source>
         <translation>播放速度</translation>
     </message>
     <message>
@@ -13939,7 +13939,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>未选择小组</translation>
     </message>
     <message>
-        <source>Select a team to see its trials through the term.</source>
+        <source>Select a team to see its results over the term.</source>
         <translation>选择一个小组，即可查看其本学期的各次试验。</translation>
     </message>
 </context>
@@ -14060,7 +14060,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>得分</translation>
     </message>
     <message>
-        <source>none: it was measured by another course than its task has now; measure it again</source>
+        <source>none: analysed with a different course than its task has now. Reanalyse the trial</source>
         <translation>无：测量所按的赛道与任务现有的不同；请重新测量</translation>
     </message>
     <message>
@@ -14084,7 +14084,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>试验备注</translation>
     </message>
     <message>
-        <source>What was changed on the robot? What should be remembered?</source>
+        <source>What did you change on the robot? What do you want to remember?</source>
         <translation>机器人作了哪些改动？有什么需要记住？</translation>
     </message>
     <message>
@@ -14199,7 +14199,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
         <translation>仅加星标的试验</translation>
     </message>
     <message>
-        <source>Show starred trials only</source>
+        <source>Show only starred trials</source>
         <translation>仅显示加星标的试验</translation>
     </message>
 </context>
@@ -14284,11 +14284,11 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>odo::TroubleBar</name>
     <message>
-        <source>What is the matter</source>
+        <source>Problem</source>
         <translation>问题所在</translation>
     </message>
     <message>
-        <source>Put it right</source>
+        <source>Fix</source>
         <translation>解决</translation>
     </message>
 </context>
@@ -17372,7 +17372,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>ui.bring_file_back</name>
     <message>
-        <source>bring the file back to its place</source>
+        <source>move the file back there</source>
         <translation>请将文件放回原处</translation>
     </message>
 </context>
@@ -17456,14 +17456,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>ui.choose_logo</name>
     <message>
-        <source>choose a PNG, JPEG or SVG picture</source>
+        <source>choose a PNG, JPEG or SVG image</source>
         <translation>请选择 PNG、JPEG 或 SVG 图片</translation>
     </message>
 </context>
 <context>
     <name>ui.choose_or_make_class</name>
     <message>
-        <source>choose one of them, or make it in the workbench</source>
+        <source>choose one of them, or create it in the workbench</source>
         <translation>请选择其中之一，或在工作台中创建</translation>
     </message>
 </context>
@@ -17659,7 +17659,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>ui.look_at_printer</name>
     <message>
-        <source>look at the printer and its queue, or save the report as PDF</source>
+        <source>check the printer and its queue, or save the report as PDF</source>
         <translation>请检查打印机及其队列，或将报告保存为 PDF</translation>
     </message>
 </context>
@@ -17785,7 +17785,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>ui.no_further_page</name>
     <message>
-        <source>it takes no further page</source>
+        <source>it accepts no more pages</source>
         <translation>它不再接收页面</translation>
     </message>
 </context>
@@ -17813,14 +17813,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>ui.no_run_with_figure</name>
     <message>
-        <source>none of its teams has a run with the figure &apos;%1&apos;</source>
+        <source>none of its teams has a run with the metric &apos;%1&apos;</source>
         <translation>其小组都没有具有指标“%1”的运行</translation>
     </message>
 </context>
 <context>
     <name>ui.no_run_with_figure_in_task</name>
     <message>
-        <source>none of its teams has a run with the figure &apos;%1&apos; in the task &apos;%2&apos;</source>
+        <source>none of its teams has a run with the metric &apos;%1&apos; in the task &apos;%2&apos;</source>
         <translation>其小组在任务“%2”中都没有具有指标“%1”的运行</translation>
     </message>
 </context>
@@ -17904,14 +17904,14 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>ui.pages_not_taken</name>
     <message>
-        <source>it did not take the pages</source>
+        <source>it did not accept the pages</source>
         <translation>它没有接收这些页面</translation>
     </message>
 </context>
 <context>
     <name>ui.painting_floor</name>
     <message>
-        <source>painting the floor</source>
+        <source>drawing the floor</source>
         <translation>绘制地面</translation>
     </message>
 </context>
@@ -17925,7 +17925,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>ui.picture_of</name>
     <message>
-        <source>picture %1 of %2</source>
+        <source>frame %1 of %2</source>
         <translation>第 %1 幅，共 %2 幅</translation>
     </message>
 </context>
@@ -18107,7 +18107,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>ui.take_team_out</name>
     <message>
-        <source>take team %1 out of its class</source>
+        <source>remove team %1 from its class</source>
         <translation>将小组 %1 移出其班级</translation>
     </message>
 </context>
@@ -18142,7 +18142,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>ui.track_or_choose_figure</name>
     <message>
-        <source>track its trials, or choose another task or figure</source>
+        <source>track its trials, or choose another task or metric</source>
         <translation>请跟踪其试验，或选择其他任务或指标</translation>
     </message>
 </context>
@@ -18170,7 +18170,7 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>ui.unarchive_class</name>
     <message>
-        <source>take class %1 out of the archive</source>
+        <source>restore class %1 from the archive</source>
         <translation>取消归档班级 %1</translation>
     </message>
 </context>
@@ -18184,28 +18184,28 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>ui.unarchive_trial</name>
     <message>
-        <source>take %1 out of the archive</source>
+        <source>restore %1 from the archive</source>
         <translation>取消归档 %1</translation>
     </message>
 </context>
 <context>
     <name>ui.unarchive_trials</name>
     <message>
-        <source>take %1 trials out of the archive</source>
+        <source>restore %1 trials from the archive</source>
         <translation>取消归档 %1 次试验</translation>
     </message>
 </context>
 <context>
     <name>ui.undelete_trial</name>
     <message>
-        <source>take %1 out of the bin</source>
+        <source>restore %1 from the bin</source>
         <translation>从回收站放回 %1</translation>
     </message>
 </context>
 <context>
     <name>ui.undelete_trials</name>
     <message>
-        <source>take %1 trials out of the bin</source>
+        <source>restore %1 trials from the bin</source>
         <translation>从回收站放回 %1 次试验</translation>
     </message>
 </context>
@@ -18226,28 +18226,28 @@ Much more than expected means that a setting is wrong: the views are not synchro
 <context>
     <name>ui.unstar_trial</name>
     <message>
-        <source>take the star off %1</source>
+        <source>remove the star from %1</source>
         <translation>取消 %1 的星标</translation>
     </message>
 </context>
 <context>
     <name>ui.unstar_trials</name>
     <message>
-        <source>take the star off %1 trials</source>
+        <source>remove the star from %1 trials</source>
         <translation>取消 %1 次试验的星标</translation>
     </message>
 </context>
 <context>
     <name>ui.video_size_wrong</name>
     <message>
-        <source>its size of %1x%2 is odd, or not from 320x180 to 3840x2160</source>
+        <source>its size of %1x%2 has an odd number of pixels, or is not between 320x180 and 3840x2160</source>
         <translation>其尺寸 %1x%2 为奇数，或不在 320x180 至 3840x2160 之间</translation>
     </message>
 </context>
 <context>
     <name>ui.video_speed_wrong</name>
     <message>
-        <source>its speed is not from 0.1 to 1</source>
+        <source>its speed is not between 0.1 and 1</source>
         <translation>其速度不在 0.1 至 1 之间</translation>
     </message>
 </context>

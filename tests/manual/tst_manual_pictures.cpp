@@ -185,10 +185,10 @@ void TestManualPictures::camerasAndMounting()
     const auto *record = m_book->window().findChild<QPushButton *>(QStringLiteral("recordButton"));
     QTRY_VERIFY_WITH_TIMEOUT(record->isEnabled(), patienceMs); // the cameras run
     m_book->takeDialog("chooseCameras", QStringLiteral("cameras"), [](QDialog &dialog) {
-        QTRY_VERIFY_WITH_TIMEOUT(!says(dialog, "Looking for cameras"), patienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(!says(dialog, "Searching for cameras"), patienceMs);
     });
     m_book->takeDialog("doctor", QStringLiteral("doctor"), [](QDialog &dialog) {
-        QTRY_VERIFY_WITH_TIMEOUT(button(dialog, "Look again")->isEnabled(), patienceMs);
+        QTRY_VERIFY_WITH_TIMEOUT(button(dialog, "Check again")->isEnabled(), patienceMs);
     });
 }
 
@@ -240,7 +240,7 @@ void TestManualPictures::recording()
 {
     m_book->showPage(WindowMode::Record);
     auto &page = *m_book->window().findChild<RecordPage *>();
-    auto *team = named<QComboBox>(page, "Team that is up");
+    auto *team = named<QComboBox>(page, "Team of this run");
     // its plain robot takes a busy machine the least
     team->setCurrentIndex(team->findText(QStringLiteral("Otter")));
     for (QComboBox *box : page.findChildren<QComboBox *>())

@@ -65,9 +65,9 @@ CompareDesk::CompareDesk(Timeline &timeline, QWidget *parent)
       m_speed(new DistanceChart(timeline, *m_span, Compared::Speed)),
       m_difference(new DistanceChart(timeline, *m_span, Compared::TimeDifference))
 {
-    m_map->setAccessibleName(tr("Map of the floor with the ways of the runs and the gates of the sectors"));
+    m_map->setAccessibleName(tr("Floor map with the paths of the runs and the gates of the sectors"));
     m_map->setToolTip(
-        tr("Drag a gate along the way; with the keys: Up and Down choose one, Left and Right move it"));
+        tr("Drag a gate along the path. Keys: Up and Down select a gate, Left and Right move it"));
     m_mapCard->setContent(m_map);
     new ChartPicture(*m_map, [this] {
         return PictureHeading{m_mapCard->title(), m_scene ? m_scene->names() : QStringList(), {}};
@@ -119,7 +119,7 @@ void CompareDesk::setScene(ComparisonScenePtr scene)
     m_map->setGates(m_scene ? m_scene->compared.gates : std::vector<PathGate>());
     m_mapCard->setRemark(!m_scene || m_scene->compared.comparison.isTasksPath
                              ? tr("dashed: the task's path")
-                             : tr("along the first run's way"));
+                             : tr("along the first run's path"));
     const PathSpan common = m_scene ? comparedSpan(*m_scene) : PathSpan();
     m_span->setWhole(common.lowM, common.highM);
     m_speed->setScene(m_scene);
@@ -229,7 +229,7 @@ void DistanceArea::goTo(double distanceM)
 }
 
 DistanceChart::DistanceChart(Timeline &timeline, AxisSpan &span, Compared what, QWidget *parent)
-    : Card(what == Compared::Speed ? tr("Speed along the way") : tr("Time difference along the way"), parent),
+    : Card(what == Compared::Speed ? tr("Speed over distance") : tr("Time difference over distance"), parent),
       m_what(what), m_area(new DistanceArea(timeline, span, what)),
       m_key(what == Compared::Speed ? new SeriesKey(this) : nullptr)
 {
@@ -258,9 +258,9 @@ void DistanceChart::setScene(ComparisonScenePtr scene)
         remark = tr("%1 · smoothed ±95 %").arg(shownUnits().speed.name);
     else if (scene)
         remark = scene->runCount() == 2
-                     ? tr("s · above 0: %2 is later than %1 · ±95 % · grey: within the error")
+                     ? tr("s · above 0: %2 is later than %1 · ±95 % · grey: not significant")
                            .arg(m_names[0], m_names[1])
-                     : tr("s · above 0: later than %1 · ±95 % · grey: within the error").arg(m_names[0]);
+                     : tr("s · above 0: later than %1 · ±95 % · grey: not significant").arg(m_names[0]);
     setRemark(remark);
     m_area->setScene(std::move(scene));
     m_area->setAccessibleDescription(remark);

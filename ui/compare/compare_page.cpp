@@ -173,14 +173,13 @@ void ComparePage::take(Result<Reading> reading)
     m_chooser->setRuns(m_runs);
     if (!reading->scene)
         showNone(tr("These runs cannot be compared"),
-                 tr("%1. What helps: %2.")
+                 tr("%1. What to do: %2.")
                      .arg(shownWords(reading->scene.error().why), shownWords(reading->scene.error().advice)),
                  false);
     else if (!*reading->scene)
-        showNone(tr("Two runs are needed"),
-                 tr("Comparing shows where one run is faster than another, and whether that is more than the "
-                    "error. "
-                    "Choose two trials that have been tracked, or bring in another one."),
+        showNone(tr("Select two runs"),
+                 tr("A comparison shows where one run is faster than the other, and whether the difference "
+                    "is significant. Select two tracked trials, or import another one."),
                  true);
     else
         adopt(*reading->scene);

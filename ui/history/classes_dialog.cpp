@@ -96,9 +96,8 @@ QWidget *ClassesDialog::makeClasses()
     connect(m_rename, &QPushButton::clicked, this, &ClassesDialog::renameClass);
     connect(m_archive, &QPushButton::clicked, this, &ClassesDialog::archiveClass);
     connect(m_removeClass, &QPushButton::clicked, this, &ClassesDialog::removeClass);
-    m_archive->setToolTip(tr("An archived class is out of the way: History, Record and the standings show "
-                             "its teams and trials only where it is "
-                             "chosen there by name"));
+    m_archive->setToolTip(tr("Archiving hides a class: History, Record and the standings show its teams and "
+                             "trials only if you choose the class by name"));
     return box;
 }
 
@@ -111,7 +110,7 @@ QWidget *ClassesDialog::makeTeams()
     m_teamTable->setEditTriggers(m_readOnly
                                      ? QAbstractItemView::NoEditTriggers
                                      : QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
-    m_teamTable->setToolTip(tr("Double-click or F2 changes a name or a pseudonym"));
+    m_teamTable->setToolTip(tr("Double-click or press F2 to change a name or a pseudonym"));
     m_teamTable->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     m_move->setMenu(m_moveMenu);
     auto *box = new QWidget;
@@ -226,7 +225,7 @@ void ClassesDialog::showButtons()
     m_newClass->setEnabled(!m_readOnly);
     m_rename->setEnabled(able);
     m_archive->setEnabled(able);
-    m_archive->setText(chosen && chosen->archived ? tr("Out of the &archive") : tr("&Archive"));
+    m_archive->setText(chosen && chosen->archived ? tr("Restore from &archive") : tr("&Archive"));
     m_removeClass->setEnabled(able && chosen->teams == 0);
     m_newTeam->setEnabled(!m_readOnly);
     m_roster->setEnabled(!m_readOnly);
@@ -276,7 +275,7 @@ void ClassesDialog::archiveClass()
 {
     const ClassRecord chosen = *currentClass();
     const MessageText &words = chosen.archived
-                                   ? ODO_TEXT("ui.unarchive_class", "take class %1 out of the archive")
+                                   ? ODO_TEXT("ui.unarchive_class", "restore class %1 from the archive")
                                    : ODO_TEXT("ui.archive_class", "archive class %1");
     apply(words(Named::schoolClass(chosen.name)),
           [&] { return m_project.classes().setArchived(chosen.id, !chosen.archived); });
@@ -305,7 +304,7 @@ void ClassesDialog::moveTeam(const std::string &className)
     TeamRecord team = *currentTeam();
     team.className = className;
     apply(className.empty()
-              ? ODO_TEXT("ui.take_team_out", "take team %1 out of its class")(Named::team(team.name))
+              ? ODO_TEXT("ui.take_team_out", "remove team %1 from its class")(Named::team(team.name))
               : ODO_TEXT("ui.move_team", "move team %1 to class %2")(Named::team(team.name),
                                                                      Named::schoolClass(className)),
           [&] { return m_project.teams().set(team); });
@@ -374,8 +373,8 @@ TeamDialog::TeamDialog(TeamRecord team, const std::vector<RobotRecord> &robots, 
     for (const std::string &member : m_team.members)
         members << QString::fromStdString(member);
     m_members->setPlainText(members.join(u'\n'));
-    m_members->setPlaceholderText(tr("A name on each line"));
-    m_members->setAccessibleName(tr("Members of the team, one on each line"));
+    m_members->setPlaceholderText(tr("One name per line"));
+    m_members->setAccessibleName(tr("Members of the team, one per line"));
     m_members->setTabChangesFocus(true);
     for (const RobotRecord &robot : m_robots)
         names << QString::fromStdString(robot.name);
@@ -383,7 +382,7 @@ TeamDialog::TeamDialog(TeamRecord team, const std::vector<RobotRecord> &robots, 
     for (int i = 0; i < m_list->count(); ++i)
         if (std::ranges::find(m_team.robots, m_robots[static_cast<std::size_t>(i)].id) != m_team.robots.end())
             m_list->item(i)->setCheckState(Qt::Checked);
-    m_list->setToolTip(tr("Record and importing propose these robots for the team's runs"));
+    m_list->setToolTip(tr("Record and Import propose these robots for the team's runs"));
     auto *form = new QFormLayout;
     form->addRow(tr("&Members"), m_members);
     form->addRow(tr("&Robots"), m_list);

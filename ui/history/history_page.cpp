@@ -138,7 +138,7 @@ QWidget *HistoryPage::makeTable()
 
 void HistoryPage::addTrialActions()
 {
-    auto *measureAgain = new QAction(themeIcon(QStringLiteral("track")), tr("&Measure again"), m_table);
+    auto *measureAgain = new QAction(themeIcon(QStringLiteral("track")), tr("Rea&nalyse"), m_table);
     measureAgain->setEnabled(!m_readOnly);
     connect(measureAgain, &QAction::triggered, this,
             [this] { Q_EMIT reprocessRequested(m_table->selectedTrials()); });
@@ -313,7 +313,7 @@ void HistoryPage::showSelection()
     const QModelIndexList rows = m_table->selectionModel()->selectedRows();
     m_compare->setEnabled(rows.size() >= 2);
     m_compare->setToolTip(rows.size() >= 2 ? tr("Compare the selected trials")
-                                           : tr("Select two trials or more (Ctrl or Shift and a click)"));
+                                           : tr("Select two or more trials (Ctrl+click or Shift+click)"));
     std::vector<TrialRecord> trials;
     for (const QModelIndex &row : rows)
         trials.push_back(m_trials->row(row.row()).trial);

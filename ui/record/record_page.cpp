@@ -36,8 +36,8 @@ RecordPage::RecordPage(Project &project, bool readOnly, CameraAccess access, QWi
       m_recorder(new RunRecorder(project.file(), this)), m_troubleBar(new TroubleBar), m_start(new StartCard),
       m_run(new RunCard), m_result(new RunResultCard), m_results(new RunResults(project, *m_result, this)),
       m_empty(new EmptyState(QStringLiteral("camera"), tr("No camera is connected"),
-                             tr("Connect a camera, or two, and look again. One that is connected and not "
-                                "found is a case for the set-up doctor."))),
+                             tr("Connect one or two cameras, then search again. If a connected camera is not "
+                                "found, run the set-up doctor."))),
       m_stack(new QStackedWidget(this))
 {
     setObjectName(QStringLiteral("page"));
@@ -56,8 +56,8 @@ RecordPage::RecordPage(Project &project, bool readOnly, CameraAccess access, QWi
     contentLayout->setSpacing(0);
     contentLayout->addWidget(m_troubleBar);
     contentLayout->addLayout(row, 1);
-    connect(m_empty->addButton(QStringLiteral("search"), tr("Look again")), &QPushButton::clicked, &m_cameras,
-            &ChosenCameras::look);
+    connect(m_empty->addButton(QStringLiteral("search"), tr("Search again")), &QPushButton::clicked,
+            &m_cameras, &ChosenCameras::look);
     connect(m_empty->addButton(QStringLiteral("doctor"), tr("Set-up doctor…")), &QPushButton::clicked, this,
             &RecordPage::examine);
     m_stack->addWidget(content);
@@ -82,11 +82,11 @@ void RecordPage::makeActions()
 {
     auto *cameras = new QAction(themeIcon(QStringLiteral("camera")), tr("Choose &cameras…"), this);
     cameras->setIconText(tr("Cameras…"));
-    cameras->setToolTip(tr("Choose which connected device is which camera of the project"));
+    cameras->setToolTip(tr("Assign the connected devices to the cameras of the project"));
     connect(cameras, &QAction::triggered, this, &RecordPage::chooseCameras);
     auto *doctor = new QAction(themeIcon(QStringLiteral("doctor")), tr("Set-up &doctor…"), this);
     doctor->setIconText(tr("Doctor…"));
-    doctor->setToolTip(tr("Look for what makes cameras lose pictures, or measure wrongly, with advice"));
+    doctor->setToolTip(tr("Check for what makes cameras lose frames or measure wrongly, and get advice"));
     connect(doctor, &QAction::triggered, this, &RecordPage::examine);
     nameCommands({{cameras, "chooseCameras"}, {doctor, "doctor"}});
     m_actions = {m_start->action(), cameras, doctor};

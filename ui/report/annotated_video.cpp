@@ -100,14 +100,16 @@ Result<void> AnnotatedVideoJob::prepare(Project &project)
 {
     const QSize size = m_settings.sizePx;
     if (!AnnotatedVideoSettings::isSize(size))
-        return fail(ErrorCode::InvalidInput, what(),
-                    ODO_TEXT("ui.video_size_wrong",
-                             "its size of %1x%2 is odd, or not from 320x180 to 3840x2160")(size.width(),
-                                                                                           size.height()),
-                    ODO_TEXT("ui.choose_video_size", "choose another, such as 1920x1080"));
+        return fail(
+            ErrorCode::InvalidInput, what(),
+            ODO_TEXT(
+                "ui.video_size_wrong",
+                "its size of %1x%2 has an odd number of pixels, or is not between 320x180 and 3840x2160")(
+                size.width(), size.height()),
+            ODO_TEXT("ui.choose_video_size", "choose another, such as 1920x1080"));
     if (!AnnotatedVideoSettings::isSpeed(m_settings.speed))
         return fail(ErrorCode::InvalidInput, what(),
-                    ODO_TEXT("ui.video_speed_wrong", "its speed is not from 0.1 to 1"),
+                    ODO_TEXT("ui.video_speed_wrong", "its speed is not between 0.1 and 1"),
                     ODO_TEXT("ui.choose_video_speed", "choose another, such as 0.25"));
     auto scene = ODO_TRY(loadTrialScene(project, m_trial));
     m_scene = std::move(scene);
@@ -121,7 +123,7 @@ Result<void> AnnotatedVideoJob::prepare(Project &project)
             return fail(ErrorCode::NotFound, what(),
                         ODO_TEXT("ui.recording_not_there", "the recording of camera %1 is not at '%2'")(
                             Named::camera(view.camera), Named::file(view.file)),
-                        ODO_TEXT("ui.bring_file_back", "bring the file back to its place"));
+                        ODO_TEXT("ui.bring_file_back", "move the file back there"));
         if (problem)
             return fail(ErrorCode::Io, quotedFileSubject(view.file), cannotBeRead(problem.message()),
                         checkFileMayBeRead());
@@ -134,7 +136,7 @@ Result<void> AnnotatedVideoJob::prepare(Project &project)
 Result<void> AnnotatedVideoJob::run(const JobControl &control)
 {
     constexpr double floorPart = 0.05;
-    control.report(0, ODO_TEXT("ui.painting_floor", "painting the floor"));
+    control.report(0, ODO_TEXT("ui.painting_floor", "drawing the floor"));
     AnnotatedPicture painter(m_scene, {m_settings.sizePx, m_settings.isDark ? darkPalette() : lightPalette(),
                                        m_font, m_settings.speed});
     if (const int side = painter.floorSidePx(); side > 0)
@@ -176,7 +178,7 @@ Result<void> AnnotatedVideoJob::writePictures(const JobControl &control, Annotat
                                        picture.width(), picture.height(), picture.bytesPerLine(), at);
         ODO_TRY(writer->write(frame));
         control.report(double(i + 1) / double(times.size()),
-                       ODO_TEXT("ui.picture_of", "picture %1 of %2")(i + 1, times.size()));
+                       ODO_TEXT("ui.picture_of", "frame %1 of %2")(i + 1, times.size()));
     }
     m_pictureCount = static_cast<int>(times.size());
     m_durationS = double(times.size()) / options.nominalFramesPerSecond;

@@ -60,11 +60,11 @@ void ReportDialog::addClassChoices(QFormLayout &form)
     m_class = addChoice(form, tr("&Class"));
     m_class->addItems(m_choices.classes);
     m_task = addChoice(form, tr("&Task"));
-    m_task->addItem(tr("The usual one"), QString());
+    m_task->addItem(tr("Most common"), QString());
     for (const QString &task : m_choices.tasks)
         m_task->addItem(task, task);
-    m_figure = addChoice(form, tr("&Figure"));
-    m_figure->addItem(tr("What tells most"), QString());
+    m_figure = addChoice(form, tr("M&etric"));
+    m_figure->addItem(tr("Most informative"), QString());
     for (const std::string &figure : m_choices.figures)
         m_figure->addItem(metricName(figure), QString::fromStdString(figure));
     form.addRow(m_teams);
@@ -166,7 +166,7 @@ void ReportDialog::tellMade(const QString &failure, bool isAll)
     m_save->setEnabled(failure.isEmpty());
     m_print->setEnabled(failure.isEmpty());
     if (!failure.isEmpty())
-        m_remark->setText(tr("There is nothing to print yet."));
+        m_remark->setText(tr("Nothing to print yet."));
     else if (isAll)
         m_remark->setText(tr("%n page(s)", "", int(m_preview->pictures().size())));
     else
@@ -291,7 +291,7 @@ void ReportPreview::show(const ReportMaker &maker)
 {
     m_cancel.cancel();
     m_cancel = CancelToken();
-    m_sheets->setWords(tr("The pages are being painted…"));
+    m_sheets->setWords(tr("Drawing the pages…"));
     m_reader.read<Made>([maker, cancel = m_cancel](Project &project) { return make(project, maker, cancel); },
                         [this](Result<Made> made) { take(std::move(made)); });
 }

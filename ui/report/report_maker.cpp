@@ -117,7 +117,7 @@ Result<QImage> readLogo(const std::filesystem::path &file)
     QImage picture = reader.read();
     if (picture.isNull())
         return fail(ErrorCode::Io, what, foreignWords(reader.errorString().toStdString()),
-                    ODO_TEXT("ui.choose_logo", "choose a PNG, JPEG or SVG picture"));
+                    ODO_TEXT("ui.choose_logo", "choose a PNG, JPEG or SVG image"));
     return picture;
 }
 
@@ -249,8 +249,8 @@ void ComparisonPage::paintCurves(const QRectF &rect, Compared what, const QStrin
 
 void ComparisonPage::paintTable(const QRectF &rect, const QString &title, const DifferenceModel &model)
 {
-    const QRectF room = drawPartTitle(m_painter, rect, title,
-                                      ComparisonReportWords::tr("± one σ; grey, ≈: within the error"));
+    const QRectF room =
+        drawPartTitle(m_painter, rect, title, ComparisonReportWords::tr("± one σ; grey, ≈: not significant"));
     ReportTable table;
     table.weights = {0.28, 0.24, 0.24, 0.24};
     table.alignments = {Qt::AlignLeft, Qt::AlignRight, Qt::AlignRight, Qt::AlignRight};
@@ -270,14 +270,14 @@ QString ComparisonPage::alignedWords() const
 {
     const QString along = m_scene.compared.comparison.isTasksPath
                               ? ComparisonReportWords::tr("along the task’s path")
-                              : ComparisonReportWords::tr("along the way of the left run");
+                              : ComparisonReportWords::tr("along the path of the left run");
     switch (m_scene.compared.comparison.alignedBy) {
     case AlignBy::StartGate:
         return ComparisonReportWords::tr("aligned by the start gate, %1").arg(along);
     case AlignBy::MotionOnset:
         return ComparisonReportWords::tr("aligned by the onset of motion, %1").arg(along);
     case AlignBy::Distance:
-        return ComparisonReportWords::tr("aligned by a place that both pass, %1").arg(along);
+        return ComparisonReportWords::tr("aligned by a point that both pass, %1").arg(along);
     case AlignBy::ByHand:
         break;
     }
@@ -301,9 +301,9 @@ void ComparisonPage::paint(const QRectF &sheet)
     }
     foot << (m_scene.trials.shareCalibration
                  ? ComparisonReportWords::tr(
-                       "Both runs share their calibration: its error cancels as far as they do.")
+                       "Both runs share their calibration: its uncertainty largely cancels.")
                  : ComparisonReportWords::tr(
-                       "The runs do not share their calibration: the errors of both count."));
+                       "The runs have different calibrations: the uncertainties of both count."));
     const QRectF room =
         drawFoot(m_painter,
                  drawHead(m_painter, sheet, m_options.letterhead,
@@ -322,11 +322,11 @@ void ComparisonPage::paint(const QRectF &sheet)
     const QRectF charts(lower.left(), lower.top(), lower.width() - tables - gap, lower.height());
     const double speed = (1 - deltaShare) * charts.height();
     paintCurves(QRectF(charts.left(), charts.top(), charts.width(), speed - 4), Compared::Speed,
-                ComparisonReportWords::tr("Speed along the way, %1").arg(comparedUnit(Compared::Speed)),
+                ComparisonReportWords::tr("Speed over distance, %1").arg(comparedUnit(Compared::Speed)),
                 ComparisonReportWords::tr("with its ±95 % band"));
     paintCurves(QRectF(charts.left(), charts.top() + speed, charts.width(), deltaShare * charts.height()),
                 Compared::TimeDifference, ComparisonReportWords::tr("Time difference, s"),
-                ComparisonReportWords::tr("above 0: the right run is later; grey: within the error"));
+                ComparisonReportWords::tr("above 0: the right run is later; grey: not significant"));
     DifferenceModel sectors, metrics;
     sectors.setSectors(m_scene.compared.sectors, m_content.other);
     metrics.setMetrics(m_scene.compared.metrics[m_content.other - 1]);
@@ -335,7 +335,7 @@ void ComparisonPage::paint(const QRectF &sheet)
     paintTable(QRectF(right.left(), right.top(), right.width(), sectorHeight),
                ComparisonReportWords::tr("Sectors, s"), sectors);
     right.setTop(right.top() + sectorHeight + 4);
-    paintTable(right, ComparisonReportWords::tr("Figures"), metrics);
+    paintTable(right, ComparisonReportWords::tr("Metrics"), metrics);
 }
 
 } // namespace

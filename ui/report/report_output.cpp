@@ -83,10 +83,10 @@ namespace {
 
 tl::unexpected<Error> failure(const QPrinter &printer, Message why)
 {
-    return fail(
-        ErrorCode::Io, ODO_TEXT("ui.printing_on", "printing on '%1'")(printer.printerName().toStdString()),
-        std::move(why),
-        ODO_TEXT("ui.look_at_printer", "look at the printer and its queue, or save the report as PDF"));
+    return fail(ErrorCode::Io,
+                ODO_TEXT("ui.printing_on", "printing on '%1'")(printer.printerName().toStdString()),
+                std::move(why),
+                ODO_TEXT("ui.look_at_printer", "check the printer and its queue, or save the report as PDF"));
 }
 
 } // namespace
@@ -104,7 +104,7 @@ Result<void> PrintedPages::add(const ReportPage &page)
     m_printer->setPageOrientation(page.format.isLandscape ? QPageLayout::Landscape : QPageLayout::Portrait);
     if (m_painter) {
         if (!m_printer->newPage())
-            return failure(*m_printer, ODO_TEXT("ui.no_further_page", "it takes no further page"));
+            return failure(*m_printer, ODO_TEXT("ui.no_further_page", "it accepts no more pages"));
     } else {
         m_painter = std::make_unique<QPainter>();
         if (!m_painter->begin(m_printer.get())) {
@@ -133,7 +133,7 @@ Result<void> PrintedPages::finish()
     const bool isPrinted = m_painter->end();
     m_painter.reset();
     return isPrinted ? Result<void>()
-                     : failure(*m_printer, ODO_TEXT("ui.pages_not_taken", "it did not take the pages"));
+                     : failure(*m_printer, ODO_TEXT("ui.pages_not_taken", "it did not accept the pages"));
 }
 
 ReportJob::ReportJob(ReportMaker maker, std::unique_ptr<PageOutput> output)

@@ -183,7 +183,7 @@ void paintMethodPage(QPainter &painter, const QRectF &sheet, const TrialContent 
                          samplesShare * room.height());
     drawSamples(painter, samples, analysis.profile);
     room.setBottom(samples.top() - gap);
-    QRectF text = drawPartTitle(painter, room, ReportMethodWords::tr("How the figures were computed"));
+    QRectF text = drawPartTitle(painter, room, ReportMethodWords::tr("How the metrics were computed"));
     const auto paragraph = [&](const QString &words, QFont::Weight weight = QFont::Normal) {
         text.setTop(text.top() +
                     drawParagraph(painter, text, words, reportFont(smallSize + 1, weight), colours.text));
@@ -353,7 +353,7 @@ void TrialPage::paintSplits(const QRectF &rect)
 void TrialPage::paintMetrics(const QRectF &rect)
 {
     const QRectF room =
-        drawPartTitle(m_painter, rect, TrialReportWords::tr("Figures"), TrialReportWords::tr("± one σ"));
+        drawPartTitle(m_painter, rect, TrialReportWords::tr("Metrics"), TrialReportWords::tr("± one σ"));
     ReportTable table;
     table.weights = {0.54, 0.46};
     table.alignments = {Qt::AlignLeft, Qt::AlignRight};
@@ -451,7 +451,7 @@ void TrialPage::paint(const QRectF &sheet)
     paintRemarks(remarks);
     if (!m_analysis) {
         drawLine(m_painter, QRectF(room.left(), room.top(), room.width(), 30),
-                 TrialReportWords::tr("This trial has not been tracked yet: there are no figures."),
+                 TrialReportWords::tr("This trial has not been tracked yet: it has no metrics."),
                  reportFont(bodySize + 2), ThemeColours::of(reportPalette()).text);
         paintPlaces(room.adjusted(0, 40, 0, -room.height() * 0.35));
         return;
@@ -460,7 +460,7 @@ void TrialPage::paint(const QRectF &sheet)
         constexpr double noticeHeight = 22;
         drawLine(m_painter, QRectF(room.left(), room.top(), room.width(), noticeHeight),
                  TrialReportWords::tr(
-                     "Do not rely on these results: they were changed in the file since they were analysed."),
+                     "Do not rely on these results: they were changed in the file after the analysis."),
                  reportFont(bodySize + 2), ThemeColours::of(reportPalette()).spike);
         room.setTop(room.top() + noticeHeight);
     }

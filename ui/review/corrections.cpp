@@ -16,9 +16,8 @@ RobotPointing::RobotPointing(Timeline &timeline, QObject *parent)
     m_action->setObjectName(QStringLiteral("pointOutRobot"));
     m_action->setCheckable(true);
     m_action->setShortcut(Qt::Key_P);
-    m_action->setToolTip(
-        tr("The wrong thing is outlined: click the robot in a picture, and the trial is tracked again (%1)")
-            .arg(m_action->shortcut().toString(QKeySequence::NativeText)));
+    m_action->setToolTip(tr("Wrong object outlined? Click the robot in a view to track the trial again (%1)")
+                             .arg(m_action->shortcut().toString(QKeySequence::NativeText)));
     m_action->setEnabled(false);
     connect(m_action, &QAction::toggled, &m_timeline, &Timeline::pause);
 }
@@ -70,7 +69,7 @@ void RobotPointing::fill(QMenu &menu, std::size_t view, const QPointF &pixel)
     menu.addSeparator();
     for (const std::string &robot : all)
         if (isPointedOut(robot))
-            connect(menu.addAction(tr("Find %1 without help").arg(shown(robot))), &QAction::triggered, this,
+            connect(menu.addAction(tr("Find %1 automatically").arg(shown(robot))), &QAction::triggered, this,
                     [this, robot] { say({robot}); });
 }
 
@@ -92,12 +91,12 @@ void RobotPointing::say(RobotPointer pointer)
 SpikeActions::SpikeActions(Timeline &timeline, QObject *parent)
     : QObject(parent), m_timeline(timeline),
       m_use(add("useSample", tr("&Use sample"),
-                tr("What was measured at this moment is right and is to be used, whatever speaks against it"),
-                Qt::Key_U, OverruleRequest::Word::Valid)),
+                tr("Mark the sample at this moment as valid and use it, even if it was flagged"), Qt::Key_U,
+                OverruleRequest::Word::Valid)),
       m_spike(add("markSpike", tr("Mark as &spike"),
-                  tr("What was measured at this moment is wrong and is not to be used"), Qt::Key_X,
+                  tr("Mark the sample at this moment as a spike and do not use it"), Qt::Key_X,
                   OverruleRequest::Word::Spike)),
-      m_leave(add("leaveSample", tr("&Automatic"), tr("Takes back what was said by hand at this moment"),
+      m_leave(add("leaveSample", tr("&Automatic"), tr("Remove the manual override at this moment"),
                   Qt::Key_Backspace, OverruleRequest::Word::Clear))
 {
     connect(&m_timeline, &Timeline::currentChanged, this, &SpikeActions::update);

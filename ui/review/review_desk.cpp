@@ -42,7 +42,7 @@ ReviewDesk::ReviewDesk(Timeline &timeline, QWidget *parent)
         connect(chart, &ProfileChart::settled, this, &ReviewDesk::settled);
     connect(m_map, &FloorMap::settled, this, &ReviewDesk::settled);
     m_outlines->setObjectName(QStringLiteral("silhouettes"));
-    m_outlines->setToolTip(tr("Outline what was taken for a robot in each view"));
+    m_outlines->setToolTip(tr("Outline the detected robots in each view"));
     m_outlines->setShortcut(QKeySequence(Qt::Key_S));
     m_outlines->setCheckable(true);
     m_outlines->setChecked(QSettings().value(outlinesKey, true).toBool());

@@ -60,8 +60,7 @@ ReviewPage::ReviewPage(Project &project, QWidget *parent)
       m_column(new ReviewColumn(*m_timeline, m_chooser, m_content)),
       m_empty(new EmptyState(
           QStringLiteral("review"), tr("No trials yet"),
-          tr("A trial is one run of a robot. Bring in the videos that your cameras took of it, "
-             "and it will be shown here."),
+          tr("A trial is one run of a robot. Import the videos that your cameras took of it to see it here."),
           m_stack))
 {
     setObjectName(QStringLiteral("page"));
@@ -259,9 +258,8 @@ ReviewColumn::ReviewColumn(Timeline &timeline, QWidget *chooser, QWidget *parent
 Card *ReviewColumn::makeTrackCard()
 {
     auto *content = new QWidget;
-    auto *text = new QLabel(
-        tr("This trial has not been tracked yet. Tracking follows the robot through the videos and "
-           "works out where it was and how fast."));
+    auto *text = new QLabel(tr("This trial has not been tracked yet. Tracking follows the robot through the "
+                               "videos and computes its position and speed."));
     text->setTextFormat(Qt::PlainText);
     text->setWordWrap(true);
     auto *button = new QPushButton(themeIcon(QStringLiteral("track"), Qt::white), tr("Track…"));

@@ -196,7 +196,7 @@ void TestAravisStreaming::whatIsWantedIsSetAndReadBack()
     QCOMPARE(camera.readFloat(reg::Gain), 6.f);
     QCOMPARE(camera.read(reg::PacketSize), 8000u);
     QCOMPARE(camera.read(reg::PacketDelay), 2000u);
-    QCOMPARE(camera.read(reg::PixelFormat), pixel::bayerRg8); // the best for tracking
+    QCOMPARE(camera.read(reg::PixelFormat), pixel::bayerRg8); // best for tracking
     const CameraDescription &description = source->description();
     QCOMPARE(description.widthPx, 640);
     QCOMPARE(description.heightPx, 480);

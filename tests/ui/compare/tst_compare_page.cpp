@@ -105,7 +105,7 @@ private Q_SLOTS:
             QVERIFY2(window == shown.page.get() || !window->isVisible(), window->metaObject()->className());
         QVERIFY(!scene->compared.comparison.isTasksPath);
         // The same robot on the same course: nothing differs, and nothing is called a difference.
-        const QTableView *figures = table(*shown.page, "Figures of both runs");
+        const QTableView *figures = table(*shown.page, "Metrics of both runs");
         QVERIFY(figures && figures->model()->rowCount() >= 1);
         for (int row = 0; row < figures->model()->rowCount(); ++row) {
             const QModelIndex difference = figures->model()->index(row, DifferenceModel::DifferenceColumn);
@@ -168,7 +168,7 @@ private Q_SLOTS:
         const Shown shown = this->shown({QStringLiteral("Trial 1"), QStringLiteral("Trial 2")});
         QComboBox *align = nullptr;
         for (QComboBox *list : shown.page->findChildren<QComboBox *>())
-            if (list->accessibleName() == QLatin1String("The moment that counts as the same"))
+            if (list->accessibleName() == QLatin1String("How to align the runs"))
                 align = list;
         auto *shift = shown.page->findChild<QDoubleSpinBox *>();
         QVERIFY(align && shift && !shift->isVisible());
@@ -194,11 +194,9 @@ private Q_SLOTS:
                     return each;
             return decltype(kind)(nullptr);
         };
-        auto *align =
-            field(static_cast<QComboBox *>(nullptr), QStringLiteral("The moment that counts as the same"));
-        auto *place =
-            field(static_cast<QDoubleSpinBox *>(nullptr),
-                  QStringLiteral("How far along the way the runs are taken to be at the same time"));
+        auto *align = field(static_cast<QComboBox *>(nullptr), QStringLiteral("How to align the runs"));
+        auto *place = field(static_cast<QDoubleSpinBox *>(nullptr),
+                            QStringLiteral("Distance along the path at which the runs are aligned"));
         QVERIFY(align && place && !place->isVisible());
         const auto wait = [&] { return QTest::qWaitFor([&] { return shown.page->isSettled(); }, longestMs); };
         align->setCurrentIndex(align->findData(int(AlignBy::Distance)));
@@ -231,11 +229,11 @@ private Q_SLOTS:
         QCOMPARE(shown.page->scene()->runCount(), std::size_t(3));
         QComboBox *others = nullptr;
         for (QComboBox *each : shown.page->findChildren<QComboBox *>())
-            if (each->accessibleName() == QStringLiteral("Run that is shown against the first"))
+            if (each->accessibleName() == QStringLiteral("Run compared with the first one"))
                 others = each;
         QVERIFY(others && others->isVisible());
         QCOMPARE(others->count(), 2);
-        const QAbstractItemModel *figures = table(*shown.page, "Figures of both runs")->model();
+        const QAbstractItemModel *figures = table(*shown.page, "Metrics of both runs")->model();
         const auto headline = [&] {
             return figures->headerData(DifferenceModel::SecondColumn, Qt::Horizontal).toString();
         };
@@ -309,7 +307,7 @@ private Q_SLOTS:
             table->findChild<QAction *>(QStringLiteral("howComputed"))->trigger();
             return explanation();
         };
-        const QString figure = explained("Figures of both runs", 0);
+        const QString figure = explained("Metrics of both runs", 0);
         QVERIFY2(figure.contains(QStringLiteral("Trial 2 minus Trial 1")) &&
                      figure.contains(QStringLiteral("not above 1.96")) &&
                      figure.contains(QStringLiteral("√(σ₁² + σ₂²)")) &&
@@ -367,7 +365,7 @@ private Q_SLOTS:
         const Shown shown = this->shown({QStringLiteral("Trial 1"), QStringLiteral("Trial 3")});
         QVERIFY(!shown.page->scene());
         QVERIFY2(emptyWords(*shown.page)
-                     .contains(QLatin1String("it has not been tracked yet. What helps: track it first.")),
+                     .contains(QLatin1String("it has not been tracked yet. What to do: track it first.")),
                  qPrintable(emptyWords(*shown.page)));
         shown.page->showTrials({QStringLiteral("Trial 1"), QStringLiteral("Trial 2")});
         QVERIFY(QTest::qWaitFor([&] { return shown.page->isSettled(); }, longestMs));
@@ -383,7 +381,7 @@ private Q_SLOTS:
         ComparePage page(**empty);
         page.refresh();
         page.show();
-        QTRY_VERIFY(emptyWords(page).startsWith(QLatin1String("Two runs are needed")));
+        QTRY_VERIFY(emptyWords(page).startsWith(QLatin1String("Select two runs")));
         QSignalSpy wanted(&page, &ComparePage::importRequested);
         page.findChild<EmptyState *>()->findChild<QPushButton *>()->click();
         QCOMPARE(wanted.count(), 1);

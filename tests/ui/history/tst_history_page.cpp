@@ -159,7 +159,7 @@ void TestHistoryPage::marksTakeEffectAndAreTakenBack()
     marks->star()->trigger();
     QVERIFY(project->trials().find("Trial 2")->starred);
     QCOMPARE(project->undoWords().english(), std::string("star Trial 2"));
-    QCOMPARE(marks->star()->text(), QStringLiteral("Take the &star off"));
+    QCOMPARE(marks->star()->text(), QStringLiteral("Remove &star"));
     QCOMPARE(changed.count(), 0); // nobody else shows stars
 
     marks->bin()->trigger();
@@ -169,7 +169,7 @@ void TestHistoryPage::marksTakeEffectAndAreTakenBack()
     auto *place = choice(page, "Where");
     place->setCurrentIndex(2);
     QCOMPARE(table->model()->rowCount(), 1);
-    QCOMPARE(marks->bin()->text(), QStringLiteral("&Put back"));
+    QCOMPARE(marks->bin()->text(), QStringLiteral("Rest&ore"));
     place->setCurrentIndex(0);
 
     table->selectAll();
@@ -302,7 +302,7 @@ void TestHistoryPage::showsHowTeamsStand()
     QTRY_VERIFY(page.isSettled());
     QCOMPARE(model->rowCount(), 1);
     QCOMPARE(model->index(0, StandingsModel::TeamColumn).data().toString(), QStringLiteral("Falcon"));
-    choice(*panel, "Figure")->setCurrentIndex(1);
+    choice(*panel, "Metric")->setCurrentIndex(1);
     QTRY_VERIFY(page.isSettled());
     QCOMPARE(model->rowCount(), 1);
     // A task that was changed since: what was measured before does not count in it.
@@ -321,7 +321,7 @@ void TestHistoryPage::showsHowTeamsStand()
         ->setCurrentIndex(choice(*standings, "Task")->findText(QString::fromStdString(task.name)));
     QTRY_VERIFY(changed.isSettled());
     QCOMPARE(standings->findChild<QTableView *>()->model()->rowCount(), 0);
-    QCOMPARE(choice(*standings, "Figure")->itemText(0), QStringLiteral("Score"));
+    QCOMPARE(choice(*standings, "Metric")->itemText(0), QStringLiteral("Score"));
 }
 
 void TestHistoryPage::readsThousandsPieceByPiece()

@@ -51,7 +51,7 @@ private Q_SLOTS:
         scene->task->zones = {rectangularZone("All", ZoneRule::StayInside, {-90, -90}, {90, 90})};
         QVERIFY(zoneBreachLines(*scene, 0).isEmpty());
         scene->task->zones = {rectangularZone("Nowhere", ZoneRule::StayInside, {90, 90}, {91, 91})};
-        scene->taskId = 8; // it was measured by another course
+        scene->taskId = 8; // it was analysed with a different course
         QVERIFY(zoneBreachLines(*scene, 0).isEmpty());
     }
     void aCurveIsExplainedWhereTheCursorStands()

@@ -46,7 +46,7 @@ private Q_SLOTS:
         QCOMPARE(boundUnit("cross_track_rms").unit, QStringLiteral("mm"));
         QVERIFY(boundUnit("spikes").unit.isEmpty() && boundUnit("laps").unit.isEmpty());
     }
-    /// What was measured by another course has no score in this one.
+    /// What was analysed with a different course has no score in this one.
     void aSceneIsScoredByItsOwnTask()
     {
         TrialScene scene = *exampleScene({.frames = 30});

@@ -65,8 +65,8 @@ void TestRecordDialogs::devicesAreChosenByKeys()
     LiveCameras connected([] { return std::vector<CameraDescription>{webcam, industrial}; });
     CameraChoiceDialog dialog({{"A", ""}, {"B", ""}}, connected);
     show(dialog);
-    auto *a = named<QComboBox>(dialog, "Device that is camera A");
-    auto *b = named<QComboBox>(dialog, "Device that is camera B");
+    auto *a = named<QComboBox>(dialog, "Device for camera A");
+    auto *b = named<QComboBox>(dialog, "Device for camera B");
     QTRY_COMPARE(a->count(), 3);
     QPushButton *use = button(dialog, "Use these");
     QTRY_VERIFY(!connected.isLooking());
@@ -87,7 +87,7 @@ void TestRecordDialogs::oneDeviceIsNotTwoCameras()
     CameraChoiceDialog dialog({{"A", "v4l2:/dev/video0?rate=15"}, {"B", "v4l2:/dev/video0"}}, connected);
     show(dialog);
     QTRY_VERIFY(dialog.findChild<QLabel *>(QStringLiteral("quiet"))->text() ==
-                QStringLiteral("One device cannot be two cameras."));
+                QStringLiteral("You cannot use one device as two cameras."));
     QVERIFY(!button(dialog, "Use these")->isEnabled());
     QTest::keyClick(&dialog, Qt::Key_Escape);
     QCOMPARE(dialog.result(), int(QDialog::Rejected));
@@ -97,7 +97,7 @@ void TestRecordDialogs::settingsGoIntoTheAddress()
 {
     CameraWishesDialog usb(webcam, webcam.uri);
     QCOMPARE(usb.uri(), webcam.uri); // nothing is wanted
-    auto *picture = named<QComboBox>(usb, "Picture");
+    auto *picture = named<QComboBox>(usb, "Format");
     picture->setCurrentIndex(2);
     named<QDoubleSpinBox>(usb, "Rate")->setValue(15);
     QCOMPARE(usb.uri(), std::string("v4l2:/dev/video0?format=YUYV&size=640x480&rate=15"));
@@ -125,7 +125,7 @@ void TestRecordDialogs::settingsOfAnAddressAreShownAndKept()
     const std::string uri =
         "aravis:S1?format=BayerGB8&rate=60&exposure_ms=4&trigger=software&size=640x480&packet_delay_us=12";
     CameraWishesDialog dialog(industrial, uri);
-    QCOMPARE(named<QComboBox>(dialog, "Picture")->currentText(), QStringLiteral("BayerGB8"));
+    QCOMPARE(named<QComboBox>(dialog, "Format")->currentText(), QStringLiteral("BayerGB8"));
     QCOMPARE(dialog.uri(), uri);
     named<QDoubleSpinBox>(dialog, "Exposure")->setValue(0);
     named<QCheckBox>(dialog, "Software trigger")->setChecked(false);
@@ -159,7 +159,7 @@ void TestRecordDialogs::theDoctorLooksAndLooksAgain()
     RunningCameras none;
     DoctorDialog dialog(none);
     show(dialog);
-    QPushButton *again = button(dialog, "&Look again");
+    QPushButton *again = button(dialog, "&Check again");
     QTRY_VERIFY(again->isEnabled());
     QVERIFY(walkTo(dialog, again));
     QTest::keyClick(again, Qt::Key_Space);

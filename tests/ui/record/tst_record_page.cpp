@@ -127,7 +127,7 @@ void TestRecordPage::waitForTheRobot()
 void TestRecordPage::chooseStart(const QVariant &data)
 {
     for (QComboBox *box : part<RunCard>()->findChildren<QComboBox *>()) {
-        if (box->accessibleName() == QStringLiteral("How the recording begins"))
+        if (box->accessibleName() == QStringLiteral("When the recording begins"))
             box->setCurrentIndex(box->findData(data));
     }
 }
@@ -294,7 +294,7 @@ void TestRecordPage::aCountdownIsCalledOff()
     QTRY_VERIFY_WITH_TIMEOUT(button()->isEnabled(), startMs);
     chooseStart(10);
     QTest::keyClick(m_page.get(), Qt::Key_F9);
-    QCOMPARE(button()->text(), QStringLiteral("Call off"));
+    QCOMPARE(button()->text(), QStringLiteral("Cancel"));
     QTest::keyClick(m_page.get(), Qt::Key_Escape);
     QCOMPARE(button()->text(), QStringLiteral("Record"));
     QVERIFY(trials().empty());
@@ -329,7 +329,7 @@ void TestRecordPage::withoutCamerasItSaysSo()
     QVERIFY(!m_page->isRecording());
 
     show(true);
-    QTRY_VERIFY_WITH_TIMEOUT(trouble().contains(QStringLiteral("can only be read")), startMs);
+    QTRY_VERIFY_WITH_TIMEOUT(trouble().contains(QStringLiteral("is read-only")), startMs);
     QVERIFY(!button()->isEnabled());
 }
 
@@ -372,8 +372,7 @@ void TestRecordPage::withoutAnyPictureNothingIsRecorded()
                                  "plug it in again");
     };
     show(false, access);
-    QTRY_COMPARE_WITH_TIMEOUT(part<StartCard>()->words(), QStringLiteral("No camera sends pictures"),
-                              startMs);
+    QTRY_COMPARE_WITH_TIMEOUT(part<StartCard>()->words(), QStringLiteral("No camera sends frames"), startMs);
     QVERIFY(!button()->isEnabled());
     QTRY_VERIFY_WITH_TIMEOUT(trouble().startsWith(QStringLiteral("Camera A: camera sim:A: it was unplugged")),
                              startMs);
@@ -434,7 +433,7 @@ void TestRecordPage::theWindowDoesNotWaitForTheProject()
     const auto pictures = m_page->findChildren<LivePictureArea *>();
     QTRY_VERIFY_WITH_TIMEOUT(pictures.front()->hasPicture(), startMs);
     button()->click();
-    QVERIFY(part<StartCard>()->words().startsWith(QStringLiteral("Writing the last pictures")));
+    QVERIFY(part<StartCard>()->words().startsWith(QStringLiteral("Writing the last frames")));
     go.set_value();
     slow.join();
     QTRY_VERIFY_WITH_TIMEOUT(!m_page->isRecording(), runMs);

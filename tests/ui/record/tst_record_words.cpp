@@ -100,7 +100,7 @@ void TestRecordWords::tellsHowAllDo()
     position.point.valid = true;
     position.sample.views = 3;
     const QList<Fact> robots = healthFacts({}, {}, {}, {{"Red 2", std::nullopt}, {"Blue 1", position}});
-    QCOMPARE(robots[0].value, QStringLiteral("not seen"));
+    QCOMPARE(robots[0].value, QStringLiteral("no camera sees it"));
     QVERIFY2(robots[1].value.startsWith(QStringLiteral("x 1.23 m, y 0.50 m, 1.10 ±0.02")),
              qPrintable(robots[1].value));
     position.sample.views = 1;
@@ -117,7 +117,7 @@ void TestRecordWords::tellsTheWorstTrouble()
     QCOMPARE(troubleWords(health, cameras), QString());
     health.pairs.pairs = 30;
     health.pairs.p95S = 0.03;
-    QVERIFY(troubleWords(health, cameras).contains(QStringLiteral("not in step")));
+    QVERIFY(troubleWords(health, cameras).contains(QStringLiteral("not synchronised")));
     health.views[0].slow = Trouble{slowCameraError("v4l2:/dev/video2", 12.4, 30), {}};
     QCOMPARE(troubleWords(health, cameras),
              QStringLiteral(

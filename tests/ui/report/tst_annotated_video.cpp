@@ -321,7 +321,7 @@ private Q_SLOTS:
                              "320x180 to 3840x2160; choose another, such as 1920x1080"));
         fast.speed = 2;
         QCOMPARE(failure("Trial 1", fast),
-                 std::string("annotated video of 'Trial 1': its speed is not from 0.1 to 1; choose "
+                 std::string("annotated video of 'Trial 1': its speed is not between 0.1 and 1; choose "
                              "another, such as 0.25"));
         const std::string said = failure("Trial 3", lost);
         QVERIFY2(said.starts_with("annotated video of 'Trial 3': the recording of camera A is not at '"),

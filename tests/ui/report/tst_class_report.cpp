@@ -93,7 +93,7 @@ private Q_SLOTS:
         const QString text = printedText(file, 2);
         const TeamStanding &first = content->standings.teams.front();
         for (const QString &words :
-             {QString::fromStdString(first.team), QStringLiteral("Through the term"),
+             {QString::fromStdString(first.team), QStringLiteral("Over the term"),
               QStringLiteral("Its trials"), QString::fromStdString(first.runs.back().trial),
               QStringLiteral("class median")})
             QVERIFY2(text.contains(words), qPrintable(words));

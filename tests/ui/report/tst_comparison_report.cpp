@@ -54,7 +54,7 @@ private Q_SLOTS:
                      qPrintable(word.text));
         const QString text = printedText(file).simplified();
         for (const char *part :
-             {"Trial 1 and Blue 1 in Trial 2", "Falcon", "Heron", "Speed along the way", "Time difference, s",
+             {"Trial 1 and Blue 1 in Trial 2", "Falcon", "Heron", "Speed over distance", "Time difference, s",
               "Sectors, s", "right − left", "aligned by the onset of motion"})
             QVERIFY2(text.contains(QString::fromUtf8(part)),
                      qPrintable(QString::fromUtf8(part) + QStringLiteral(" is not in ") + text));

@@ -65,7 +65,7 @@ private Q_SLOTS:
         QCOMPARE(added.error().code, ErrorCode::Io);
         QCOMPARE(added.error().why.english(), std::string("it cannot be reached"));
         QCOMPARE(added.error().advice.english(),
-                 std::string("look at the printer and its queue, or save the report as PDF"));
+                 std::string("check the printer and its queue, or save the report as PDF"));
     }
 
     void withoutAPageNothingIsPrinted()

@@ -174,7 +174,7 @@ private Q_SLOTS:
         QCOMPARE(printedWords(file).pageSizes.size(), 4);
         QVERIFY(printedText(file, 1).contains(QStringLiteral("Third attempt – Red 2")));
         QVERIFY(printedText(file, 2).contains(QStringLiteral("Red 2: method")));
-        QVERIFY(printedText(file, 2).simplified().contains(QStringLiteral("How the figures were computed")));
+        QVERIFY(printedText(file, 2).simplified().contains(QStringLiteral("How the metrics were computed")));
         QVERIFY(printedText(file, 3).contains(QStringLiteral("Third attempt – Blue 1")));
     }
     void aTrialWithoutFiguresSaysSo()
@@ -197,8 +197,8 @@ private Q_SLOTS:
         QVERIFY(damaged.open(QIODevice::WriteOnly) && damaged.write("no video") > 0 && damaged.flush());
         scene->views.front().file = damaged.fileName().toStdString();
         const QString text = printedText(printed(trialPages(contentOf(scene), {})));
-        QCOMPARE(text.count(QStringLiteral("no picture: the video cannot be read")), 1);
-        QCOMPARE(text.count(QStringLiteral("no picture: the video is missing")), 1);
+        QCOMPARE(text.count(QStringLiteral("no image: the video cannot be read")), 1);
+        QCOMPARE(text.count(QStringLiteral("no image: the video is missing")), 1);
     }
     void viewsCanBeOneOrNone()
     {

@@ -99,14 +99,14 @@ private Q_SLOTS:
     {
         Shown shown(m_scene);
         shown.timeline.setSelection(TimeSpan{2s, 6s});
-        QVERIFY(!shown.choice(QStringLiteral("Quantity that is fitted")).isEnabled());
-        shown.choice(QStringLiteral("What is fitted to the curve")).setCurrentIndex(2);
+        QVERIFY(!shown.choice(QStringLiteral("Fitted quantity")).isEnabled());
+        shown.choice(QStringLiteral("Function to fit to the curve")).setCurrentIndex(2);
         QTRY_VERIFY(shown.fit && shown.fit->fit.shape == FitShape::Line);
         QCOMPARE(shown.fit->quantity, Quantity::Speed);
         QTRY_VERIFY(shown.text().contains(QStringLiteral("slope|")));
-        QVERIFY(shown.text().contains(QStringLiteral("not its shape"))); // the speed swings
+        QVERIFY(shown.text().contains(QStringLiteral("does not fit"))); // the speed swings
         QVERIFY(shown.text().contains(QStringLiteral("m/s²")));
-        shown.choice(QStringLiteral("Quantity that is fitted")).setCurrentIndex(1);
+        shown.choice(QStringLiteral("Fitted quantity")).setCurrentIndex(1);
         QTRY_VERIFY(shown.fit && shown.fit->quantity == Quantity::Acceleration);
         shown.timeline.setSelection(std::nullopt);
         QVERIFY(!shown.fit);
@@ -114,7 +114,7 @@ private Q_SLOTS:
     void tooShortARangeSaysSo()
     {
         Shown shown(m_scene);
-        shown.choice(QStringLiteral("What is fitted to the curve")).setCurrentIndex(3);
+        shown.choice(QStringLiteral("Function to fit to the curve")).setCurrentIndex(3);
         shown.timeline.setSelection(TimeSpan{2s, 2s + 34ms});
         QTRY_VERIFY(shown.text().contains(
             QStringLiteral("fit of a parabola: 2 points are too few for it; choose a longer range")));
@@ -133,7 +133,7 @@ private Q_SLOTS:
     void everyNumberTellsHowItWasComputed()
     {
         Shown shown(m_scene);
-        shown.choice(QStringLiteral("What is fitted to the curve")).setCurrentIndex(2);
+        shown.choice(QStringLiteral("Function to fit to the curve")).setCurrentIndex(2);
         shown.timeline.setSelection(TimeSpan{2s, 6s});
         QTRY_VERIFY(shown.text().contains(QStringLiteral("slope|")));
         int told = 0;

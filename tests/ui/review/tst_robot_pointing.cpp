@@ -54,7 +54,7 @@ private Q_SLOTS:
         QCOMPARE(told.timeS, toSeconds(timeline.currentTime()));
         QVERIFY((told.pixel == Eigen::Vector2d(123, 45)));
         QVERIFY(!pointing.action()->isChecked());
-        QCOMPARE(menu.actions().back()->text(), QStringLiteral("Find Rover && co. without help"));
+        QCOMPARE(menu.actions().back()->text(), QStringLiteral("Find Rover && co. automatically"));
         menu.actions().back()->trigger();
         QVERIFY(told.view.empty());
     }

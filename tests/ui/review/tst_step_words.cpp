@@ -27,16 +27,16 @@ private Q_SLOTS:
         QTest::addColumn<QString>("onCard");
         QTest::addColumn<QString>("fact");
         QTest::addColumn<bool>("doubted");
-        QTest::newRow("motion") << "auto" << 0.0 << "in step to 0.4 ms"
+        QTest::newRow("motion") << "auto" << 0.0 << "synchronised to 0.4 ms"
                                 << "B: synchronised to 0.4 ms by the motion; started 12.5 ms earlier"
                                 << false;
         QTest::newRow("motion, another rate")
-            << "auto" << 80e-6 << "in step to 0.4 ms"
+            << "auto" << 80e-6 << "synchronised to 0.4 ms"
             << "B: synchronised to 0.4 ms by the motion; started 12.5 ms earlier, clock 80 ppm fast" << false;
-        QTest::newRow("flash") << "flash" << 0.0 << "in step to 0.4 ms"
+        QTest::newRow("flash") << "flash" << 0.0 << "synchronised to 0.4 ms"
                                << "B: synchronised to 0.4 ms by a flash of light; started 12.5 ms earlier"
                                << false;
-        QTest::newRow("by hand") << "told" << 0.0 << "offset by hand"
+        QTest::newRow("by hand") << "told" << 0.0 << "manual offset"
                                  << "B: started 12.5 ms earlier, set by hand" << false;
         QTest::newRow("none") << "none" << 0.0 << "not synchronised"
                               << "B: assumed to start at the same time" << true;
@@ -58,8 +58,8 @@ private Q_SLOTS:
         second.clockRate = rate;
 
         const auto facts = trialFacts(*scene);
-        const auto step =
-            std::find_if(facts.begin(), facts.end(), [](const Fact &one) { return one.name == u"In step"; });
+        const auto step = std::find_if(facts.begin(), facts.end(),
+                                       [](const Fact &one) { return one.name == u"Synchronisation"; });
         QVERIFY(step != facts.end());
         QCOMPARE(step->value, fact);
         QCOMPARE(step->badge.state == BadgeState::Warning, doubted);

@@ -60,7 +60,7 @@ private Q_SLOTS:
         const QList<Fact> facts = trialFacts(*scene);
         const auto fact = std::ranges::find(facts, QStringLiteral("Views"), &Fact::name);
         QVERIFY(fact != facts.end());
-        QCOMPARE(fact->badge.text, QStringLiteral("doubtful"));
+        QCOMPARE(fact->badge.text, QStringLiteral("inconsistent"));
         QVERIFY2(fact->value.contains(QStringLiteral("in 60 of 60 frames the views contradict each other: "
                                                      "their floor positions differ by 21.3 mm")),
                  qPrintable(fact->value));

@@ -131,7 +131,7 @@ private Q_SLOTS:
         const Nanoseconds between = (profile.samples[100].time + profile.samples[101].time) / 2;
         QVERIFY(std::abs(charts.span.placeOf(0, between) - (ways[100] + ways[101]) / 2) < 1e-9);
         QCOMPARE(charts.span.timeAt(ways[100]), profile.samples[100].time);
-        QVERIFY(charts.area().accessibleName().contains(QStringLiteral("against the distance")));
+        QVERIFY(charts.area().accessibleName().contains(QStringLiteral("over distance")));
         for (QAction *action : charts.span.actions()) // by its key
             if (action->objectName() == QStringLiteral("againstDistance"))
                 action->trigger();

@@ -22,7 +22,7 @@ private Q_SLOTS:
         QCOMPARE(box.currentText(), QStringLiteral("No camera is connected"));
         cameras.look();
         QVERIFY(cameras.isLooking());
-        QCOMPARE(box.currentText(), QStringLiteral("Looking for cameras…"));
+        QCOMPARE(box.currentText(), QStringLiteral("Searching for cameras…"));
         QVERIFY(box.uri().isEmpty());
         QSignalSpy chosen(&box, &QComboBox::currentIndexChanged);
         found.set_value({{.uri = "sim:A",

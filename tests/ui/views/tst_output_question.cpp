@@ -49,7 +49,7 @@ class TestOutputQuestion : public QObject
     QTemporaryDir m_folder;
     const QList<OutputFormat> m_formats{
         {QStringLiteral("PDF files (*.pdf)"), QStringLiteral("pdf"), FileKind::Pdf},
-        {QStringLiteral("SVG pictures (*.svg)"), QStringLiteral("svg"), FileKind::Svg}};
+        {QStringLiteral("SVG images (*.svg)"), QStringLiteral("svg"), FileKind::Svg}};
 
     QString path(const char *name) const { return m_folder.filePath(QString::fromUtf8(name)); }
     void write(const char *name, const QByteArray &bytes) const

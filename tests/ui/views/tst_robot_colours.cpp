@@ -63,7 +63,7 @@ private Q_SLOTS:
         for (const DrawingColour colour : drawingColours)
             names << drawingColourName(colour);
         QCOMPARE(names.removeDuplicates(), 0);
-        QCOMPARE(drawingColourName(Automatic), QStringLiteral("by itself"));
+        QCOMPARE(drawingColourName(Automatic), QStringLiteral("automatic"));
     }
 
     void theKeyShowsThem()

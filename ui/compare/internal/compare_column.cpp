@@ -109,11 +109,11 @@ void explainBy(QTableView &table, const std::function<void(int)> &explain)
 
 CompareColumn::CompareColumn(Timeline &timeline, QWidget *chooser, QWidget *parent)
     : QWidget(parent), m_timeline(timeline), m_result(new Card(tr("Time difference"))),
-      m_sectorCard(new Card(tr("Sectors"))), m_metricCard(new Card(tr("Figures"))),
+      m_sectorCard(new Card(tr("Sectors"))), m_metricCard(new Card(tr("Metrics"))),
       m_others(new QComboBox(this)), m_figures(new FigureGrid), m_sectors(new DifferenceModel(this)),
       m_metrics(new DifferenceModel(this))
 {
-    m_others->setAccessibleName(tr("Run that is shown against the first"));
+    m_others->setAccessibleName(tr("Run compared with the first one"));
     m_others->setToolTip(m_others->accessibleName());
     m_others->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_others->setMinimumContentsLength(14);
@@ -126,13 +126,13 @@ CompareColumn::CompareColumn(Timeline &timeline, QWidget *chooser, QWidget *pare
     m_result->setContent(m_figures);
     m_result->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
     QTableView *sectors = tableOf(m_sectors, tr("Times from gate to gate")),
-               *metrics = tableOf(m_metrics, tr("Figures of both runs"));
+               *metrics = tableOf(m_metrics, tr("Metrics of both runs"));
     explainBy(*sectors, [this](int row) { explainSectorAt(row); });
     explainBy(*metrics, [this](int row) { explainMetricAt(row); });
     m_sectorCard->setContent(sectors);
     m_metricCard->setContent(metrics);
     m_sectorCard->setRemark(tr("s · drag the gates on the map"));
-    m_metricCard->setRemark(tr("grey: within the error"));
+    m_metricCard->setRemark(tr("grey: not significant"));
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(8);
@@ -206,8 +206,8 @@ void CompareColumn::showFigures()
     m_hereM = m_scene->distanceAt(0, m_timeline.currentTime());
     m_here = differenceAt(*m_scene, m_other, m_hereM);
     m_figures->setFigures(
-        {timeFigure(m_end, tr("Later at the end"), tr("Earlier at the end"), tr("At the end")),
-         timeFigure(m_here, tr("Later here"), tr("Earlier here"), tr("Here"))});
+        {timeFigure(m_end, tr("Behind at finish"), tr("Ahead at finish"), tr("Gap at finish")),
+         timeFigure(m_here, tr("Behind at cursor"), tr("Ahead at cursor"), tr("Gap at cursor"))});
 }
 
 void CompareColumn::explainMetricAt(int row)
@@ -277,10 +277,10 @@ QString alignmentWords(AlignBy by)
 
 RunChooser::RunChooser(QWidget *parent)
     : QWidget(parent), m_first(runList(tr("First run"))), m_second(runList(tr("Second run"))),
-      m_align(runList(tr("The moment that counts as the same"))),
+      m_align(runList(tr("How to align the runs"))),
       m_swap(flatButton(QStringLiteral("swap"), tr("Swap the two runs"))),
-      m_more(flatButton(QStringLiteral("add"), tr("Further runs"))), m_menu(new QMenu(this)),
-      m_shiftName(new QLabel(tr("&Shift"))), m_placeName(new QLabel(tr("Pla&ce"))), m_shift(new NumberBox),
+      m_more(flatButton(QStringLiteral("add"), tr("Add more runs"))), m_menu(new QMenu(this)),
+      m_shiftName(new QLabel(tr("&Shift"))), m_placeName(new QLabel(tr("Distan&ce"))), m_shift(new NumberBox),
       m_place(new NumberBox)
 {
     m_more->setPopupMode(QToolButton::InstantPopup);
@@ -296,16 +296,16 @@ RunChooser::RunChooser(QWidget *parent)
     m_shift->setSingleStep(0.01);
     m_shift->setSuffix(tr(" s"));
     m_shift->setKeyboardTracking(false);
-    m_shift->setAccessibleName(tr("How much later the second run's moment lies"));
+    m_shift->setAccessibleName(tr("Time shift of the second run; positive: later"));
     m_shift->setToolTip(m_shift->accessibleName());
     m_shiftName->setBuddy(m_shift);
     m_place->setRange(0, 10000);
     m_place->setDecimals(2);
     m_place->setSingleStep(0.1);
     m_place->setSuffix(tr(" m"));
-    m_place->setSpecialValueText(tr("where all have begun"));
+    m_place->setSpecialValueText(tr("first common point"));
     m_place->setKeyboardTracking(false);
-    m_place->setAccessibleName(tr("How far along the way the runs are taken to be at the same time"));
+    m_place->setAccessibleName(tr("Distance along the path at which the runs are aligned"));
     m_place->setToolTip(m_place->accessibleName());
     m_placeName->setBuddy(m_place);
     const auto named = [](const QString &text, QWidget *buddy) {
@@ -440,7 +440,7 @@ void RunChooser::fillMenu()
         connect(action, &QAction::toggled, this, [this, i](bool on) { toggleFurther(i, on); });
     }
     if (m_menu->isEmpty())
-        m_menu->addAction(tr("There are no further runs"))->setEnabled(false);
+        m_menu->addAction(tr("No more runs"))->setEnabled(false);
 }
 
 void RunChooser::showShift()

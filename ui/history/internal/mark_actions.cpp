@@ -20,7 +20,7 @@ namespace {
 const MessageText &starWords(bool starred)
 {
     return starred ? ODO_TEXT("ui.star_trial", "star %1")
-                   : ODO_TEXT("ui.unstar_trial", "take the star off %1");
+                   : ODO_TEXT("ui.unstar_trial", "remove the star from %1");
 }
 
 } // namespace
@@ -45,7 +45,7 @@ MarkActions::MarkActions(Project &project, QWidget &window)
         change(
             starWords(to),
             to ? ODO_TEXT("ui.star_trials", "star %1 trials")
-               : ODO_TEXT("ui.unstar_trials", "take the star off %1 trials"),
+               : ODO_TEXT("ui.unstar_trials", "remove the star from %1 trials"),
             [](Project &changed, const TrialRecord &trial, bool starred) {
                 return changed.trials().setStarred(trial.id, starred);
             },
@@ -56,9 +56,9 @@ MarkActions::MarkActions(Project &project, QWidget &window)
             m_trials, [](const TrialRecord &trial) { return trial.archived.has_value(); });
         change(
             to ? ODO_TEXT("ui.archive_trial", "archive %1")
-               : ODO_TEXT("ui.unarchive_trial", "take %1 out of the archive"),
+               : ODO_TEXT("ui.unarchive_trial", "restore %1 from the archive"),
             to ? ODO_TEXT("ui.archive_trials", "archive %1 trials")
-               : ODO_TEXT("ui.unarchive_trials", "take %1 trials out of the archive"),
+               : ODO_TEXT("ui.unarchive_trials", "restore %1 trials from the archive"),
             [](Project &changed, const TrialRecord &trial, bool archived) {
                 return changed.trials().setArchived(trial.id, archived);
             },
@@ -68,9 +68,9 @@ MarkActions::MarkActions(Project &project, QWidget &window)
         const bool to = !m_binShown;
         change(
             to ? ODO_TEXT("ui.delete_trial", "delete %1")
-               : ODO_TEXT("ui.undelete_trial", "take %1 out of the bin"),
+               : ODO_TEXT("ui.undelete_trial", "restore %1 from the bin"),
             to ? ODO_TEXT("ui.delete_trials", "delete %1 trials")
-               : ODO_TEXT("ui.undelete_trials", "take %1 trials out of the bin"),
+               : ODO_TEXT("ui.undelete_trials", "restore %1 trials from the bin"),
             [](Project &changed, const TrialRecord &trial, bool binned) {
                 return changed.trials().setBinned(trial.id, binned);
             },
@@ -106,13 +106,13 @@ void MarkActions::updateActions()
                               return trial.archived.has_value();
                           });
     m_star->setEnabled(some);
-    m_star->setText(starred ? tr("Take the &star off") : tr("&Star"));
+    m_star->setText(starred ? tr("Remove &star") : tr("&Star"));
     m_archive->setEnabled(some && !m_binShown);
-    m_archive->setText(archived ? tr("Out of the &archive") : tr("&Archive"));
+    m_archive->setText(archived ? tr("Restore from &archive") : tr("&Archive"));
     m_bin->setEnabled(some);
-    m_bin->setText(m_binShown ? tr("&Put back") : tr("&Delete"));
-    m_bin->setToolTip(m_binShown ? tr("Takes the selected trials out of the bin (Del)")
-                                 : tr("Puts the selected trials into the bin (Del); they can be put back"));
+    m_bin->setText(m_binShown ? tr("Rest&ore") : tr("&Delete"));
+    m_bin->setToolTip(m_binShown ? tr("Restore the selected trials from the bin (Del)")
+                                 : tr("Move the selected trials to the bin (Del); you can restore them"));
     m_empty->setEnabled(m_binShown && !m_readOnly);
     m_empty->setVisible(m_binShown);
 }
@@ -185,7 +185,7 @@ void MarkActions::askToEmpty()
                          tr("Remove %n trial(s) for good?", "", static_cast<int>(content->trials.size())),
                          QMessageBox::Cancel, &m_window);
     question.setInformativeText(
-        tr("Their videos (%1), measurements and results are removed from the disk. This cannot be undone.")
+        tr("This removes their videos (%1), measurements and results from the disk. You cannot undo it.")
             .arg(QLocale().formattedDataSize(content->bytes)));
     QPushButton *remove = question.addButton(tr("&Remove for good"), QMessageBox::DestructiveRole);
     question.setDefaultButton(QMessageBox::Cancel);

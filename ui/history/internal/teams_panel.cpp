@@ -45,9 +45,9 @@ TeamsPanel::TeamsPanel(Project &project, QWidget *parent)
     m_class->addItem(tr("All classes"), QString());
     m_task = addChoice(tr("Task"));
     m_task->addItem(tr("Any task"), QString());
-    m_metric = addChoice(tr("Figure"));
+    m_metric = addChoice(tr("Metric"));
     m_table->setModel(m_model);
-    m_table->setAccessibleName(tr("How the teams stand"));
+    m_table->setAccessibleName(tr("Standings"));
     showAsList(*m_table);
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
     m_table->horizontalHeader()->setStretchLastSection(true);
@@ -189,11 +189,11 @@ void TeamsPanel::showTrials(std::span<const TrialRecord *const> trials)
 void TeamsPanel::showRemark(int leftOut)
 {
     const auto count = static_cast<int>(m_model->standings().teams.size());
-    QStringList words(count == 0 ? tr("No team has a figure here") : tr("%n team(s)", "", count));
+    QStringList words(count == 0 ? tr("No team has a result for this metric") : tr("%n team(s)", "", count));
     if (!m_model->standings().isRanked() && count > 0)
         words << tr("choose a task to rank them: runs of different tasks cannot be compared");
     if (leftOut > 0)
-        words << tr("%n trial(s) left out: measured by another course; measure them again", "", leftOut);
+        words << tr("%n trial(s) not counted: analysed with a different course. Reanalyse them", "", leftOut);
     m_card->setRemark(words.join(QStringLiteral(" · ")));
 }
 
@@ -224,7 +224,7 @@ void TrendChart::setTeam(const TeamStanding *team, const QString &name, const QS
              : tr("No team is selected"));
     if (!team || team->runs.empty()) {
         auto nothing = std::make_shared<ChartContent>();
-        nothing->emptyWords = tr("Select a team to see its trials through the term.");
+        nothing->emptyWords = tr("Select a team to see its results over the term.");
         showValues(std::nullopt);
         setContent(std::move(nothing));
         return;

@@ -62,7 +62,7 @@ QList<Fact> factsOf(const TrialRecord &trial, const std::vector<AnalysisRecord> 
         else
             add(TrialDetail::tr("Score"),
                 TrialDetail::tr(
-                    "none: it was measured by another course than its task has now; measure it again"));
+                    "none: analysed with a different course than its task has now. Reanalyse the trial"));
     }
     if (analyses.empty())
         facts.append({TrialDetail::tr("Result"), TrialDetail::tr("none yet: open it and choose Track"), {}});
@@ -78,7 +78,7 @@ TrialDetail::TrialDetail(Project &project, QWidget *parent)
     auto *scroll = scrolled(m_facts, tr("Facts of the trial"));
 
     m_notes->setAccessibleName(tr("Notes of the trial"));
-    m_notes->setPlaceholderText(tr("What was changed on the robot? What should be remembered?"));
+    m_notes->setPlaceholderText(tr("What did you change on the robot? What do you want to remember?"));
     m_notes->setTabChangesFocus(true);
     m_notes->setFixedHeight(110);
     m_open->setProperty("primary", true);

@@ -62,7 +62,7 @@ TrialFilterBar::TrialFilterBar(QWidget *parent)
     m_starred->setCheckable(true);
     m_starred->setFocusPolicy(Qt::TabFocus);
     m_starred->setAccessibleName(tr("Only starred trials"));
-    m_starred->setToolTip(tr("Show starred trials only"));
+    m_starred->setToolTip(tr("Show only starred trials"));
     lower->addWidget(m_starred);
     lower->addStretch(1);
     connect(m_starred, &QToolButton::toggled, this, &TrialFilterBar::changed);

@@ -100,7 +100,7 @@ CameraChoiceDialog::CameraChoiceDialog(std::vector<ChosenCamera> cameras, LiveCa
     auto *form = new QFormLayout;
     for (const auto &[name, uri] : m_cameras) {
         auto *box = new QComboBox;
-        box->setAccessibleName(tr("Device that is camera %1").arg(QString::fromStdString(name)));
+        box->setAccessibleName(tr("Device for camera %1").arg(QString::fromStdString(name)));
         box->setMinimumContentsLength(52); // a name of a device and its picture, before they are found
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         connect(box, &QComboBox::currentIndexChanged, this, &CameraChoiceDialog::check);
@@ -121,7 +121,7 @@ CameraChoiceDialog::CameraChoiceDialog(std::vector<ChosenCamera> cameras, LiveCa
     m_words->setWordWrap(true);
     m_words->setTextFormat(Qt::PlainText);
     m_words->setObjectName(QStringLiteral("quiet"));
-    QPushButton *look = m_buttons->addButton(tr("&Look again"), QDialogButtonBox::ActionRole);
+    QPushButton *look = m_buttons->addButton(tr("&Search again"), QDialogButtonBox::ActionRole);
     QPushButton *use = m_buttons->addButton(tr("Use these"), QDialogButtonBox::AcceptRole);
     auto *layout = new QVBoxLayout(this);
     layout->addLayout(form);
@@ -174,12 +174,12 @@ void CameraChoiceDialog::check()
         m_settings[i]->setEnabled(takesWishes(m_boxes[i]->currentData().toString().toStdString()));
     QString words;
     if (m_connected.isLooking())
-        words = tr("Looking for cameras…");
+        words = tr("Searching for cameras…");
     else if (used == 0)
-        words = tr("Choose at least one camera. With two, the place of a robot is known better, and while "
-                   "one cannot see it.");
+        words = tr("Choose at least one camera. Two cameras locate a robot more accurately, and if one "
+                   "cannot see it, the other often can.");
     else if (uris.size() < used)
-        words = tr("One device cannot be two cameras.");
+        words = tr("You cannot use one device as two cameras.");
     m_words->setText(words);
     for (QAbstractButton *button : m_buttons->buttons()) {
         if (m_buttons->buttonRole(button) == QDialogButtonBox::AcceptRole)
@@ -233,7 +233,7 @@ QDoubleSpinBox *freeNumber(double most, const QString &unit)
     auto *box = new NumberBox;
     box->setRange(0, most);
     box->setSuffix(QStringLiteral(" ") + unit);
-    box->setSpecialValueText(CameraWishesDialog::tr("as the camera has it"));
+    box->setSpecialValueText(CameraWishesDialog::tr("set by the camera"));
     return box;
 }
 
@@ -254,22 +254,24 @@ CameraWishesDialog::CameraWishesDialog(const CameraDescription &device, const st
     : QDialog(parent), m_uri(uri), m_onNetwork(uri.starts_with(network)), m_picture(new QComboBox),
       m_rate(freeNumber(mostFramesPerSecond, tr("frames/s"))),
       m_exposure(freeNumber(mostExposureMs, tr("ms"))),
-      m_trigger(new QCheckBox(tr("Ask for each picture, so that all such cameras take theirs together")))
+      m_trigger(new QCheckBox(
+          tr("Trigger each frame by software, at the same time for all cameras with this setting")))
 {
     setWindowTitle(tr("Settings of %1").arg(shownWords(device.name)));
     addPicture(device);
-    m_picture->setAccessibleName(tr("Picture"));
+    m_picture->setAccessibleName(tr("Format"));
     m_rate->setAccessibleName(tr("Rate"));
     m_exposure->setAccessibleName(tr("Exposure"));
     m_trigger->setAccessibleName(tr("Software trigger"));
     auto *form = new QFormLayout;
-    form->addRow(tr("&Picture"), m_picture);
+    form->addRow(tr("&Format"), m_picture);
     form->addRow(tr("&Rate"), m_rate);
     form->addRow(tr("&Exposure"), m_exposure);
     form->addRow(tr("&Trigger"), m_trigger);
     form->setRowVisible(m_exposure, m_onNetwork);
     form->setRowVisible(m_trigger, m_onNetwork);
-    auto *words = new QLabel(tr("What the camera cannot do is said when it is opened."));
+    auto *words =
+        new QLabel(tr("If the camera does not support a setting, a message says so when it opens."));
     words->setObjectName(QStringLiteral("quiet"));
     words->setWordWrap(true);
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
@@ -286,7 +288,7 @@ CameraWishesDialog::CameraWishesDialog(const CameraDescription &device, const st
 
 void CameraWishesDialog::addPicture(const CameraDescription &device)
 {
-    m_picture->addItem(tr("the best for tracking"), QString());
+    m_picture->addItem(tr("best for tracking"), QString());
     if (m_onNetwork) {
         for (const char *format : {"BayerRG8", "BayerGR8", "BayerGB8", "BayerBG8", "RGB8", "BGR8", "Mono8"})
             m_picture->addItem(QString::fromLatin1(format),

@@ -63,11 +63,11 @@ void HealthWatch::countFromNow()
 QString HealthWatch::blocked() const
 {
     if (m_readOnly)
-        return HealthWatchWords::tr("The project can only be read");
+        return HealthWatchWords::tr("The project is read-only");
     if (!m_cameras.session())
         return m_cameras.isPreparing() ? HealthWatchWords::tr("Opening the cameras…")
-                                       : HealthWatchWords::tr("No camera runs");
-    return m_anyDelivers ? QString() : HealthWatchWords::tr("No camera sends pictures");
+                                       : HealthWatchWords::tr("No camera is running");
+    return m_anyDelivers ? QString() : HealthWatchWords::tr("No camera sends frames");
 }
 
 void HealthWatch::showTrouble(const CaptureHealth &health)
@@ -75,7 +75,7 @@ void HealthWatch::showTrouble(const CaptureHealth &health)
     const auto &cameras = m_cameras.cameras();
     QString words = troubleWords(health, cameras);
     if (m_readOnly)
-        words = HealthWatchWords::tr("This project can only be read: nothing can be recorded into it.");
+        words = HealthWatchWords::tr("This project is read-only: you cannot record into it.");
     const QString unregistered = m_cameras.session() ? unregisteredWords(cameras) : QString();
     if (words.isEmpty() && !unregistered.isEmpty())
         m_trouble.setWords(unregistered, HealthWatchWords::tr("Register &it in Testbed"));
@@ -87,14 +87,14 @@ TroubleBar::TroubleBar(QWidget *parent) : QFrame(parent), m_words(new QLabel), m
 {
     setObjectName(QStringLiteral("messageBar"));
     setProperty("kind", QStringLiteral("bad"));
-    setAccessibleName(tr("What is the matter"));
+    setAccessibleName(tr("Problem"));
     m_words->setTextFormat(Qt::PlainText);
     m_words->setWordWrap(true);
     auto *layout = new QHBoxLayout(this);
     layout->setContentsMargins(12, 6, 12, 6);
     layout->addWidget(m_words, 1);
     layout->addWidget(m_button);
-    m_button->setAccessibleName(tr("Put it right"));
+    m_button->setAccessibleName(tr("Fix"));
     connect(m_button, &QPushButton::clicked, this, &TroubleBar::clicked);
     hide();
 }
@@ -121,7 +121,7 @@ Badge badgeOf(SetupFinding::Verdict verdict)
     case SetupFinding::Verdict::Good:
         return {DoctorDialog::tr("good"), BadgeState::Good};
     case SetupFinding::Verdict::Warning:
-        return {DoctorDialog::tr("doubtful"), BadgeState::Warning};
+        return {DoctorDialog::tr("warning"), BadgeState::Warning};
     case SetupFinding::Verdict::Bad:
         return {DoctorDialog::tr("bad"), BadgeState::Bad};
     case SetupFinding::Verdict::NotKnown:
@@ -138,10 +138,10 @@ DoctorDialog::DoctorDialog(const RunningCameras &cameras, QWidget *parent)
     setWindowTitle(tr("Set-up doctor"));
     m_words->setWordWrap(true);
     m_words->setTextFormat(Qt::PlainText);
-    auto *scroll = scrolled(m_facts, tr("What was found"));
+    auto *scroll = scrolled(m_facts, tr("Findings"));
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close);
-    m_again = buttons->addButton(tr("&Look again"), QDialogButtonBox::ActionRole);
+    m_again = buttons->addButton(tr("&Check again"), QDialogButtonBox::ActionRole);
     auto *layout = new QVBoxLayout(this);
     layout->addWidget(m_words);
     layout->addWidget(scroll, 1);
@@ -154,7 +154,7 @@ DoctorDialog::DoctorDialog(const RunningCameras &cameras, QWidget *parent)
 
 void DoctorDialog::examine()
 {
-    m_words->setText(tr("Looking…"));
+    m_words->setText(tr("Checking…"));
     m_again->setEnabled(false);
     std::vector<CheckedCamera> cameras;
     PairHealth pairs;
@@ -199,9 +199,9 @@ void DoctorDialog::show(const std::vector<SetupFinding> &findings)
         facts.append({shownWords(finding.what), words, badgeOf(finding.verdict)});
     }
     m_facts->setFacts(facts);
-    m_words->setText(doubts == 0   ? tr("Nothing was found that would disturb a recording.")
-                     : doubts == 1 ? tr("There is one thing to look at.")
-                                   : tr("There are %1 things to look at, the worst first.").arg(doubts));
+    m_words->setText(doubts == 0   ? tr("Found nothing that would disturb a recording.")
+                     : doubts == 1 ? tr("Found one problem.")
+                                   : tr("Found %1 problems, the worst first.").arg(doubts));
     m_again->setEnabled(true);
 }
 
@@ -218,11 +218,11 @@ constexpr double slowMapS = 0.2, littleRoomS = 300;
 Badge viewBadge(const ViewHealth &view)
 {
     if (view.state == ViewHealth::State::Waiting || view.state == ViewHealth::State::Ended || view.trouble)
-        return {RecordHealthWords::tr("trouble"), BadgeState::Bad};
+        return {RecordHealthWords::tr("problem"), BadgeState::Bad};
     if (view.slow)
         return {RecordHealthWords::tr("slow"), BadgeState::Warning};
     if (view.lostByUs > 0 || view.lostOnWire > 0)
-        return {RecordHealthWords::tr("losses"), BadgeState::Warning};
+        return {RecordHealthWords::tr("lost frames"), BadgeState::Warning};
     return view.state == ViewHealth::State::Delivering
                ? Badge{RecordHealthWords::tr("good"), BadgeState::Good}
                : Badge{};
@@ -254,8 +254,9 @@ Fact robotFact(const SeenRobot &robot)
 {
     const QString name = QString::fromStdString(robot.name);
     if (!robot.now || !robot.now->point.valid)
-        return {
-            name, RecordHealthWords::tr("not seen"), {RecordHealthWords::tr("unseen"), BadgeState::Warning}};
+        return {name,
+                RecordHealthWords::tr("no camera sees it"),
+                {RecordHealthWords::tr("not visible"), BadgeState::Warning}};
     const ProfilePoint &point = robot.now->point;
     const QString place = RecordHealthWords::tr("x %1, y %2, %3")
                               .arg(distanceText(point.position.x()), distanceText(point.position.y()),
@@ -263,16 +264,16 @@ Fact robotFact(const SeenRobot &robot)
     if (std::popcount(robot.now->sample.views) == 1)
         return {name,
                 place + RecordHealthWords::tr("; one camera sees it"),
-                {RecordHealthWords::tr("seen"), BadgeState::Neutral}};
-    return {name, place, {RecordHealthWords::tr("seen"), BadgeState::Good}};
+                {RecordHealthWords::tr("visible"), BadgeState::Neutral}};
+    return {name, place, {RecordHealthWords::tr("visible"), BadgeState::Good}};
 }
 
 Fact stepFact(const PairHealth &pairs)
 {
     const Badge badge = pairs.p95S <= goodStepS  ? Badge{RecordHealthWords::tr("good"), BadgeState::Good}
                         : pairs.p95S <= badStepS ? Badge{RecordHealthWords::tr("fair"), BadgeState::Neutral}
-                                                 : Badge{RecordHealthWords::tr("apart"), BadgeState::Warning};
-    return {RecordHealthWords::tr("Step"), shownWords(inStepWords(pairs.p95S)), badge};
+                                                 : Badge{RecordHealthWords::tr("poor"), BadgeState::Warning};
+    return {RecordHealthWords::tr("Synchronisation"), shownWords(inStepWords(pairs.p95S)), badge};
 }
 
 QString sentence(QString words)
@@ -309,7 +310,7 @@ QList<Fact> healthFacts(const CaptureHealth &health, const std::vector<WantedCam
             words << shownWords(room);
         const bool bad = health.disk.trouble || health.disk.waiting >= 1;
         facts.append({RecordHealthWords::tr("Disk"), words.join(QStringLiteral(", ")),
-                      bad ? Badge{RecordHealthWords::tr("trouble"), BadgeState::Bad}
+                      bad ? Badge{RecordHealthWords::tr("problem"), BadgeState::Bad}
                           : Badge{RecordHealthWords::tr("good"), BadgeState::Good}});
     }
     for (const SeenRobot &robot : robots)
@@ -323,13 +324,11 @@ QString unregisteredWords(const std::vector<WantedCamera> &cameras)
         const QString name = QString::fromStdString(camera.name);
         if (!camera.floorView && camera.registeredPx.isEmpty())
             return RecordHealthWords::tr(
-                       "Camera %1 is not registered to the floor: it is recorded, but cannot tell "
-                       "where a robot is.")
+                       "Camera %1 is not registered to the floor: it records, but cannot locate robots.")
                 .arg(name);
         if (!camera.floorView)
-            return RecordHealthWords::tr(
-                       "Camera %1 was registered for pictures of %2×%3, which it does not send now: it "
-                       "is recorded, but cannot tell where a robot is.")
+            return RecordHealthWords::tr("Camera %1 was registered with frames of %2×%3, but now sends "
+                                         "another size: it records, but cannot locate robots.")
                 .arg(name)
                 .arg(camera.registeredPx.width())
                 .arg(camera.registeredPx.height());
@@ -357,12 +356,12 @@ QString troubleWords(const CaptureHealth &health, const std::vector<WantedCamera
         return words;
     if (health.disk.recording && health.disk.waiting >= 0.5)
         return RecordHealthWords::tr(
-            "The disk is hardly fast enough: record to a faster one, or with fewer cameras.");
+            "The disk is barely fast enough: record to a faster one, or with fewer cameras.");
     if (health.disk.secondsLeft && *health.disk.secondsLeft < littleRoomS)
         return sentence(
             RecordHealthWords::tr("The disk is nearly full: %1").arg(shownWords(roomWords(health.disk))));
     if (health.pairs.pairs > 0 && health.pairs.p95S > badStepS)
-        return RecordHealthWords::tr("The cameras are not in step: set both to the same rate.");
+        return RecordHealthWords::tr("The cameras are not synchronised: set both to the same frame rate.");
     return {};
 }
 

@@ -28,7 +28,7 @@ LiveBoard::LiveBoard(const QList<QAction *> &tools, QWidget *parent)
 {
     setTarget({});
     m_mapCard->setContent(m_map);
-    auto *scroll = scrolled(m_health, tr("How cameras, map and disk do"));
+    auto *scroll = scrolled(m_health, tr("Health of cameras, map and disk"));
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     auto *healthCard = new Card(tr("Health"));
     healthCard->setContent(scroll);
@@ -73,7 +73,7 @@ void LiveBoard::setCameras(const RunningCameras &running)
     for (std::size_t v = 0; v < cameras.size(); ++v) {
         const QString title = tr("Camera %1").arg(QString::fromStdString(cameras[v].name));
         m_cards[v]->setTitle(title);
-        m_areas[v]->setAccessibleName(tr("Live picture of %1").arg(title));
+        m_areas[v]->setAccessibleName(tr("Live view of %1").arg(title));
         m_cards[v]->setBadge(cameras[v].floorView ? Badge{}
                                                   : Badge{tr("not registered"), BadgeState::Warning});
         if (running.isOpening())
@@ -133,10 +133,9 @@ void LiveBoard::setHealth(const CaptureHealth &health, const std::vector<WantedC
     for (std::size_t v = 0; v < std::min(m_areas.size(), health.views.size()); ++v) {
         const ViewHealth &view = health.views[v];
         const bool delivers = view.state == ViewHealth::State::Delivering;
-        m_areas[v]->setWords(delivers ? QString()
-                             : view.state == ViewHealth::State::Starting
-                                 ? tr("Waiting for the first picture…")
-                                 : tr("No picture now"));
+        m_areas[v]->setWords(delivers                                    ? QString()
+                             : view.state == ViewHealth::State::Starting ? tr("Waiting for the first frame…")
+                                                                         : tr("No frames now"));
         m_cards[v]->setRemark(
             delivers ? tr("%1 frames/s").arg(locale().toString(view.framesPerSecond, 'f', 1)) : QString());
     }
@@ -152,7 +151,7 @@ constexpr std::size_t longestWay = 30 * 60 * 10; // ten minutes: a longer way is
 
 LiveMap::LiveMap(QWidget *parent) : MapCanvas(parent)
 {
-    setAccessibleName(tr("Map of the floor with the robots as they drive"));
+    setAccessibleName(tr("Live floor map with the robots"));
 }
 
 void LiveMap::setFloor(TrialScenePtr floor)
@@ -264,7 +263,7 @@ void LiveMap::paintEvent(QPaintEvent *)
         painter.fillRect(rect(), colours.mapGround);
         painter.setPen(colours.muted);
         painter.drawText(rect().adjusted(16, 16, -16, -16), Qt::AlignCenter | Qt::TextWordWrap,
-                         tr("No camera is registered to the floor, so that no place on it can be told"));
+                         tr("No camera is registered to the floor: robots cannot be located"));
         return;
     }
     drawStill(painter);

@@ -38,7 +38,7 @@ bool hasStart(const std::optional<Task> &task, bool lapped)
 
 RunCard::RunCard(QWidget *parent)
     : Card(tr("Up now"), parent), m_form(new QFormLayout), m_class(new QComboBox), m_team(new QComboBox),
-      m_task(new QComboBox), m_start(new QComboBox), m_robots(new CheckList(tr("Robots that drive"))),
+      m_task(new QComboBox), m_start(new QComboBox), m_robots(new CheckList(tr("Robots of this run"))),
       m_trial(new QLineEdit), m_laps(new QSpinBox)
 {
     auto *content = new QWidget;
@@ -55,9 +55,9 @@ RunCard::RunCard(QWidget *parent)
     m_form->addRow(tr("Be&gins"), m_start);
     m_form->addRow(tr("&Laps"), m_laps);
     m_laps->setRange(1, mostLaps);
-    m_laps->setAccessibleName(tr("Laps until it ends"));
-    m_team->setAccessibleName(tr("Team that is up"));
-    m_start->setAccessibleName(tr("How the recording begins"));
+    m_laps->setAccessibleName(tr("Number of laps"));
+    m_team->setAccessibleName(tr("Team of this run"));
+    m_start->setAccessibleName(tr("When the recording begins"));
     for (QComboBox *box : {m_class, m_team, m_task, m_start}) {
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         box->setMinimumContentsLength(12);
@@ -227,7 +227,7 @@ StartCard::StartCard(QWidget *parent)
     m_clock->setObjectName(QStringLiteral("recordClock"));
     m_clock->setAlignment(Qt::AlignCenter);
     m_clock->setTextFormat(Qt::PlainText);
-    m_clock->setAccessibleName(tr("Time recorded"));
+    m_clock->setAccessibleName(tr("Recorded time"));
     m_words->setTextFormat(Qt::PlainText);
     m_words->setWordWrap(true);
     m_words->setAlignment(Qt::AlignCenter);
@@ -251,22 +251,23 @@ void StartCard::setState(const State &state)
     bool able = state.blocked.isEmpty() && !state.ending;
     switch (state.phase) {
     case RunPhase::Ready:
-        words = state.ending               ? tr("Writing the last pictures…")
+        words = state.ending               ? tr("Writing the last frames…")
                 : !state.blocked.isEmpty() ? state.blocked
                 : state.room.isEmpty()     ? tr("F9 records, F9 stops")
                                            : tr("F9 records, F9 stops; %1").arg(state.room);
         break;
     case RunPhase::CountingDown:
-        text = tr("Call off");
+        text = tr("Cancel");
         sign = QStringLiteral("stop");
         clock = tr("in %1").arg(int(std::ceil(toSeconds(state.countdownLeft))));
         words = tr("Get ready");
         able = true;
         break;
     case RunPhase::Armed:
-        text = tr("Call off");
+        text = tr("Cancel");
         sign = QStringLiteral("stop");
-        words = tr("Waiting for the robot at “%1”; it is recorded from a second before").arg(state.gate);
+        words =
+            tr("Waiting for the robot at “%1”. The recording will include the second before").arg(state.gate);
         able = true;
         break;
     case RunPhase::Recording:

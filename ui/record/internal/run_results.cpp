@@ -54,7 +54,7 @@ RunResultCard::RunResultCard(QWidget *parent)
     setContent(content);
     m_open->hide();
     m_grid->hide();
-    m_words->setText(tr("The figures of a run stand here a moment after it has ended."));
+    m_words->setText(tr("The results appear here shortly after the run ends."));
     connect(m_open, &QPushButton::clicked, this, [this] { Q_EMIT openRequested(m_trial); });
 }
 
@@ -64,7 +64,7 @@ void RunResultCard::setWorking(const QString &trial)
     setRemark(trial);
     m_grid->hide();
     m_open->hide();
-    m_words->setText(tr("Measuring…"));
+    m_words->setText(tr("Analysing…"));
 }
 
 void RunResultCard::setResults(const QString &trial, const std::vector<Result> &results, From from)
@@ -85,8 +85,8 @@ void RunResultCard::setResults(const QString &trial, const std::vector<Result> &
     m_grid->setFigures(std::move(figures));
     m_grid->show();
     m_words->setText(from == From::Live
-                         ? tr("From live tracking. The final figures come from the recording, in a moment.")
-                         : tr("Final, from every picture of the recording."));
+                         ? tr("From live tracking. The final results follow shortly, from the recording.")
+                         : tr("Final, from every frame of the recording."));
     m_open->setVisible(from == From::Recording);
 }
 
@@ -235,11 +235,10 @@ RunResults::RunResults(Project &project, RunResultCard &card, QObject *parent)
     connect(m_measuring, &RunMeasuring::measured, this,
             [this](const QString &trial, const auto &results, const QStringList &warnings) {
                 show(trial, results, RunResultCard::From::Recording);
-                Q_EMIT changed(withWarnings(tr("%1 is measured.").arg(trial), warnings));
+                Q_EMIT changed(withWarnings(tr("%1 is analysed.").arg(trial), warnings));
             });
     connect(m_measuring, &RunMeasuring::failed, this, [this](const QString &trial, const Error &error) {
-        showFailure(trial,
-                    tr("It is recorded, but could not be measured: %1").arg(asSentence(errorLine(error))));
+        showFailure(trial, tr("Recorded, but not analysed: %1").arg(asSentence(errorLine(error))));
         Q_EMIT failed(error);
     });
 }
@@ -260,7 +259,7 @@ void RunResults::takeRecorded(const QString &trial, const QStringList &warnings)
 void RunResults::takeGivenUp(const QString &trial, const Error &error)
 {
     setRecording(false);
-    showFailure(trial, tr("It could not be recorded: %1").arg(asSentence(errorLine(error))));
+    showFailure(trial, tr("Recording failed: %1").arg(asSentence(errorLine(error))));
     Q_EMIT failed(error);
 }
 

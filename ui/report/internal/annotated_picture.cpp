@@ -316,7 +316,7 @@ void AnnotatedPicture::paintView(QPainter &painter, std::size_t view, const View
         painter.drawText(m_views[view].adjusted(16, 16, -16, -16), Qt::AlignCenter | Qt::TextWordWrap,
                          moment.frame < 0
                              ? AnnotatedPictureWords::tr("This camera was not recording at this time")
-                             : AnnotatedPictureWords::tr("This picture cannot be decoded"));
+                             : AnnotatedPictureWords::tr("This frame cannot be decoded"));
     }
     if (moment.frame < 0)
         return;

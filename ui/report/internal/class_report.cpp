@@ -39,7 +39,7 @@ Result<void> checkClass(Project &project, const std::string &name)
                 names.empty() ? Message(ODO_TEXT("ui.project_has_no_class", "the project has none"))
                               : ODO_TEXT("ui.project_has_classes", "the project has %1")(
                                     quotedNames(names, MessageArgument::Kind::Class)),
-                ODO_TEXT("ui.choose_or_make_class", "choose one of them, or make it in the workbench"));
+                ODO_TEXT("ui.choose_or_make_class", "choose one of them, or create it in the workbench"));
 }
 
 /// The task that most trials of the class have; empty: none has one.
@@ -96,11 +96,11 @@ Result<ClassContentPtr> readClassContent(Project &project, const ClassReportSett
             ODO_TEXT("ui.report_of_class", "report of class '%1'")(Named::schoolClass(chosen.className)),
             chosen.task.empty()
                 ? ODO_TEXT("ui.no_run_with_figure",
-                           "none of its teams has a run with the figure '%1'")(chosen.metric)
+                           "none of its teams has a run with the metric '%1'")(chosen.metric)
                 : ODO_TEXT("ui.no_run_with_figure_in_task",
-                           "none of its teams has a run with the figure '%1' in the task '%2'")(
+                           "none of its teams has a run with the metric '%1' in the task '%2'")(
                       chosen.metric, Named::task(chosen.task)),
-            ODO_TEXT("ui.track_or_choose_figure", "track its trials, or choose another task or figure"));
+            ODO_TEXT("ui.track_or_choose_figure", "track its trials, or choose another task or metric"));
     return content;
 }
 
@@ -192,12 +192,13 @@ private:
 QRectF ClassPage::paintFrame(const QRectF &sheet, const QString &title, const QStringList &facts, int page,
                              int pages)
 {
-    QStringList foot(ClassReportWords::tr(
-        "Rank: one more than the number of teams that are better beyond doubt (medians apart by more "
-        "than 1.96 σ); teams of one rank cannot be told apart."));
+    QStringList foot(
+        ClassReportWords::tr("Rank: one more than the number of significantly better teams (medians differ "
+                             "by more than 1.96 σ). Teams of the same rank do not differ significantly."));
     if (m_content.leftOut > 0)
-        foot << ClassReportWords::tr("%n trial(s) left out: measured by another course; measure them again.",
-                                     "", m_content.leftOut);
+        foot << ClassReportWords::tr(
+            "%n trial(s) not counted: analysed with a different course. Reanalyse them.", "",
+            m_content.leftOut);
     foot << (pages > 1 ? ClassReportWords::tr("Page %1 of %2 · Odograph %3")
                              .arg(page)
                              .arg(pages)
@@ -338,7 +339,7 @@ void ClassPage::paintRanking(const QRectF &sheet, const RankingPart &part)
     head(w.best, ClassReportWords::tr("Best"), Qt::AlignRight);
     head(w.median, ClassReportWords::tr("Median"), Qt::AlignRight);
     left += w.strip + 6;
-    head(room.right() - left, ClassReportWords::tr("Through the term"), Qt::AlignLeft);
+    head(room.right() - left, ClassReportWords::tr("Over the term"), Qt::AlignLeft);
     double top = room.top() + scaleHeight;
     for (std::size_t team = part.from; team < part.to; ++team) {
         m_painter.setPen(QPen(m_colours.grid, 0.7));
@@ -399,7 +400,7 @@ void ClassPage::paintTeam(const QRectF &sheet, std::size_t index)
     room.setTop(room.top() + figuresHeight + partGap);
     const QRectF trend =
         drawPartTitle(m_painter, QRectF(room.left(), room.top(), room.width(), trendHeight),
-                      ClassReportWords::tr("Through the term"), progressText(team, m_standings));
+                      ClassReportWords::tr("Over the term"), progressText(team, m_standings));
     drawChart(m_painter, trend, trendDrawing(team), reportPalette(), reportFont(smallSize));
     room.setTop(room.top() + trendHeight + partGap);
     paintRuns(room, team);

@@ -210,7 +210,7 @@ void drawRunChart(QPainter &painter, const QRectF &rect, const Profile &profile,
     ProfileCurves curves = profileCurves(profile, quantity, times);
     std::erase_if(curves.line.runs, [](const CurveRun &run) { return !run.isLine(); });
     if (curves.line.runs.empty()) {
-        drawLine(painter, room, ReportChartWords::tr("No curve: the robot was not seen"),
+        drawLine(painter, room, ReportChartWords::tr("No curve: the robot was not detected"),
                  reportFont(bodySize), colours.muted, Qt::AlignCenter);
         return;
     }

@@ -184,8 +184,8 @@ QRectF drawStill(QPainter &painter, const QRectF &rect, const TrialScene &scene,
     painter.setClipRect(box);
     if (still.picture.isNull()) {
         painter.fillRect(box, colours.pictureGround);
-        const QString why = still.isVideoThere ? ReportStillsWords::tr("no picture: the video cannot be read")
-                                               : ReportStillsWords::tr("no picture: the video is missing");
+        const QString why = still.isVideoThere ? ReportStillsWords::tr("no image: the video cannot be read")
+                                               : ReportStillsWords::tr("no image: the video is missing");
         drawLine(painter, box, why, reportFont(smallSize), colours.muted, Qt::AlignCenter);
     } else {
         painter.drawImage(box, still.picture);

@@ -92,7 +92,7 @@ RangeCard::RangeCard(Timeline &timeline, QWidget *parent)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addLayout(fit);
-    QScrollArea *scroll = scrolled(m_facts, tr("Figures of the range"));
+    QScrollArea *scroll = scrolled(m_facts, tr("Statistics of the range"));
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     layout->addWidget(scroll, 1);
     setContent(content);
@@ -106,14 +106,14 @@ RangeCard::RangeCard(Timeline &timeline, QWidget *parent)
 
 void RangeCard::makeChoices()
 {
-    m_robot->setAccessibleName(tr("Robot whose range is shown"));
+    m_robot->setAccessibleName(tr("Robot of the statistics"));
     m_robot->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    m_shape->setAccessibleName(tr("What is fitted to the curve"));
+    m_shape->setAccessibleName(tr("Function to fit to the curve"));
     m_shape->addItem(tr("none"), noFit);
     m_shape->addItem(tr("constant"), static_cast<int>(FitShape::Constant));
     m_shape->addItem(tr("straight line"), static_cast<int>(FitShape::Line));
     m_shape->addItem(tr("parabola"), static_cast<int>(FitShape::Parabola));
-    m_fitted->setAccessibleName(tr("Quantity that is fitted"));
+    m_fitted->setAccessibleName(tr("Fitted quantity"));
     for (QComboBox *choice : {m_shape, m_fitted})
         choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
 }
@@ -233,16 +233,16 @@ QStringList inputsOf(const RangeReport &report)
 QString calibrationPart(Quantity quantity)
 {
     if (isAngle(quantity))
-        return RangeFactsWords::tr("What the calibration adds to an angle is not known and not in it.");
-    return isPosition(quantity) ? RangeFactsWords::tr("The calibration's error of place is in it.")
-                                : RangeFactsWords::tr("The calibration's error of scale is in it.");
+        return RangeFactsWords::tr("The calibration's contribution to an angle is unknown and not included.");
+    return isPosition(quantity) ? RangeFactsWords::tr("Includes the position uncertainty of the calibration.")
+                                : RangeFactsWords::tr("Includes the scale uncertainty of the calibration.");
 }
 
 QString smoothedPart()
 {
     return RangeFactsWords::tr(
-        "Neighbours of a smoothed curve share their error, so it is averaged out by time and not by frames: "
-        "with a spectrum of r/(1 + (ω/ω₀)⁶) for the position, ω₀ = √2 σv/σx.");
+        "Neighbouring points of a smoothed curve have correlated errors. They average out over time, not "
+        "over frames: with a spectrum of r/(1 + (ω/ω₀)⁶) for the position, ω₀ = √2 σv/σx.");
 }
 
 Explanation explainStatistics(const RangeReport &report, Quantity quantity, const QString &value)
@@ -250,11 +250,9 @@ Explanation explainStatistics(const RangeReport &report, Quantity quantity, cons
     return {quantityName(quantity),
             value,
             RangeFactsWords::tr(
-                "Of the smoothed curve, each value for half the time to both neighbours: its mean, the "
-                "median (half of the "
-                "time stays below it), the least and the most beyond doubt (by the value plus or minus "
-                "2σ), and the "
-                "spread √(mean of the squared distance from the mean)."),
+                "From the smoothed curve, each value weighted by half the time to both neighbours: mean; "
+                "median (the curve is below it half of the time); least and most, chosen by value + 2σ and "
+                "value − 2σ; spread √(mean of the squared distance from the mean)."),
             smoothedPart() + u' ' + calibrationPart(quantity),
             inputsOf(report),
             {}};
@@ -290,12 +288,13 @@ QString verdictText(const CurveFit &fit, Quantity quantity)
     const QString ratio = QLocale().toString(fit.reducedChiSquared(), 'g', 2);
     const FitVerdict verdict = verdictOf(fit);
     if (verdict == FitVerdict::Departs)
-        return RangeFactsWords::tr("not its shape: χ² is %1 times what the errors explain").arg(ratio);
+        return RangeFactsWords::tr("does not fit: χ² is %1 times what the uncertainties explain").arg(ratio);
     // A smoothed curve always lies closer: the smoother allows for more motion than there is.
     if (verdict == FitVerdict::Closer && isPosition(quantity))
-        return RangeFactsWords::tr("fits; the stated errors are too large: χ² is %1 of what they let expect")
+        return RangeFactsWords::tr(
+                   "fits; the stated uncertainties are too large: χ² is %1 of its expected value")
             .arg(ratio);
-    return RangeFactsWords::tr("fits: χ² is %1 of what the errors let expect").arg(ratio);
+    return RangeFactsWords::tr("fits: χ² is %1 of its expected value").arg(ratio);
 }
 
 Explanation explainFit(const RangeReport &report, const CurveFit &fit, const QString &value)
@@ -305,10 +304,9 @@ Explanation explainFit(const RangeReport &report, const CurveFit &fit, const QSt
         RangeFactsWords::tr("Fit of %1").arg(quantityName(quantity)),
         value,
         RangeFactsWords::tr(
-            "The polynomial in t − t₀ with the least Σ(residual/σ)² over %1, t₀ = %2. χ² is that sum, "
-            "over what the errors let expect of it: the number of points less what the coefficients "
-            "take up.")
-            .arg(isPosition(quantity) ? RangeFactsWords::tr("the measured places that are used")
+            "The polynomial in t − t₀ that minimises Σ(residual/σ)² over %1, t₀ = %2. χ² is that sum divided "
+            "by its expected value: the number of points minus the degrees of freedom of the coefficients.")
+            .arg(isPosition(quantity) ? RangeFactsWords::tr("the measured positions used")
                                       : RangeFactsWords::tr("the smoothed curve"),
                  secondsText(fromSeconds(fit.originS))),
         {},
@@ -316,17 +314,15 @@ Explanation explainFit(const RangeReport &report, const CurveFit &fit, const QSt
         QStringLiteral("Aitken 1935")};
     explanation.uncertainty =
         isPosition(quantity)
-            ? RangeFactsWords::tr("The larger of two: that of the measurements, widened by 1 + "
-                                  "2Σρ of the residuals where they hang "
-                                  "together (here ×%1), and that of the smoothed curve, which "
-                                  "knows what of their errors lasts.")
+            ? RangeFactsWords::tr("The larger of two uncertainties: that of the measurements, widened by 1 + "
+                                  "2Σρ for correlated residuals (here ×%1), and that of the smoothed curve, "
+                                  "including the errors that persist.")
                   .arg(QLocale().toString(fit.neighbourFactor, 'g', 3))
             : smoothedPart();
     explanation.uncertainty +=
         u' ' + calibrationPart(quantity) + u' ' +
-        RangeFactsWords::tr("That the shape is the true one is taken for granted; χ² far above "
-                            "1 says that it is not. Below 1 it "
-                            "comes of a smoother that allows for more motion than there is.");
+        RangeFactsWords::tr("Assumes that the shape is correct; χ² far above 1 shows that it is not. χ² "
+                            "below 1 means that the smoother allows for more motion than the robot made.");
     explanation.inputs.prepend(RangeFactsWords::tr("%1 points").arg(fit.points));
     return explanation;
 }

@@ -37,26 +37,25 @@ struct StepWords
 std::optional<StepWords> stepWords(const std::string &method)
 {
     if (method == "auto")
-        return StepWords{
-            FactExplanationsWords::tr(
-                "The offset at which the tracks of the robot on the floor, as the two views see it, "
-                "coincide: least squares of "
-                "r(t) = p₁(t) − p₂((t − offset)(1 + rate)), with a constant shift and a small scale between "
-                "them, searched in half "
-                "frames and refined by Gauss–Newton. The clocks' rate is taken where it is beyond three σ."),
-            FactExplanationsWords::tr("from the curvature of the sum of squares and the residual, which is "
-                                      "taken as correlated over half a second")};
+        return StepWords{FactExplanationsWords::tr(
+                             "The time offset at which the robot's floor tracks from the two views coincide: "
+                             "least squares of r(t) = p₁(t) − p₂((t − offset)(1 + rate)), with a constant "
+                             "shift and a small scale between them, searched in steps of half a frame and "
+                             "refined by Gauss–Newton. The clock rate is used if it exceeds three σ."),
+                         FactExplanationsWords::tr("from the curvature of the sum of squares and from the "
+                                                   "residual, assumed to be correlated over half a second")};
     if (method == "flash")
         return StepWords{
-            FactExplanationsWords::tr("The offset at which the jumps of light that both views saw fall "
-                                      "together, taken where no other offset comes within a "
-                                      "factor of 150 of its likelihood: the pairs' weighted mean."),
-            FactExplanationsWords::tr("of the pairs, of their scatter, and a tenth of a frame interval for "
-                                      "each view, for its shutter")};
+            FactExplanationsWords::tr(
+                "The time offset at which the jumps in brightness in both views coincide: the weighted mean "
+                "of the pairs. It is used if every other offset is at least 150 times less likely."),
+            FactExplanationsWords::tr("from the pairs and their scatter, plus a tenth of a frame interval "
+                                      "per view for its shutter")};
     if (method == "clock")
-        return StepWords{FactExplanationsWords::tr("Each camera's time stamps, related to this computer's "
-                                                   "clock by readings of the camera's while it recorded."),
-                         FactExplanationsWords::tr("of both relations of the clocks")};
+        return StepWords{
+            FactExplanationsWords::tr("Each camera's time stamps, converted to this computer's clock by "
+                                      "reading the camera's clock during the recording."),
+            FactExplanationsWords::tr("from both clock conversions")};
     return std::nullopt;
 }
 
@@ -68,14 +67,13 @@ Explanation explainPassages(const TrialScene &scene, std::size_t robot, const QS
     Explanation told;
     told.what = FactExplanationsWords::tr("Times at the gates");
     told.value = value;
-    told.formula =
-        FactExplanationsWords::tr("When the robot's centre crosses the gate's line between its ends, the way "
-                                  "the gate is passed: between two frames the smoothed "
-                                  "position is the cubic through both places and velocities. It has passed "
-                                  "when it was before the line by three σ of the "
-                                  "track's own noise and then is past it by as much.");
+    told.formula = FactExplanationsWords::tr(
+        "When the robot's reference point crosses the gate's line between its ends, in the direction of the "
+        "gate. Between two frames, the smoothed position is the cubic through both positions and velocities. "
+        "A passage counts if the point was before the line by three σ of the track's own noise and then is "
+        "past it by as much.");
     told.uncertainty = FactExplanationsWords::tr(
-        "σ of the position across the gate over the speed across it, with the calibration's part");
+        "σ of the position across the gate divided by the speed across it, including the calibration's part");
     told.inputs = analysisInputs(scene, robot);
     return told;
 }
@@ -86,10 +84,11 @@ Explanation explainLap(const TrialScene &scene, std::size_t robot, const Lap &la
     Explanation told;
     told.what = what;
     told.value = figureText(lap.timeS, lap.sigmaS, QStringLiteral("s")).text();
-    told.formula = FactExplanationsWords::tr("From one passing of the start to the finish, or of the one "
-                                             "gate to the next; of each split its first passing counts.");
-    told.uncertainty = FactExplanationsWords::tr(
-        "of both passages; the calibration's error of a gate that is passed twice at one speed cancels");
+    told.formula = FactExplanationsWords::tr(
+        "From a passage of the start to one of the finish, or from one passage of a start-finish gate to the "
+        "next. Of each split, the first passage counts.");
+    told.uncertainty = FactExplanationsWords::tr("from both passages; the calibration's uncertainty cancels "
+                                                 "for a gate passed twice at the same speed");
     for (const Sector &sector : lap.sectors)
         told.inputs << FactExplanationsWords::tr("to %1: %2")
                            .arg(QString::fromStdString(sector.gate),
@@ -128,8 +127,8 @@ std::optional<Explanation> explainStep(const SceneView &view, const QString &val
     if (!words)
         return std::nullopt;
     Explanation told;
-    told.what =
-        FactExplanationsWords::tr("View %1 in step with the first").arg(QString::fromStdString(view.camera));
+    told.what = FactExplanationsWords::tr("Synchronisation of view %1 with the first")
+                    .arg(QString::fromStdString(view.camera));
     told.value = value;
     told.formula = words->formula;
     told.uncertainty = words->uncertainty;
@@ -149,12 +148,10 @@ std::optional<Explanation> explainHeight(const TrialScene &scene, std::size_t ro
     told.what = FactExplanationsWords::tr("Height of robot %1")
                     .arg(QString::fromStdString(scene.robots[robot].robot.name));
     told.value = lengthText(analysis->profile.heightM);
-    told.formula =
-        FactExplanationsWords::tr("The solid (box or cylinder, on the floor or a plate at the robot's top) "
-                                  "whose silhouettes the outlines in all views are, by weighted "
-                                  "least squares at some forty times of the run; where no such solid "
-                                  "explains them, the height at which all views put the robot at the "
-                                  "same place.");
+    told.formula = FactExplanationsWords::tr(
+        "The solid (box or cylinder, on the floor or a plate at the robot's top) whose silhouettes best "
+        "match the outlines in all views, by weighted least squares at about forty times of the run. If no "
+        "such solid explains them: the height at which all views give the same floor position.");
     told.inputs = analysisInputs(scene, robot);
     return told;
 }
@@ -204,7 +201,7 @@ Fact viewFact(const SceneView &view)
 Fact stepFact(const SceneView &view)
 {
     Fact fact{
-        TrialFactsWords::tr("In step"),
+        TrialFactsWords::tr("Synchronisation"),
         TrialFactsWords::tr("%1: %2").arg(QString::fromStdString(view.camera), stepText(view.recording)),
         {},
         explainStep(view, stepText(view.recording))};
@@ -301,8 +298,9 @@ void addTask(const TrialScene &scene, QList<Fact> &facts)
         return;
     const bool isOtherwise = !scene.robots.empty() && isMeasuredOtherwise(scene, 0);
     facts.append({TrialFactsWords::tr("Task"), QString::fromStdString(scene.trial.task),
-                  isOtherwise ? Badge{TrialFactsWords::tr("measured by another course"), BadgeState::Warning}
-                              : Badge()});
+                  isOtherwise
+                      ? Badge{TrialFactsWords::tr("analysed with a different course"), BadgeState::Warning}
+                      : Badge()});
     for (std::size_t robot = 0; robot < scene.robots.size(); ++robot) {
         const std::optional<Score> score = scoreOf(scene, robot);
         if (!score)
@@ -316,9 +314,10 @@ void addTask(const TrialScene &scene, QList<Fact> &facts)
                       explainScore(*score, analysisInputs(scene, robot))});
     }
     if (isOtherwise && !scene.scoring.empty())
-        facts.append({TrialFactsWords::tr("Score"),
-                      TrialFactsWords::tr("none until it is measured again: the task has another course now"),
-                      {}});
+        facts.append(
+            {TrialFactsWords::tr("Score"),
+             TrialFactsWords::tr("none until you reanalyse the trial: the task has a different course now"),
+             {}});
 }
 
 } // namespace
@@ -338,11 +337,11 @@ QList<Fact> trialFacts(const TrialScene &scene)
             {TrialFactsWords::tr("Robot"), robotText(scene.robots[robot]), {}, explainHeight(scene, robot)});
     for (const SceneRobot &robot : scene.robots) {
         if (robot.analysis && robot.analysis->proof == AnalysisRecord::Proof::Broken)
-            facts.append({TrialFactsWords::tr("Results"),
-                          TrialFactsWords::tr(
-                              "%1: changed in the file since they were analysed. Analyse the trial again.")
-                              .arg(QString::fromStdString(robot.robot.name)),
-                          {TrialFactsWords::tr("do not rely on them"), BadgeState::Bad}});
+            facts.append(
+                {TrialFactsWords::tr("Results"),
+                 TrialFactsWords::tr("%1: changed in the file after the analysis. Reanalyse the trial.")
+                     .arg(QString::fromStdString(robot.robot.name)),
+                 {TrialFactsWords::tr("do not rely on them"), BadgeState::Bad}});
     }
     for (const SceneRobot &robot : scene.robots) {
         const Message apart = robot.analysis && !robot.analysis->views.empty()
@@ -351,7 +350,7 @@ QList<Fact> trialFacts(const TrialScene &scene)
         if (!apart.isEmpty())
             facts.append({TrialFactsWords::tr("Views"),
                           joinedWords(QString::fromStdString(robot.robot.name), shownWords(apart)),
-                          {TrialFactsWords::tr("doubtful"), BadgeState::Warning}});
+                          {TrialFactsWords::tr("inconsistent"), BadgeState::Warning}});
     }
     add(TrialFactsWords::tr("Date"), dateText(trial.date));
     if (scene.layout)

@@ -84,10 +84,10 @@ QString PictureHeading::title() const
 ChartPicture::ChartPicture(QWidget &plot, std::function<PictureHeading()> heading, SeriesKey *key)
     : QObject(&plot), m_plot(plot), m_heading(std::move(heading)), m_key(key)
 {
-    auto *copyIt = new QAction(tr("&Copy as a picture"), &plot);
+    auto *copyIt = new QAction(tr("&Copy as image"), &plot);
     copyIt->setShortcut(QKeySequence::Copy);
     copyIt->setShortcutContext(Qt::WidgetShortcut);
-    auto *saveIt = new QAction(tr("&Save as a picture…"), &plot);
+    auto *saveIt = new QAction(tr("&Save as image…"), &plot);
     connect(copyIt, &QAction::triggered, this, &ChartPicture::copy);
     connect(saveIt, &QAction::triggered, this, &ChartPicture::askSave);
     plot.addActions({copyIt, saveIt});
@@ -224,14 +224,14 @@ void ChartPicture::askSave() const
 {
     const QDir folder(QStandardPaths::writableLocation(QStandardPaths::PicturesLocation));
     const QString name = QString::fromStdString(fileNameOf(m_heading().title().toStdString()));
-    const auto chosen = askOutput(&m_plot, tr("Save as a picture"), folder.filePath(name + u'.' + svgEnding),
-                                  {{tr("SVG pictures (*.svg)"), svgEnding, FileKind::Svg},
+    const auto chosen = askOutput(&m_plot, tr("Save as image"), folder.filePath(name + u'.' + svgEnding),
+                                  {{tr("SVG images (*.svg)"), svgEnding, FileKind::Svg},
                                    {tr("PDF documents (*.pdf)"), pdfEnding, FileKind::Pdf},
-                                   {tr("PNG pictures (*.png)"), QStringLiteral("png"), FileKind::Png}});
+                                   {tr("PNG images (*.png)"), QStringLiteral("png"), FileKind::Png}});
     if (!chosen)
         return;
     if (const auto saved = save(chosen->target); !saved) {
-        QMessageBox told(QMessageBox::Warning, tr("Save as a picture"), errorInWords(saved.error()),
+        QMessageBox told(QMessageBox::Warning, tr("Save as image"), errorInWords(saved.error()),
                          QMessageBox::Ok, &m_plot);
         told.setTextFormat(Qt::PlainText);
         told.exec();

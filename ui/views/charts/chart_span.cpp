@@ -36,8 +36,7 @@ void ChartSpan::makeActions()
             &QAction::triggered, this, [this, about] { zoom(1 / keyStep, about()); });
     connect(add(QStringLiteral("zoomAll"), tr("Charts: show &all"), QKeySequence(Qt::CTRL | Qt::Key_0)),
             &QAction::triggered, this, [this] { showAll(); });
-    m_distance =
-        add(QStringLiteral("againstDistance"), tr("Charts against the &distance"), QKeySequence(Qt::Key_D));
+    m_distance = add(QStringLiteral("againstDistance"), tr("Charts over &distance"), QKeySequence(Qt::Key_D));
     m_distance->setCheckable(true);
     connect(m_distance, &QAction::toggled, this,
             [this](bool on) { setAgainst(on ? Against::Distance : Against::Time); });

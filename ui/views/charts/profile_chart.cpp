@@ -200,7 +200,7 @@ ProfileChart::ProfileChart(Timeline &timeline, ChartSpan &span, QList<Quantity> 
     connect(m_key, &SeriesKey::toggled, m_area, &ChartView::setGroupShown);
     if (quantities.size() > 1) {
         m_choice = new QComboBox(this);
-        m_choice->setAccessibleName(tr("Quantity that the chart shows"));
+        m_choice->setAccessibleName(tr("Quantity of the chart"));
         m_choice->setFocusPolicy(Qt::TabFocus); // Space goes on playing
         for (const Quantity quantity : quantities)
             m_choice->addItem(quantityName(quantity));
@@ -284,11 +284,10 @@ void ProfileChart::describe()
     if (m_quantity == Quantity::TurnRate && analysed)
         remark += tr("anticlockwise positive");
     if (m_area->hasDoubtfulStretches())
-        remark += tr("shaded: hidden or doubtful");
+        remark += tr("shaded: hidden or ambiguous");
     setRemark(remark.join(QStringLiteral(" · ")));
-    m_area->setAccessibleName((m_span.against() == ChartSpan::Against::Time
-                                   ? tr("Chart: %1 against time")
-                                   : tr("Chart: %1 against the distance"))
+    m_area->setAccessibleName((m_span.against() == ChartSpan::Against::Time ? tr("Chart: %1 over time")
+                                                                            : tr("Chart: %1 over distance"))
                                   .arg(quantityName(m_quantity)));
     m_area->setAccessibleDescription(spoken.join(QStringLiteral("; ")));
 }

@@ -93,7 +93,7 @@ QString drawingColourName(DrawingColour colour)
     case DrawingColour::SkyBlue:
         return RobotColoursWords::tr("sky blue");
     }
-    return RobotColoursWords::tr("by itself");
+    return RobotColoursWords::tr("automatic");
 }
 
 /// One line and its name; checked: it is shown.
@@ -155,7 +155,7 @@ SeriesKey::SeriesKey(QWidget *parent) : QWidget(parent)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(2);
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
-    setAccessibleName(tr("Key to the lines"));
+    setAccessibleName(tr("Legend"));
     hide();
 }
 

@@ -32,7 +32,7 @@ QColor colourOnPicture(int place);
 constexpr std::array<DrawingColour, 6> drawingColours{DrawingColour::Blue,   DrawingColour::Vermilion,
                                                       DrawingColour::Green,  DrawingColour::Purple,
                                                       DrawingColour::Orange, DrawingColour::SkyBlue};
-/// "blue"; "by itself" for Automatic.
+/// "blue"; "automatic" for Automatic.
 QString drawingColourName(DrawingColour colour);
 
 class SeriesKeyEntry;

@@ -315,15 +315,15 @@ TimelineBar::TimelineBar(Timeline &timeline, QWidget *parent)
       m_last(new QToolButton(this)), m_time(new QLabel(this)), m_frame(new QLabel(this)),
       m_slider(new TimeSlider(timeline, this)), m_rate(new QComboBox(this))
 {
-    setAccessibleName(tr("Time line"));
+    setAccessibleName(tr("Timeline"));
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     makeButtons();
     m_time->setTextFormat(Qt::PlainText);
     m_frame->setTextFormat(Qt::PlainText);
     m_time->setAccessibleName(tr("Time"));
     m_frame->setAccessibleName(tr("Frame"));
-    m_rate->setAccessibleName(tr("Speed of playing"));
-    m_rate->setToolTip(tr("Speed of playing"));
+    m_rate->setAccessibleName(tr("Playback speed"));
+    m_rate->setToolTip(tr("Playback speed"));
     m_rate->setFocusPolicy(Qt::TabFocus); // Space goes on playing
     for (const double rate : offeredRates)
         m_rate->addItem(rateText(rate), rate);

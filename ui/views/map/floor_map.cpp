@@ -258,8 +258,8 @@ FloorMap::FloorMap(Timeline &timeline, QWidget *parent)
         return PictureHeading{
             title(), {m_scene ? QString::fromStdString(m_scene->trial.name) : QString()}, {}};
     });
-    m_area->setAccessibleName(tr("Map of the floor with the robots' trails"));
-    m_colouring->setAccessibleName(tr("What colours the trails of the map"));
+    m_area->setAccessibleName(tr("Floor map with the robots' trails"));
+    m_colouring->setAccessibleName(tr("Colour of the trails on the map"));
     m_colouring->setFocusPolicy(Qt::TabFocus); // Space goes on playing
     m_colouring->addItems({tr("Speed"), tr("Disagreement")});
     m_colouring->setSizeAdjustPolicy(QComboBox::AdjustToContents);

@@ -308,10 +308,10 @@ QString viewRemark(const TrialScene &scene, std::size_t index)
     const RecordingRecord &recording = scene.views[index].recording;
     QStringList parts; // the most telling first: the end may be cut off
     if (index > 0 && isStepMeasured(recording))
-        parts += CameraView::tr("in step to %1 ms")
+        parts += CameraView::tr("synchronised to %1 ms")
                      .arg(QLocale().toString(recording.startOffsetSigmaS * 1e3, 'f', 1));
     else if (index > 0 && recording.syncMethod == "told")
-        parts += CameraView::tr("offset by hand");
+        parts += CameraView::tr("manual offset");
     else if (index > 0)
         parts += CameraView::tr("not synchronised");
     parts += QStringLiteral("%1×%2").arg(recording.widthPx).arg(recording.heightPx);
@@ -333,7 +333,7 @@ CameraView::CameraView(Timeline &timeline, QWidget *parent)
     : Card(tr("Camera"), parent), m_area(new PictureArea(timeline, this))
 {
     setContent(m_area);
-    m_area->setAccessibleName(tr("Picture of the camera"));
+    m_area->setAccessibleName(tr("Camera image"));
     connect(m_area, &PictureArea::settled, this, &CameraView::settled);
     connect(m_area, &PictureArea::pointedAt, this, &CameraView::pointedAt);
 }
@@ -346,7 +346,7 @@ void CameraView::setScene(TrialScenePtr scene, std::size_t view)
     setTitle(there ? viewTitle(scene->views[view]) : tr("Camera"));
     setRemark(there ? viewRemark(*scene, view) : QString());
     setBadge(there ? registrationBadge(scene->views[view].registration) : Badge());
-    m_area->setAccessibleName(tr("Picture of %1").arg(title()));
+    m_area->setAccessibleName(tr("Image of %1").arg(title()));
     m_area->setScene(std::move(scene), view);
 }
 

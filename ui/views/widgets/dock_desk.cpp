@@ -34,7 +34,7 @@ constexpr double dotSide = 2.5, dotDistance = 6;
 DockGrip::DockGrip(QWidget *parent) : QWidget(parent)
 {
     setCursor(Qt::SizeAllCursor);
-    setToolTip(tr("Drag to move, double click to float"));
+    setToolTip(tr("Drag to move, double-click to float"));
 }
 
 QSize DockGrip::sizeHint() const

@@ -179,7 +179,7 @@ constexpr int figurePadding = 10;
 FigureGrid::FigureGrid(QWidget *parent) : QWidget(parent)
 {
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Minimum);
-    setAccessibleName(tr("Figures"));
+    setAccessibleName(tr("Metrics"));
 }
 
 void FigureGrid::setFigures(std::vector<NamedFigure> figures)

@@ -80,7 +80,7 @@ QSize CheckList::sizeHint() const
 LiveCameraBox::LiveCameraBox(const LiveCameras &cameras, QWidget *parent)
     : QComboBox(parent), m_cameras(cameras)
 {
-    setAccessibleName(tr("Camera that is connected"));
+    setAccessibleName(tr("Connected camera"));
     setSizeAdjustPolicy(QComboBox::AdjustToContents);
     connect(&cameras, &LiveCameras::changed, this, &LiveCameraBox::fill);
     fill();
@@ -99,7 +99,7 @@ void LiveCameraBox::fill()
                     QString::fromStdString(camera.uri));
         }
         if (count() == 0)
-            addItem(m_cameras.isLooking() ? tr("Looking for cameras…") : tr("No camera is connected"),
+            addItem(m_cameras.isLooking() ? tr("Searching for cameras…") : tr("No camera is connected"),
                     QString());
         setCurrentIndex(std::max(0, findData(chosen)));
     }

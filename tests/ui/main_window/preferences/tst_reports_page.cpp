@@ -86,7 +86,7 @@ private Q_SLOTS:
         const ReportsPage page;
         choose(page, text.fileName());
         QTRY_VERIFY_WITH_TIMEOUT(
-            shown(page)->text().contains(QStringLiteral("choose a PNG, JPEG or SVG picture")), longestMs);
+            shown(page)->text().contains(QStringLiteral("choose a PNG, JPEG or SVG image")), longestMs);
         QVERIFY(shown(page)->pixmap().isNull());
     }
 };

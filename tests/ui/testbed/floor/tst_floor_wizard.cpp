@@ -153,7 +153,7 @@ void TestFloorWizard::byKeyboardFromACamera()
     QVERIFY(qobject_cast<QRadioButton *>(focused()));
     QTRY_VERIFY(qobject_cast<QRadioButton *>(focused())->isChecked()); // Qt presses a button for a moment
     QTest::keyClick(focused(), Qt::Key_Tab);
-    QCOMPARE(focused()->accessibleName(), QStringLiteral("Camera that is connected"));
+    QCOMPARE(focused()->accessibleName(), QStringLiteral("Connected camera"));
     BusyWatch busy;
     QTest::keyClick(wizard.get(), Qt::Key_Return);
     QCOMPARE(wizard->findChild<QStackedWidget *>()->currentIndex(), 1);
