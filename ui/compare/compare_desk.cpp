@@ -50,7 +50,7 @@ void paintOtherRun(QPainter &painter, const ComparisonScene &scene, std::size_t 
                view, map);
 }
 
-/// The others can be seen in a run's picture only where both mean the same floor.
+/// The others can be seen in a run's image only where both mean the same floor.
 bool sameFloor(const ComparisonScene &scene, std::size_t a, std::size_t b)
 {
     const auto &first = scene.scenes[a]->layout, &second = scene.scenes[b]->layout;
@@ -141,7 +141,7 @@ void CompareDesk::showViews()
         }
         picture.setTitle(run == 0 ? tr("First") : tr("Second"));
         picture.setRemark(QString::fromStdString(m_scene->name(run)));
-        picture.setBadge({}); // how well it is registered stands in Review; the names need the room
+        picture.setBadge({}); // Review shows the registration; the names need the space
         picture.setRobotColour(colourOnPicture(int(run)));
         picture.setOverlay([scene = m_scene, run](QPainter &painter, std::size_t shown, std::int64_t frame,
                                                   const PictureMap &map) {

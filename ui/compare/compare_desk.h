@@ -22,8 +22,8 @@ class CompareMap;
 class DistanceChart;
 class Timeline;
 
-/// The left part of Compare, which a person can arrange: a picture of each of the first two runs with the
-/// ghost of the other, the map, and the charts against the distance in docks.
+/// The left part of Compare; the user can arrange it: an image of each of the first two runs with the ghost
+/// of the other, the map, and the charts over distance in docks.
 class CompareDesk : public DockDesk
 {
     Q_OBJECT
@@ -48,7 +48,7 @@ private:
 
     Timeline &m_timeline;
     ComparisonScenePtr m_scene;
-    std::vector<Timeline *> m_clocks; ///< of the runs that are pictured, in step with the shared one
+    std::vector<Timeline *> m_clocks; ///< of the runs with an image, synchronised with the shared one
     std::vector<CameraView *> m_pictures;
     std::vector<QComboBox *> m_viewLists;
     Card *m_mapCard;
@@ -60,8 +60,8 @@ private:
 class ChartBubbles;
 class SeriesKey;
 
-/// The plot of one quantity of all runs, a group each, against the distance; inside DistanceChart. The cursor
-/// stands where the first run is at the shared time; a click, a drag or the arrow keys move it.
+/// The plot of one quantity of all runs, a group each, over distance; inside DistanceChart. The cursor shows
+/// the first run at the shared time; a click, a drag or the arrow keys move it.
 class DistanceArea : public ChartView
 {
     Q_OBJECT
@@ -82,7 +82,7 @@ private:
     ComparisonScenePtr m_scene;
 };
 
-/// One quantity of all runs against the distance along the common path, with 95 % bands.
+/// One quantity of all runs over distance along the common path, with 95 % bands.
 class DistanceChart : public Card
 {
     Q_OBJECT
@@ -99,7 +99,7 @@ private:
     Compared m_what;
     DistanceArea *m_area;
     QStringList m_names; ///< of the runs
-    SeriesKey *m_key;    ///< of the speed alone; the other chart stands below it
+    SeriesKey *m_key;    ///< of the speed alone; the other chart is below it
 };
 
 } // namespace odo

@@ -19,10 +19,10 @@ class RunChooser;
 class Timeline;
 class TimelineBar;
 
-/// Compare: two runs or more at the same places of one path, their videos in step, each with the ghost of the
-/// other. What it shows is read on a thread of its own. The gates of the sectors belong to the comparison
-/// on screen: a task is not changed once it is stored, so that dragging them changes nothing that was
-/// measured. The project must outlive the page.
+/// Compare: two or more runs at the same points of one path, their videos synchronised, each with the ghost
+/// of the other. What it shows is read on a thread of its own. The gates of the sectors belong to the
+/// comparison on screen: a task is not changed once it is stored, so that dragging them changes nothing that
+/// was measured. The project must outlive the page.
 class ComparePage : public QWidget
 {
     Q_OBJECT
@@ -43,7 +43,7 @@ public:
     Timeline &timeline() const { return *m_timeline; }
     RunChooser &chooser() const { return *m_chooser; }
     CompareDesk &desk() const { return *m_desk; }
-    /// All is loaded, and every picture that belongs to the present time is on screen, or cannot be had.
+    /// All is loaded, and every image that belongs to the present time is on screen, or is not available.
     bool isSettled() const;
 
 Q_SIGNALS:
@@ -67,7 +67,7 @@ private:
     ProjectReader *m_reader;
     ComparisonScenePtr m_scene;
     std::vector<CompareSettings::Run> m_runs; ///< that are compared, or are to be
-    std::optional<double> m_originM;          ///< by distance: the way that a place is counted from
+    std::optional<double> m_originM;          ///< by distance: the path length that a position counts from
     std::vector<double> m_handTimesS;         ///< the moments that a shift by hand is counted from
     bool m_isListStale = false, m_wantsPartner = false;
     Timeline *m_timeline;

@@ -22,8 +22,8 @@ namespace odo {
 class Project;
 
 /// The classes of a project and their teams: made, renamed, moved, archived and deleted, each as one change
-/// that can be undone, here too (Ctrl+Z takes back what was done here). Names and pseudonyms of teams are
-/// written in place, members and robots in a dialog. On the project's thread; the project must outlive it.
+/// that can be undone, here too (Ctrl+Z undoes what was done here). Names and pseudonyms of teams are written
+/// in place, members and robots in a dialog. On the project's thread; the project must outlive it.
 class ClassesDialog : public QDialog
 {
     Q_OBJECT

@@ -230,7 +230,7 @@ void HistoryPage::refresh()
     m_read.clear();
     m_readTimer->start();
     readMore();
-    // The newest ones stand there at once; a list that is there already stays until the new one is complete.
+    // Shows the newest ones at once; an existing list stays until the new one is complete.
     if (m_reading && m_trials->allCount() == 0) {
         m_trials->setRows(m_read);
         selectTrial({});

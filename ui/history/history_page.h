@@ -62,10 +62,10 @@ Q_SIGNALS:
     void exportRequested(const QStringList &trials);
     void videosRequested(const QStringList &trials); ///< annotated ones are to be made
     void reportRequested(const QStringList &trials);
-    void reprocessRequested(const QStringList &trials);     ///< to be measured again
+    void reprocessRequested(const QStringList &trials);     ///< to be reanalysed
     void emptyBinRequested(const odo::BinContent &content); ///< confirmed
     void notesChanged(const QString &trial);
-    /// Trials came into the bin or out of it; words: what to tell, or empty.
+    /// Trials were moved to the bin or restored; words: a message, or empty.
     void trialsChanged(const QString &words);
     /// Teams are shown by another name now.
     void teamNamesChanged();

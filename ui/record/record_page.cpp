@@ -73,7 +73,7 @@ RecordPage::RecordPage(Project &project, bool readOnly, CameraAccess access, QWi
 RecordPage::~RecordPage()
 {
     m_timer.stop();
-    // Completes what is being recorded, which needs the cameras and is told to nobody any more.
+    // Completes the recording; this needs the cameras and emits no more signals.
     m_recorder->disconnect(this);
     delete m_recorder;
 }
@@ -170,7 +170,7 @@ void RecordPage::refresh()
     const bool isRenamed = wasByPseudonym != m_isByPseudonym && m_control.phase() == RunPhase::Ready;
     if (!std::exchange(m_isLineUpRead, true)) {
         m_run->setRun(lineUp->first());
-    } else if (isRenamed) { // the name that was suggested would tell whose pseudonym it is
+    } else if (isRenamed) { // the suggested name would reveal whose pseudonym it is
         NextRun run = m_run->run();
         run.trial = lineUp->freeTrialName(run.team);
         m_run->setRun(run);

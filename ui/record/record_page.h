@@ -36,19 +36,18 @@ public:
     RecordPage(Project &project, bool readOnly, CameraAccess access = {}, QWidget *parent = nullptr);
     ~RecordPage() override;
 
-    /// Reads teams, tasks, robots and registrations anew; what is being recorded goes on.
+    /// Rereads teams, tasks, robots and registrations; what is being recorded goes on.
     void refresh();
     bool isRecording() const;
     /// Ends what is recorded, or about to be, and waits until the trial is complete in the project.
     void finishRecording();
-    /// Where live positions are sent may have been chosen anew; while a run goes on they stay where they
-    /// were.
+    /// The target of live positions may have changed; during a run it stays as it was.
     void followNetwork();
     /// For menus: record or stop, cameras, set-up doctor.
     QList<QAction *> actions() const { return m_actions; }
 
 Q_SIGNALS:
-    void changed(const QString &words); ///< the project has a new trial, or new figures of one
+    void changed(const QString &words); ///< the project has a new trial, or new metrics of one
     void failed(const odo::Error &error);
     void trialChosen(const QString &trial);
     void testbedRequested();

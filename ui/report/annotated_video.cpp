@@ -27,7 +27,7 @@ public:
         auto stream = ODO_TRY(FrameStream::open(view.file, ahead, cancel));
         return ViewFilm(std::move(stream), sizePx);
     }
-    /// The picture of a frame at or after the one before; null where it is damaged or the file has ended.
+    /// The image of a frame at or after the one before; null where it is damaged or the file has ended.
     QImage pictureOf(std::int64_t frame)
     {
         while (!m_hasEnded && (!m_last || m_last->index < frame)) {

@@ -26,12 +26,12 @@ struct AnnotatedVideoSettings
     bool isDark = false;
 };
 
-/// The times of the first view that get a picture: all of its frames, and of a fast camera so many that no
+/// The times of the first view that get an image: all of its frames, and of a fast camera so many that no
 /// more than 60 are shown a second.
 std::vector<Nanoseconds> shownTimes(const std::vector<Nanoseconds> &frameTimes, double speed);
 
 /// Makes one video (H.264, 4:2:0) of a trial: all views with their overlays, the map and the speed, as
-/// AnnotatedPicture paints them; a picture for each of shownTimes. What fails or is cancelled leaves nothing,
+/// AnnotatedPicture paints them; an image for each of shownTimes. What fails or is cancelled leaves nothing,
 /// and an older file of that name as it was (OutputFile). Prepare on the GUI thread; needs a QGuiApplication.
 /// Errors: a size or speed out of range, a trial without videos, a video that is lost, those of VideoWriter.
 class AnnotatedVideoJob : public Job

@@ -50,7 +50,7 @@ public:
     ReportMaker maker() const;
     QString proposedName() const;
     ReportPreview &preview() const { return *m_preview; }
-    /// The letterhead may be another one: reads the settings, and paints anew.
+    /// The letterhead may be another one: rereads the settings and repaints.
     void refresh();
 
 Q_SIGNALS:

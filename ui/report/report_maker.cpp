@@ -198,7 +198,7 @@ private:
     const ReportOptions &m_options;
 };
 
-/// Who drove, a few large figures, and the first view.
+/// Who drove, a few large metrics, and the first view.
 void ComparisonPage::paintRun(const QRectF &rect, int side)
 {
     constexpr double lineHeight = 15, figureHeight = 50, keyWidth = 26;
@@ -206,7 +206,7 @@ void ComparisonPage::paintRun(const QRectF &rect, int side)
     const std::size_t run = runAt(side);
     const TrialScene &scene = *m_scene.scenes[run];
     QRectF room = drawPartTitle(m_painter, rect, QString());
-    // The name stands beside its line of the charts.
+    // The name is beside its line of the charts.
     m_painter.setPen(QPen(seriesColour(int(run), reportPalette()), 2.2, seriesDash(int(run))));
     m_painter.drawLine(QPointF(rect.left(), rect.top() + 9),
                        QPointF(rect.left() + keyWidth - 5, rect.top() + 9));

@@ -23,7 +23,7 @@ class Project;
 using PageSink = std::function<Result<void>(const ReportPage &)>;
 
 /// Makes a report out of a project, on the project's thread, page by page, so that a whole class is never in
-/// memory at once. Slow: reads, and decodes pictures; reports progress and asks for cancellation with each
+/// memory at once. Slow: reads, and decodes images; reports progress and asks for cancellation with each
 /// trial. Errors: those of reading, of the sink, Cancelled.
 using ReportMaker =
     std::function<Result<void>(Project &project, const JobControl &control, const PageSink &sink)>;
@@ -33,7 +33,8 @@ Message reportSubject(); ///< "report", what its errors are about
 /// A report of each of these trials, in this order.
 ReportMaker trialReports(std::vector<std::string> trials, const ReportOptions &options);
 
-/// Two runs left and right, the way of both, the time difference along it, and what differs beyond the error.
+/// Two runs left and right, the paths of both, the time difference along them, and what differs
+/// significantly.
 ReportMaker comparisonReport(CompareSettings settings, const ReportOptions &options);
 
 /// Which class, and by what its teams are ranked.
@@ -51,8 +52,8 @@ ReportMaker classReport(ClassReportSettings settings, const ReportOptions &optio
 /// One after the other.
 ReportMaker inTurn(std::vector<ReportMaker> makers);
 
-/// A school's logo out of a picture file of any kind that Qt reads, made no larger than reports show it. Io,
-/// with what to do, where it is not there, no picture, or larger than a hundred megapixels.
+/// A school's logo out of an image file of any kind that Qt reads, made no larger than reports show it. Io,
+/// with what to do, where it is not there, no image, or larger than a hundred megapixels.
 Result<QImage> readLogo(const std::filesystem::path &file);
 
 /// What is remembered of reports on this computer.
@@ -71,10 +72,10 @@ void storeReportSettings(const ReportSettings &settings);
 /// on that thread. One that cannot be read is left out: the preferences say why.
 ReportMaker reportBy(const ReportSettings &settings, std::function<ReportMaker(const ReportOptions &)> of);
 
-/// The report of a comparison: the first run at the left, the second at the right, between them the ways of
-/// both; below the speed and the time difference along the way, the sectors, and the figures with what is
-/// within the error in grey. Of more runs each is compared with the first on a page of its own. Takes the
-/// pictures of the views now (slow); the pages themselves are pure.
+/// The report of a comparison: the first run at the left, the second at the right, between them the paths of
+/// both; below the speed and the time difference over distance, the sectors, and the metrics with what is not
+/// significant in grey. Of more runs each is compared with the first on a page of its own. Takes the images
+/// of the views now (slow); the pages themselves are pure.
 ReportPages comparisonPages(const ComparisonScenePtr &scene, const ReportOptions &options);
 
 } // namespace odo

@@ -112,7 +112,7 @@ Result<void> PrintedPages::add(const ReportPage &page)
             return failure(*m_printer, ODO_TEXT("ui.printer_not_reached", "it cannot be reached"));
         }
     }
-    // The margins of the page are wider than those of printers: sheet lies on sheet where it has room.
+    // The margins of the page are wider than those of printers: sheet is placed on sheet.
     const QSizeF sheet = page.format.size();
     const QRectF paper = m_printer->paperRect(QPrinter::DevicePixel),
                  printable = m_printer->pageRect(QPrinter::DevicePixel);

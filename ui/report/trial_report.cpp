@@ -89,7 +89,7 @@ QString sampleSummary(const Profile &profile)
             .arg(lengthText(profile.meanViewDisagreementM));
 }
 
-/// Every how many-th sample, so that a page has room for them.
+/// The step between the samples that fit on a page.
 void drawSamples(QPainter &painter, const QRectF &rect, const Profile &profile)
 {
     ReportTable table;
@@ -377,7 +377,7 @@ TrialPage::Tables TrialPage::tablesIn(const QRectF &rect) const
     return tables;
 }
 
-/// What the list of events needs, so that map and pictures get the rest; the other tables are cut there.
+/// What the list of events needs, so that map and images get the rest; the other tables are cut there.
 double TrialPage::tablesHeight(double width) const
 {
     constexpr double title = 21, fewestRows = 8 * 15;
@@ -394,8 +394,7 @@ void TrialPage::paintTables(const QRectF &rect)
     paintMetrics(tables.metrics);
 }
 
-/// When it is doubtful which robot this is, and when it was hidden: those that last longest, for there is
-/// little room.
+/// When the robot is ambiguous, and when it was hidden: the longest ones, for space is short.
 QStringList TrialPage::doubts() const
 {
     QStringList sentences;
@@ -420,7 +419,7 @@ QStringList TrialPage::doubts() const
     return sentences;
 }
 
-/// Doubts, and the notes, or lines for a pen where there are none.
+/// Ambiguities, and the notes, or lines for a pen if there are none.
 void TrialPage::paintRemarks(const QRectF &rect)
 {
     QRectF room = drawPartTitle(m_painter, rect, TrialReportWords::tr("Remarks"));

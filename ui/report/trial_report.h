@@ -17,12 +17,12 @@ QStringList provenanceLines(const TrialContent &content, std::size_t robot);
 /// Frames that are missing among the times of a view: a step of n intervals misses n − 1.
 int missingFrames(const std::vector<Nanoseconds> &times);
 
-/// The second page of a trial's report: how each large figure was computed, and a summary of what was
+/// The second page of a trial's report: how each large metric was computed, and a summary of what was
 /// measured.
 void paintMethodPage(QPainter &painter, const QRectF &sheet, const TrialContent &content, std::size_t robot,
                      const Letterhead &letterhead);
 
-/// What all reports are told.
+/// The settings of all reports.
 struct ReportOptions
 {
     Paper paper = Paper::A4;
@@ -34,7 +34,7 @@ struct ReportOptions
 /// the page of its method after it. Pure; the pages share the content.
 ReportPages trialPages(const TrialContentPtr &content, const ReportOptions &options);
 
-/// Line, title and facts that stand at the head of a trial's pages; a name is literal (literalName).
+/// Line, title and facts at the head of a trial's pages; a name is literal (literalName).
 QString trialTitle(const TrialScene &scene, std::size_t robot);
 QStringList trialHeadFacts(const TrialScene &scene, std::size_t robot);
 

@@ -31,7 +31,7 @@ void RobotPointing::setScene(TrialScenePtr scene)
     m_action->setChecked(false);
 }
 
-/// Those that are found by their look may be something else.
+/// A robot detected by its appearance may be something else.
 std::vector<std::string> RobotPointing::robots() const
 {
     std::vector<std::string> names;

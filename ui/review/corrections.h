@@ -17,8 +17,9 @@ namespace odo {
 
 class Timeline;
 
-/// Where the tracker took something else for a robot of any look, a person points the robot out in a picture:
-/// by a click after the action, or by the mouse's menu at any time. Who is asked tracks the trial again.
+/// Where the tracker took something else for a robot of any look, the user points the robot out in an image:
+/// by a click after the action, or by the context menu at any time. The receiver of the signal tracks the
+/// trial again.
 class RobotPointing : public QObject
 {
     Q_OBJECT
@@ -27,7 +28,7 @@ public:
     ~RobotPointing() override;
 
     void setScene(TrialScenePtr scene);
-    QAction *action() const { return m_action; } ///< checked while a click is waited for
+    QAction *action() const { return m_action; } ///< checked while it waits for a click
     /// What may be said of a pixel of a view's recording at the present time; empty: nothing, for no robot is
     /// of any look.
     void fill(QMenu &menu, std::size_t view, const QPointF &pixel);

@@ -37,7 +37,7 @@ public:
     QList<Quantity> quantities() const;
     /// Drawn over the curve that it is of; nullopt: none.
     void setFit(const std::optional<FitOverlay> &fit);
-    /// While a place in a picture is asked for.
+    /// While it waits for a position in an image.
     void setPointing(bool pointing);
 
 Q_SIGNALS:

@@ -24,7 +24,7 @@ class Timeline;
 class TimelineBar;
 class TrialChooser;
 
-/// Review: one trial, all its views, its map and curves under one time line, its figures at the right. What
+/// Review: one trial, all its views, its map and curves under one time line, its metrics at the right. What
 /// it shows is read on a thread of its own; a trial that another one was chosen instead of never appears. The
 /// project must outlive the page.
 class ReviewPage : public QWidget
@@ -49,7 +49,7 @@ public:
     SpikeActions &spikes() const { return *m_spikes; }
     RobotPointing &pointing() const { return *m_pointing; }
     ReviewDesk &desk() const { return *m_desk; }
-    /// The trial is read, and every picture that belongs to the present time is on screen, or cannot be had.
+    /// The trial is read, and every image that belongs to the present time is on screen, or is not available.
     bool isSettled() const;
 
 Q_SIGNALS:
@@ -94,13 +94,13 @@ class RangeCard;
 class ResultPanel;
 class SpikeList;
 
-/// The right column of Review: which trial, its figures, its spikes, its facts; or, before it was tracked,
-/// the way to get them. While a range is selected, its figures take the place of the facts.
+/// The right column of Review: which trial, its metrics, its spikes, its facts; or, before it was tracked,
+/// the way to get them. While a range is selected, its metrics replace the facts.
 class ReviewColumn : public QWidget
 {
     Q_OBJECT
 public:
-    /// chooser: stands at the top.
+    /// chooser: goes to the top.
     ReviewColumn(Timeline &timeline, QWidget *chooser, QWidget *parent = nullptr);
     void setScene(const TrialScenePtr &scene);
     RangeCard &range() const { return *m_range; }

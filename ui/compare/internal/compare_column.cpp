@@ -36,7 +36,7 @@ namespace {
 
 constexpr int columnWidth = 528, nameWidth = 88; ///< of a run in a heading
 
-/// Mutes a difference that is within the error; its sign ≈ says the same.
+/// Mutes a difference that is not significant; its sign ≈ says the same.
 class DifferenceDelegate : public QStyledItemDelegate
 {
 public:
@@ -55,8 +55,7 @@ protected:
     }
 };
 
-/// A time difference of the second run in words; where it is within its error neither later nor earlier is
-/// said.
+/// A time difference of the second run in words; "later" or "earlier" only if it is significant.
 NamedFigure timeFigure(const std::optional<CurveValue> &value, const QString &later, const QString &earlier,
                        const QString &neither)
 {
@@ -82,13 +81,13 @@ QTableView *tableOf(DifferenceModel *model, const QString &name)
     table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     table->verticalHeader()->setDefaultSectionSize(table->fontMetrics().height() + 9);
     table->horizontalHeader()->setMinimumSectionSize(40);
-    // Numbers are shown whole; a long name of a figure is cut.
+    // Numbers are shown whole; a long name of a metric is cut.
     table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     table->horizontalHeader()->setSectionResizeMode(DifferenceModel::NameColumn, QHeaderView::Stretch);
     return table;
 }
 
-/// Enter, a double click, Shift+F1 or the context menu tell how the chosen row came about.
+/// Enter, a double click, Shift+F1 or the context menu explain the selected row.
 void explainBy(QTableView &table, const std::function<void(int)> &explain)
 {
     auto *how = new QAction(howComputedWords(), &table);

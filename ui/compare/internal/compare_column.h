@@ -22,14 +22,14 @@ class DifferenceModel;
 class FigureGrid;
 class Timeline;
 
-/// The right column of Compare: which runs, how far apart they are in time at the end and here, the times
-/// from gate to gate, and all figures, of the second run against the first; of several further runs, of the
-/// one that is chosen.
+/// The right column of Compare: which runs, the time gap at finish and at the cursor, the times from gate to
+/// gate, and all metrics, of the second run against the first; of several further runs, of the one that is
+/// chosen.
 class CompareColumn : public QWidget
 {
     Q_OBJECT
 public:
-    /// chooser: stands at the top.
+    /// chooser: goes to the top.
     CompareColumn(Timeline &timeline, QWidget *chooser, QWidget *parent = nullptr);
     void setScene(ComparisonScenePtr scene);
     void setGates(const std::vector<PathGate> &gates);
@@ -50,14 +50,13 @@ private:
     FigureGrid *m_figures;
     DifferenceModel *m_sectors, *m_metrics;
     std::vector<SectorTimes> m_sectorTimes; ///< that are shown
-    double m_endM = 0, m_hereM = 0;         ///< distances of the two figures
+    double m_endM = 0, m_hereM = 0;         ///< distances of the two gaps
     std::optional<CurveValue> m_here;
     std::optional<CurveValue> m_end; ///< time difference where the last of both can be compared
 };
 
 /// Which runs are compared and how they are aligned: two lists and a button that swaps them, further runs
-/// from a menu, the alignment, by hand the seconds by which the second run's moment is moved, by distance the
-/// place.
+/// from a menu, the alignment; by hand: the time shift of the second run; by distance: the position.
 class RunChooser : public QWidget
 {
     Q_OBJECT
@@ -70,7 +69,7 @@ public:
     std::vector<CompareSettings::Run> runs() const;
     std::optional<AlignBy> alignBy() const;
     double shiftS() const;
-    /// By distance: how far from the beginning of what is compared, metres; nullopt: where all have begun.
+    /// By distance: how far from the beginning of what is compared, metres; nullopt: the first common point.
     std::optional<double> placeM() const;
     /// Back to what the runs themselves give. Emits nothing.
     void alignAutomatically();

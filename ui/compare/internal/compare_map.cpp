@@ -73,7 +73,7 @@ MapPlan CompareMap::plan() const
 void CompareMap::paintStill(QPainter &painter) const
 {
     const MapPlan shown = plan();
-    constexpr double muted = 0.4; // the ways come first
+    constexpr double muted = 0.4; // the paths come first
     drawMapFloor(painter, shown, *m_scene->scenes.front(), m_floor, muted, palette());
     if (m_scene->compared.comparison.isTasksPath)
         drawReferencePath(

@@ -11,9 +11,9 @@ namespace odo {
 
 class Timeline;
 
-/// The floor from above with the ways of all runs, where each robot is at the shared time, and the gates of
-/// the sectors, which can be dragged along the common path. With the focus: Up and Down choose a gate, Left
-/// and Right move it by 10 mm, with Shift by 100 mm; Esc lets go. A click on a way goes there.
+/// The floor from above with the paths of all runs, the robots at the shared time, and the gates of the
+/// sectors, which can be dragged along the common path. With the focus: Up and Down choose a gate, Left and
+/// Right move it by 10 mm, with Shift by 100 mm; Esc lets go. A click on a path goes there.
 class CompareMap : public MapCanvas
 {
     Q_OBJECT

@@ -158,7 +158,7 @@ void TeamsPanel::offer()
     fillChoice(*m_metric, metrics, metricNames, 0);
     if (!std::exchange(m_isTaskOffered, m_isTaskOffered || !tasks.isEmpty()) && m_task->count() > 1) {
         const QSignalBlocker quiet(m_task);
-        m_task->setCurrentIndex(1); // teams stand somewhere only in one task
+        m_task->setCurrentIndex(1); // a ranking needs one task
     }
 }
 

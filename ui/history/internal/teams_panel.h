@@ -21,8 +21,8 @@ class ProjectReader;
 class StandingsModel;
 class TrendChart;
 
-/// How the teams of a class stand: best, median, repeatability and progress by a figure that is chosen, and
-/// the term of the team that is selected. Reads the project on a thread of its own; the trials it is given.
+/// The standings of a class: best, median, repeatability and progress by a chosen metric, and the term of the
+/// team that is selected. Reads the project on a thread of its own; the trials it is given.
 class TeamsPanel : public QWidget
 {
     Q_OBJECT
@@ -59,11 +59,11 @@ private:
     QTableView *m_table;
     TrendChart *m_chart;
     bool m_isTaskOffered = false;
-    std::set<std::string> m_archived; ///< classes, whose teams stand nowhere unless theirs is chosen
+    std::set<std::string> m_archived; ///< classes; their teams appear only if the class is chosen
 };
 
 /// A team's runs through the term: a point each, the line of progress through them, and the band of the
-/// spread about it. What it shows is told in words as its accessible description.
+/// spread about it. Its accessible description says the same in words.
 class TrendChart : public ChartView
 {
     Q_OBJECT

@@ -30,8 +30,8 @@ inline QComboBox *makeChoice(const QString &name, int letters)
     return choice;
 }
 
-/// Puts words (shown as others) behind the first so many entries of a choice; keeps what is chosen where it
-/// is still there, and tells nobody.
+/// Puts words (shown as others) behind the first so many entries of a choice; keeps the selection if it still
+/// exists, without a signal.
 inline void fillChoice(QComboBox &choice, const QStringList &words, const QStringList &shown, int kept = 1)
 {
     const QString current = choice.currentData().toString();
@@ -57,8 +57,8 @@ struct FilterOffer
     QStringList teamsShown;   ///< names or pseudonyms, one for each team
 };
 
-/// The choices above the list of trials: class, team, task, robot, dates, place, star. The text is not its
-/// own.
+/// The choices above the list of trials: class, team, task, robot, dates, location (trials, archive, bin),
+/// star. The text is not its own.
 class TrialFilterBar : public QWidget
 {
     Q_OBJECT

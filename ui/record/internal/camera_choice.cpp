@@ -101,7 +101,7 @@ CameraChoiceDialog::CameraChoiceDialog(std::vector<ChosenCamera> cameras, LiveCa
     for (const auto &[name, uri] : m_cameras) {
         auto *box = new QComboBox;
         box->setAccessibleName(tr("Device for camera %1").arg(QString::fromStdString(name)));
-        box->setMinimumContentsLength(52); // a name of a device and its picture, before they are found
+        box->setMinimumContentsLength(52); // a device name and its format, before they are known
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         connect(box, &QComboBox::currentIndexChanged, this, &CameraChoiceDialog::check);
         auto *settings = plainButton(tr("Settings…"));
@@ -187,7 +187,7 @@ void CameraChoiceDialog::check()
     }
 }
 
-/// With what is wanted of it.
+/// With its requested settings.
 std::string CameraChoiceDialog::uriOf(std::size_t camera) const
 {
     const std::string uri = m_boxes[camera]->currentData().toString().toStdString();

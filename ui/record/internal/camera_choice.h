@@ -23,10 +23,10 @@ namespace odo {
 /// A camera of the project and the address of the device that it is; empty: it is not used.
 using ChosenCamera = std::pair<std::string, std::string>;
 
-/// Which device each camera of a project is: the one told in the project, or chosen before on this machine,
-/// where it is connected and free, with what is wanted of it; else a simulated one of its name while no real
-/// one is there, else the real ones that are left, in their order. A project without cameras gets "A", "B",
-/// ... for those that are connected, two at most.
+/// Which device each camera of a project is: the one set in the project, or chosen before on this machine, if
+/// it is connected and free, with its settings; else a simulated one of its name while no real one is there,
+/// else the real ones that are left, in their order. A project without cameras gets "A", "B", ... for those
+/// that are connected, two at most.
 std::vector<ChosenCamera> proposeCameras(const std::vector<CameraRecord> &cameras,
                                          const std::vector<CameraDescription> &connected,
                                          const std::map<std::string, std::string> &before);
@@ -55,22 +55,22 @@ private:
 
     LiveCameras &m_connected;
     std::vector<ChosenCamera> m_cameras;
-    std::vector<QComboBox *> m_boxes; ///< addresses without what is wanted
+    std::vector<QComboBox *> m_boxes; ///< addresses without settings
     std::vector<QPushButton *> m_settings;
     std::map<std::string, std::string> m_wanted; ///< by such an address: the whole one
     QLabel *m_words;
     QDialogButtonBox *m_buttons;
 };
 
-/// How a USB or network camera is to be set: what else stands behind the '?' of its address, see
-/// docs/cameras.md. What is not asked for here, and was in the address, stays there.
+/// The settings of a USB or network camera: what follows the '?' in its address, see docs/cameras.md.
+/// Settings of the address that the dialog does not show stay.
 class CameraWishesDialog : public QDialog
 {
     Q_OBJECT
 public:
-    /// uri: the camera's address with what is wanted of it by now. Only for addresses that take wishes.
+    /// uri: the camera's address with its present settings. Only for addresses that accept settings.
     CameraWishesDialog(const CameraDescription &device, const std::string &uri, QWidget *parent = nullptr);
-    /// With what is wanted now.
+    /// With the current settings.
     std::string uri() const;
 
 private:

@@ -28,8 +28,8 @@ class LiveBoard;
 class Project;
 class TroubleBar;
 
-/// Looks at how the cameras and the disk fare, shows it on the board and what is the matter in the bar, and
-/// knows whether a run can be recorded. All must outlive it. GUI thread.
+/// Checks the cameras and the disk, shows their health on the board and problems in the bar, and knows
+/// whether a run can be recorded. All must outlive it. GUI thread.
 class HealthWatch
 {
 public:
@@ -46,7 +46,7 @@ public:
     void countFromOpening() { m_before = {}; }
     /// What keeps a run from being recorded, in words; empty: nothing.
     QString blocked() const;
-    /// How long the disk has room for, in words.
+    /// The remaining recording time, in words.
     const QString &room() const { return m_room; }
     /// By the last look nothing more can be recorded: the disk has ended, or every camera.
     bool hasEnded() const { return m_hasEnded; }
@@ -64,8 +64,8 @@ private:
     bool m_anyDelivers = false, m_hasEnded = false;
 };
 
-/// A sentence across the page as long as something is the matter, with a button that leads to its cure.
-/// Hidden without words.
+/// A sentence across the page while a problem lasts, with a button that leads to its fix. Hidden without
+/// words.
 class TroubleBar : public QFrame
 {
     Q_OBJECT
@@ -86,8 +86,7 @@ private:
 class FactList;
 class RunningCameras;
 
-/// The set-up doctor: what makes cameras lose pictures or measure wrongly on this machine, each with what to
-/// do about it.
+/// The set-up doctor: what makes cameras lose frames or measure wrongly on this machine, each with advice.
 class DoctorDialog : public QDialog
 {
     Q_OBJECT
@@ -121,7 +120,7 @@ QList<Fact> healthFacts(const CaptureHealth &health, const std::vector<WantedCam
 
 /// What a person must know now, in a sentence; the worst first; empty: all is well.
 QString troubleWords(const CaptureHealth &health, const std::vector<WantedCamera> &cameras);
-/// That a camera cannot tell where a robot is; empty where all can.
+/// That a camera cannot locate robots; empty if all can.
 QString unregisteredWords(const std::vector<WantedCamera> &cameras);
 
 } // namespace odo

@@ -21,7 +21,7 @@ class FactList;
 class LiveMap;
 class LivePictureArea;
 
-/// What goes on now: a picture a camera, the map, and how cameras, map and disk do.
+/// The live state: a frame per camera, the map, and the health of cameras, map and disk.
 class LiveBoard : public QWidget
 {
     Q_OBJECT
@@ -29,11 +29,11 @@ public:
     /// tools: buttons beside the health.
     explicit LiveBoard(const QList<QAction *> &tools, QWidget *parent = nullptr);
 
-    /// A card a camera, before the first picture too.
+    /// One card per camera, even before the first frame.
     void setCameras(const RunningCameras &running);
     void setFloor(const TrialScenePtr &floor);
     void setRobots(const std::vector<RobotRecord> &robots);
-    /// To where the robots' places are sent; nullopt: nowhere.
+    /// Where the robots' positions are sent; nullopt: nowhere.
     void setTarget(const std::optional<BroadcastTarget> &target);
     void setPicture(const LivePicture &picture);
     void addMoment(const LiveMoment &moment);
@@ -71,7 +71,7 @@ public:
     void addPosition(std::size_t robot, const LivePosition &position);
     void forgetWays();
 
-    /// The newest place of a robot; nullopt: not seen just now.
+    /// The newest position of a robot; nullopt: not seen just now.
     std::optional<Eigen::Vector2d> place(std::size_t robot) const;
 
     /// Where each robot is; those that have not been heard of for a while are not seen.
@@ -87,7 +87,7 @@ private:
     struct Driven
     {
         RobotRecord robot;
-        std::vector<std::optional<Eigen::Vector2d>> way; ///< empty places: it was not seen
+        std::vector<std::optional<Eigen::Vector2d>> way; ///< an empty element: not detected
         std::optional<LivePosition> now;
         std::optional<double> headingRad;
     };

@@ -13,9 +13,9 @@
 namespace odo {
 namespace {
 
-constexpr std::size_t placesShown = 300; // ten seconds at 30 pictures a second
-/// So many new places are painted with each picture before they join the layer of the others: stroking the
-/// whole way each time costs more than all else that is painted here.
+constexpr std::size_t placesShown = 300; // ten seconds at 30 frames a second
+/// So many new positions are painted with each frame before they join the layer of the others: stroking the
+/// whole path each time costs more than everything else here.
 constexpr std::size_t placesPaintedAnew = 12;
 constexpr int usualWidth = 1280, usualHeight = 720;
 
@@ -123,7 +123,7 @@ void LivePictureArea::renderFloorLayer()
     paintAxes(painter, *m_floor, *floorView(), map);
 }
 
-/// The floor with all ways as they are now, without the oldest places.
+/// The floor with all paths as they are now, without the oldest positions.
 void LivePictureArea::renderWayLayer()
 {
     if (m_floorLayer.isNull())
@@ -184,7 +184,7 @@ void LivePictureArea::paintEvent(QPaintEvent *)
     if (hasPicture())
         painter.fillRect(
             pictureRect(),
-            QColor(0, 0, 0, 150)); // the words can be read, and nobody takes the picture for a live one
+            QColor(0, 0, 0, 150)); // keeps the words legible and shows that the frame is not live
     painter.setPen(hasPicture() ? QColor(Qt::white) : colours.muted);
     painter.drawText(rect().adjusted(16, 16, -16, -16), Qt::AlignCenter | Qt::TextWordWrap, m_words);
 }

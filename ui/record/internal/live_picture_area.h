@@ -24,7 +24,7 @@ public:
     /// Of a robot: where it is now; joins its way.
     void addPlace(std::size_t robot, const Eigen::Vector2d &place);
     void forgetWays();
-    /// Stands over the picture, or in its place; empty: nothing.
+    /// Shown over the frame, or instead of it; empty: nothing.
     void setWords(const QString &words);
 
     bool hasPicture() const { return !m_picture.image.isNull(); }
@@ -64,7 +64,7 @@ private:
     LivePicture m_picture;
     QString m_words;
     QPixmap m_floorLayer; ///< grid and axes; null: to be rendered
-    QPixmap m_wayLayer;   ///< m_floorLayer with the ways; null: to be rendered
+    QPixmap m_wayLayer;   ///< m_floorLayer with the paths; null: to be rendered
 };
 
 } // namespace odo

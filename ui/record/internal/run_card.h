@@ -63,11 +63,11 @@ public:
     struct State
     {
         RunPhase phase = RunPhase::Ready;
-        bool ending = false; ///< the last pictures are being written
+        bool ending = false; ///< the last frames are being written
         Nanoseconds countdownLeft{0}, elapsed{0};
-        QString room;    ///< "room for 42 min"
+        QString room;    ///< remaining recording time
         QString blocked; ///< why nothing can be recorded now; empty: it can
-        QString gate;    ///< that is waited for
+        QString gate;    ///< waiting for this one
     };
     void setState(const State &state);
 

@@ -23,7 +23,7 @@ class Project;
 /// Records one trial at a time from cameras that run, for a window: on a thread of its own, which opens the
 /// project once more and stores there once a second what has reached the disk, so that the window never waits
 /// for a disk. Whatever happens to the recorder, what was recorded is kept: the destructor ends the recording
-/// and completes the trial, which takes as long as the pictures that wait for the disk. The files' hashes are
+/// and completes the trial, which takes as long as the frames that wait for the disk. The files' hashes are
 /// made after that, unless the next recording, or the end, comes first; see HashJob. Lives on one thread.
 class RunRecorder : public QObject
 {
@@ -38,8 +38,8 @@ public:
     void begin(const NextRun &run, const std::vector<std::string> &cameras,
                std::shared_ptr<CaptureSession> session, Nanoseconds from);
     void end();
-    /// As end(), and waits until the trial is complete in the project: as long as the pictures that wait for
-    /// the disk take.
+    /// As end(), and waits until the trial is complete in the project: as long as the frames waiting for the
+    /// disk take.
     void finish();
     bool isRecording() const { return m_state == State::Recording; }
     bool isEnding() const { return m_state == State::Ending; }
@@ -50,7 +50,7 @@ Q_SIGNALS:
     /// It could not begin, with the errors of LiveTrial::begin; or it could not be completed, and what was
     /// recorded is when the project is opened again.
     void gaveUp(const QString &trial, const odo::Error &error);
-    /// What has reached the disk could not be told to the project yet. The recording goes on.
+    /// The project does not have all of what has reached the disk yet. The recording goes on.
     void failed(const odo::Error &error);
 
 private:

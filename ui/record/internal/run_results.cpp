@@ -17,7 +17,7 @@ namespace odo {
 
 namespace {
 
-/// Time (of the task, or else of the run), top speed, and what else tells most.
+/// Time (of the task, or else of the run), top speed, and the most informative others.
 std::vector<Metric> shownMetrics(const std::vector<Metric> &all, std::size_t count)
 {
     std::vector<Metric> chosen = tellingMetrics(all, count);
@@ -142,7 +142,7 @@ void RunMeasuring::measureLive(const QString &trial, std::vector<LiveRun> runs,
     const auto answered = std::make_shared<QMetaObject::Connection>();
     *answered = connect(&m_live, &BackgroundTask::finished, this, [this, trial, results, answered] {
         disconnect(*answered);
-        if (!results->empty()) // else the recording may tell more
+        if (!results->empty()) // else the recording may give more
             Q_EMIT measuredLive(trial, *results);
     });
     const bool started =

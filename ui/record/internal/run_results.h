@@ -29,7 +29,7 @@ class RunResultCard : public Card
 public:
     explicit RunResultCard(QWidget *parent = nullptr);
 
-    /// The figures of one robot's run.
+    /// The metrics of one robot's run.
     struct Result
     {
         QString robot;
@@ -39,7 +39,7 @@ public:
     enum class From { Live, Recording };
     void setWorking(const QString &trial);
     void setResults(const QString &trial, const std::vector<Result> &results, From from);
-    /// No figures, and why.
+    /// No metrics, and why.
     void setFailure(const QString &trial, const QString &words);
 
     QString words() const;
@@ -55,9 +55,8 @@ private:
     QPushButton *m_open;
 };
 
-/// Gets the figures of runs that have ended: at once from what was seen live, then by the ordinary tracking
-/// of the recordings, one after the other, which steps back while somebody records. Lives on the project's
-/// thread.
+/// Gets the metrics of runs that have ended: at once from live tracking, then by ordinary tracking of the
+/// recordings, one after the other; this yields while somebody records. Lives on the project's thread.
 class RunMeasuring : public QObject
 {
     Q_OBJECT
@@ -67,9 +66,8 @@ public:
 
     /// Of runs that have just ended; measuredLive() follows.
     void measureLive(const QString &trial, std::vector<LiveRun> runs, const std::optional<TaskRecord> &task);
-    /// The trial is complete in the project; measured() or failed() follows. Of the run that was measured
-    /// live last, only robots that were seen are looked for: one that never came must not spoil the others'
-    /// figures.
+    /// The trial is complete in the project; measured() or failed() follows. Of the last run measured live,
+    /// only robots that were seen are tracked: one that never came must not spoil the others' metrics.
     void track(const QString &trial);
     /// Tracking takes what the machine has, and recording comes first.
     void setRecording(bool recording);
@@ -98,8 +96,8 @@ private:
     std::shared_ptr<TrackJob> m_job;
 };
 
-/// Has runs measured when they have ended, shows the figures of the last one on its card, and tells of each
-/// in sentences. Lives on the project's thread; the card must outlive it.
+/// Has runs measured when they have ended, shows the metrics of the last one on its card, and reports each in
+/// sentences. Lives on the project's thread; the card must outlive it.
 class RunResults : public QObject
 {
     Q_OBJECT
@@ -116,7 +114,7 @@ public:
     void setRecording(bool recording) { m_measuring->setRecording(recording); }
 
 Q_SIGNALS:
-    void changed(const QString &words); ///< the project has a new trial, or new figures of one
+    void changed(const QString &words); ///< the project has a new trial, or new metrics of one
     void failed(const odo::Error &error);
 
 private:

@@ -18,7 +18,7 @@ namespace odo {
 
 RunningCameras::RunningCameras(Open open, QObject *parent) : QObject(parent), m_open(std::move(open))
 {
-    if (auto painter = startThread({}, [this] { showPictures(); })) // else start() tells
+    if (auto painter = startThread({}, [this] { showPictures(); })) // else start() reports it
         m_painter = std::move(*painter);
     m_worker.moveToThread(&m_thread);
     m_thread.start();

@@ -21,7 +21,7 @@
 
 namespace odo {
 
-/// Which of a view's pictures the screen gets: of a camera of up to 40 a second all, of a faster one every
+/// Which of a view's frames the screen gets: of a camera of up to 40 a second all, of a faster one every
 /// second, third, ... so that the steps between them stay even. (Each is recorded and tracked.) Not
 /// thread-safe.
 class ScreenPace
@@ -45,21 +45,21 @@ private:
 struct WantedCamera
 {
     std::string name, uri;
-    std::optional<FloorView> floorView; ///< empty: not registered, or for pictures of another size
-    QSize registeredPx = {};            ///< the size of its pictures when it was registered; empty: it is not
+    std::optional<FloorView> floorView; ///< empty: not registered, or for frames of another size
+    QSize registeredPx = {};            ///< the size of its frames when it was registered; empty: it is not
 };
 
-/// A view's picture at the size it is shown in, with what was seen in it.
+/// A view's frame at the size it is shown in, with what was seen in it.
 struct LivePicture
 {
     std::size_t view = 0;
     QImage image;
-    QSize takenPx;                         ///< of the picture as taken
+    QSize takenPx;                         ///< of the frame as taken
     std::vector<Observation> observations; ///< of each robot
 };
 
 /// Cameras that run for the screen: opened, watched, tracked. Whatever may take long (opening, ending,
-/// scaling pictures) is done on threads of its own; the screen gets as many pictures as it takes. GUI thread.
+/// scaling frames) is done on threads of its own; the screen gets as many frames as it takes. GUI thread.
 /// The destructor ends all and waits.
 class RunningCameras : public QObject
 {
@@ -73,13 +73,13 @@ public:
     ~RunningCameras() override;
 
     /// Ends those that run and opens these, one after the other; started() follows. One that cannot be opened
-    /// runs all the same, without pictures, until it can.
+    /// runs all the same, without frames, until it can.
     void start(std::vector<WantedCamera> cameras);
     /// Follows these robots from now on, and when others are started; simulated cameras show them. The Error
     /// is ColourTracker's; then none is followed. Or it is LiveBroadcast's; then they are followed, but not
     /// sent.
     Result<void> follow(std::vector<RobotRecord> robots);
-    /// To where the places of those that are followed next are sent; nullopt: nowhere.
+    /// Where the positions of the robots followed next are sent; nullopt: nowhere.
     void setTarget(std::optional<BroadcastTarget> target) { m_target = std::move(target); }
     /// How sending goes; nullopt: nothing is sent.
     std::optional<LiveBroadcast::Figures> sentFigures() const
@@ -125,7 +125,7 @@ private:
     BoundedQueue<LiveSight> m_toShow{mostViews};
     std::array<ScreenPace, mostViews> m_pace; ///< of the tracker's threads, one at a time
     std::array<std::atomic<bool>, mostViews>
-        m_onItsWay{}; ///< a picture of the view that the screen has not got yet
+        m_onItsWay{}; ///< a frame of the view that the screen has not got yet
     std::array<std::atomic<qint64>, mostViews> m_shownSize{}; ///< width << 32 | height
     std::thread m_painter;
 };
@@ -139,9 +139,8 @@ struct CameraAccess
     LiveCameras::List list = listCameras;
 };
 
-/// Which connected devices are the cameras of a project, and that these run while they are wanted: the ones
-/// that were chosen, or what is proposed until something is. Uses the project on its own thread; it must
-/// outlive this.
+/// Assigns connected devices to the cameras of a project, and runs these while they are needed: the chosen
+/// ones, or those proposed until a choice is made. Uses the project on its own thread; it must outlive this.
 class ChosenCameras : public QObject
 {
     Q_OBJECT
@@ -152,22 +151,22 @@ public:
     const std::vector<WantedCamera> &cameras() const { return m_running.cameras(); }
     const std::shared_ptr<CaptureSession> &session() const { return m_running.session(); }
     LiveTracker *tracker() const { return m_running.tracker(); }
-    /// They are being looked for, or opened.
+    /// A search for them, or their opening, goes on.
     bool isPreparing() const { return m_running.isOpening() || m_connected.isLooking(); }
 
-    /// They are to run from now on: looks for what is connected, unless they do.
+    /// Lets them run from now on: searches for connected ones unless they run already.
     void want();
-    /// Looks again for what is connected.
+    /// Searches again for connected cameras.
     void look() { m_connected.look(); }
     /// Others may have them.
     void stop();
-    /// Opens them anew: a registration may be another one.
+    /// Reopens them: a registration may have changed.
     void restart();
     /// Asks which device is which camera.
     void choose(QWidget *parent);
 
 Q_SIGNALS:
-    /// They are being opened; RunningCameras tells what becomes of it.
+    /// They are being opened; RunningCameras reports the outcome.
     void starting();
     void noneConnected();
     void failed(const odo::Error &error);

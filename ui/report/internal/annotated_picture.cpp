@@ -81,7 +81,7 @@ void AnnotatedPicture::layOut()
     const double width = m_look.sizePx.width() / m_scale, height = m_look.sizePx.height() / m_scale;
     m_header = QRectF(pictureGap, 0, width - 2 * pictureGap, headerHeight);
     QRectF room(pictureGap, headerHeight, width - 2 * pictureGap, height - headerHeight - pictureGap);
-    const bool isAlone = m_scene->views.size() == 1; // then the map stands beside it
+    const bool isAlone = m_scene->views.size() == 1; // then the map is beside it
     const double viewsWidth = isAlone && hasMap ? 0.62 * room.width() : room.width();
     if (hasTrack || (hasMap && !isAlone)) {
         constexpr double mostForViews = 0.64;
@@ -101,7 +101,7 @@ void AnnotatedPicture::layOut()
     layOutViews(room);
 }
 
-/// How many views stand in a row.
+/// How many views are in a row.
 std::size_t AnnotatedPicture::columns() const
 {
     constexpr std::size_t mostInARow = 3;
@@ -185,7 +185,7 @@ QFont AnnotatedPicture::font(double sizePx, bool isBold) const
     return font;
 }
 
-/// What is painted in, as pixels of the picture; exact for what was laid out.
+/// What is painted in, as pixels of the image; exact for the layout.
 QRect AnnotatedPicture::pixels(const QRectF &rect) const
 {
     return QRectF(rect.topLeft() * m_scale, rect.size() * m_scale).toRect();
@@ -307,7 +307,7 @@ void AnnotatedPicture::paintView(QPainter &painter, std::size_t view, const View
 {
     const QRectF rect = pictureRect(view);
     painter.save();
-    painter.resetTransform(); // pictures lie on whole pixels: nothing is to be resampled
+    painter.resetTransform(); // images lie on whole pixels: nothing is to be resampled
     painter.drawImage(pixels(rect).topLeft(), moment.picture);
     painter.drawImage(pixels(m_views[view]).topLeft(), m_floorLayer, pixels(m_views[view]));
     painter.restore();

@@ -13,13 +13,13 @@
 
 namespace odo {
 
-/// How an annotated picture looks.
+/// How an annotated image looks.
 struct AnnotatedLook
 {
     QSize sizePx{1920, 1080};
     QPalette palette; ///< lightPalette() or darkPalette()
     QFont font;       ///< of the window; its size is chosen to fit
-    double speed = 1; ///< at which the video runs, told beside the time
+    double speed = 1; ///< of playback, shown beside the time
 };
 
 /// What a view shows at a moment.
@@ -29,9 +29,9 @@ struct ViewMoment
     std::int64_t frame = -1; ///< of the recording; -1: the camera was not recording then
 };
 
-/// A trial at a moment as one picture: all views with outline, trail and name, the floor from above, and the
-/// speed with a cursor; painted by what paints Review. What is not known (no registration, not tracked) has
-/// no place in it, and the rest is larger. Any thread, one at a time; text needs a QGuiApplication.
+/// A trial at a moment as one image: all views with outline, trail and name, the floor from above, and the
+/// speed with a cursor; painted by what paints Review. What is not known (no registration, not tracked) is
+/// omitted, and the rest is larger. Any thread, one at a time; text needs a QGuiApplication.
 class AnnotatedPicture
 {
 public:
@@ -44,7 +44,7 @@ public:
     /// Of the floor from above; before the first paint.
     void setFloor(FloorPicture floor) { m_floor = std::move(floor); }
 
-    /// The size at which the picture of a view is shown.
+    /// The size at which the image of a view is shown.
     QSize viewSizePx(std::size_t view) const;
     /// Where things lie in it, in its pixels: a pixel of a recording, a point of the floor on the map, and a
     /// time and speed (in the unit that is shown) in the chart.
@@ -54,7 +54,7 @@ public:
     bool hasMap() const { return !m_map.isEmpty(); }
     bool hasChart() const { return !m_chart.isEmpty(); }
 
-    /// The whole picture at a time of the first view (Format_RGB32). One moment a view.
+    /// The whole image at a time of the first view (Format_RGB32). One moment a view.
     QImage paint(Nanoseconds time, const std::vector<ViewMoment> &views);
 
 private:
@@ -76,7 +76,7 @@ private:
 
     TrialScenePtr m_scene;
     AnnotatedLook m_look;
-    double m_scale = 1;              ///< pixels of the picture to one that is painted in
+    double m_scale = 1;              ///< pixels of the image to one that is painted in
     QRectF m_header, m_map, m_chart; ///< empty: left out
     std::vector<QRectF> m_views;
     MapPlan m_plan;
@@ -85,7 +85,7 @@ private:
     double m_topSpeedMps = 0;
     FloorPicture m_floor;
     QImage m_still; ///< what does not move; null: to be painted
-    /// what does not move over the pictures of the views: grid, trails, axes, and their names
+    /// what does not move over the images of the views: grid, trails, axes, and their names
     QImage m_floorLayer;
 };
 

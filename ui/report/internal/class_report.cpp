@@ -53,7 +53,7 @@ std::string usualTask(const std::vector<TrialRecord> &trials, const std::string 
     return most == counts.end() ? std::string() : most->first;
 }
 
-/// The score where the task is scored, else what tells most of those that there are.
+/// The score where the task is scored, else the most informative metric available.
 Result<std::string> usualMetric(Project &project, const std::string &task)
 {
     if (!task.empty()) {
@@ -255,7 +255,7 @@ void ClassPage::paintClassFigures(const QRectF &rect)
 void ClassPage::paintStrip(const QRectF &rect, const RankingPart &part)
 {
     constexpr int mostTicks = 5;
-    // Beyond the outermost marks; of a row; so much lower the scale stands on the line of the headings.
+    // Beyond the outermost marks; of a row; so much lower the scale is on the line of the headings.
     constexpr double asidePx = 6, halfLine = 0.32, lower = 3;
     const std::vector<double> values = allValues(m_standings);
     const auto [low, high] = std::ranges::minmax(values);
@@ -406,7 +406,7 @@ void ClassPage::paintTeam(const QRectF &sheet, std::size_t index)
     paintRuns(room, team);
 }
 
-/// As many rows as a page has room for at a height between the least and the most.
+/// As many rows as fit on a page at a height between the least and the most.
 std::vector<RankingPart> partsOf(std::size_t teams, const PageFormat &format, const Letterhead &letterhead)
 {
     const double head = 70, foot = 12.0 * (letterhead.remark.isEmpty() ? 3 : 4) + 10;

@@ -58,7 +58,7 @@ QImage pagePicture(const ReportPage &page, int widthPx)
 
 namespace {
 
-constexpr qsizetype longestName = 300; // more than any page has room for
+constexpr qsizetype longestName = 300; // more than fits on any page
 
 class ReportWords
 {
@@ -70,7 +70,7 @@ ThemeColours colours()
     return ThemeColours::of(reportPalette());
 }
 
-/// The largest that leaves a value within a width, down to what still stands out.
+/// The largest that leaves a value within a width, down to what is still prominent.
 QFont fittingFont(const QString &value, double width)
 {
     constexpr int largest = 23, smallest = 14;
@@ -309,8 +309,8 @@ void shareSpareWidth(QList<double> &widths, const QList<double> &wanted)
     }
 }
 
-/// By their weights, as far as no cell is cut; where the room is too small, numbers, which stand at the
-/// right, are shown whole as long as the widest column of words has more than they miss.
+/// By their weights, as far as no cell is cut; if space is short, the numbers on the right are shown whole as
+/// long as the widest column of words can spare it.
 QList<double> widthsOfColumns(const ReportTable &table, double total)
 {
     double whole = 0;
@@ -381,7 +381,7 @@ private:
     QList<QStringList> m_cells;
 };
 
-/// How many of the rows have room, the last of which is for what is left out.
+/// How many of the rows fit; the last one is for what is left out.
 qsizetype shownRows(const std::vector<TableRow> &rows, double room, double lastHeight)
 {
     double used = 0;

@@ -56,7 +56,7 @@ struct ReportPage
 };
 using ReportPages = std::vector<ReportPage>;
 
-/// A page as a picture, so many pixels wide.
+/// A page as an image, so many pixels wide.
 QImage pagePicture(const ReportPage &page, int widthPx);
 
 /// What the parts of all reports are painted with. Any thread.
@@ -87,7 +87,7 @@ double drawParagraph(QPainter &painter, const QRectF &rect, const QString &text,
 /// of the rectangle.
 QRectF drawPartTitle(QPainter &painter, const QRectF &rect, const QString &title, const QString &remark = {});
 
-/// A large figure: name above, value large, unit and ± small beside it, a remark below.
+/// A large metric: name above, value large, unit and ± small beside it, a remark below.
 struct ReportFigure
 {
     QString name;
@@ -108,13 +108,13 @@ QRectF drawFoot(QPainter &painter, const QRectF &rect, const Letterhead &letterh
 QString reportDate(Instant instant);
 QString reportDay(Instant instant);
 
-/// A table with thin lines between its rows. The first column is at the left, the others as told.
+/// A table with thin lines between its rows. The first column is left-aligned, the others as specified.
 struct ReportTable
 {
     struct Row
     {
         QStringList cells;
-        bool isFaint = false; ///< within the error, or otherwise of no weight
+        bool isFaint = false; ///< not significant, or otherwise of no weight
         bool isStrong = false;
     };
     QStringList header; ///< may be empty

@@ -65,7 +65,7 @@ void addMotion(const Profile &profile, std::vector<Weighed> &events)
 
 void addTopSpeed(const Profile &profile, std::vector<Weighed> &events)
 {
-    // As max_speed of core/analysis/metrics.h: a badly known point does not win by its error.
+    // As max_speed of core/analysis/metrics.h: an uncertain point does not win by its uncertainty.
     const auto sureSpeed = [](const ProfilePoint &point) {
         return point.valid ? point.speedMps - 2 * point.sigmaSpeedMps : -1;
     };
@@ -172,7 +172,7 @@ void drawEvents(QPainter &painter, const ChartPlot &plot, const std::vector<RunE
             painter.setPen(QPen(ThemeColours::of(reportPalette()).muted, 0.8, Qt::DotLine));
             painter.drawLine(QPointF(x, plot.rect.top()), QPointF(x, plot.rect.bottom()));
         }
-        // Numbers that are close to one another stand side by side.
+        // Numbers that are close together go side by side.
         last = std::max(x, last + 2 * eventNumberRadius + 1);
         drawEventNumber(painter, QPointF(last, plot.rect.top() - eventNumberRadius - 1), event);
     }
@@ -275,7 +275,7 @@ void drawOtherWay(QPainter &painter, const MapPlan &plan, const Profile &profile
     draw();
 }
 
-/// Beside its place, where it covers no other number as far as there is room.
+/// Beside its position, without covering another number if possible.
 void drawNumbers(QPainter &painter, const MapPlan &plan, const std::vector<RunEvent> &events)
 {
     constexpr double away = 11;
@@ -301,7 +301,7 @@ void drawNumbers(QPainter &painter, const MapPlan &plan, const std::vector<RunEv
     }
 }
 
-/// Gates or zones with names as they may stand on paper.
+/// Gates or zones with names fit for paper.
 template <class Named>
 std::vector<Named> literal(std::vector<Named> all)
 {

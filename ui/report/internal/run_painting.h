@@ -14,7 +14,7 @@ class QPainter;
 
 namespace odo {
 
-/// Something of a run that a report names: its number stands on the map, on the charts and in a list.
+/// Something of a run that a report names: its number is on the map, on the charts and in a list.
 struct RunEvent
 {
     enum class Kind { Motion, Gate, TopSpeed, Spike };
@@ -41,13 +41,13 @@ void drawRunChart(QPainter &painter, const QRectF &rect, const Profile &profile,
 void drawEventNumber(QPainter &painter, const QPointF &centre, const RunEvent &event);
 constexpr double eventNumberRadius = 6.5;
 
-/// The floor from above with a robot's way coloured by speed, the gates and the course of the task, spikes,
-/// and the events' numbers; the ways of other robots are thin and grey. Painted by what the map of the screen
-/// is painted by, without the floor's picture: paper stays light.
+/// The floor from above with a robot's path coloured by speed, the gates and the course of the task, spikes,
+/// and the events' numbers; the paths of other robots are thin and grey. Painted by what the map of the
+/// screen is painted by, without the floor image: paper stays light.
 void drawRunMap(QPainter &painter, const QRectF &rect, const TrialScene &scene, std::size_t robot,
                 const std::vector<RunEvent> &events);
 
-/// The ways of these runs in their colours and dashes, with the gates across the common path.
+/// The paths of these runs in their colours and dashes, with the gates across the common path.
 void drawComparedMap(QPainter &painter, const QRectF &rect, const ComparisonScene &scene,
                      const std::vector<std::size_t> &runs);
 

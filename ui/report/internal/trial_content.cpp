@@ -27,8 +27,8 @@ namespace {
 
 constexpr int stillWidthPx = 560; // 180 to the inch in a column of the page
 
-/// Of each view; null where it cannot be read. Opening takes longer than a picture: they are opened side by
-/// side.
+/// Of each view; null where it cannot be read. Opening takes longer than decoding an image: they are opened
+/// in parallel.
 using Readers = std::vector<std::unique_ptr<VideoReader>>;
 
 void forEachView(const TrialScene &scene, const std::function<void(std::size_t view)> &work)

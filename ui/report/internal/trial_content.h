@@ -20,7 +20,7 @@ namespace odo {
 
 class Project;
 
-/// A picture of one view at a moment of the run.
+/// An image of one view at a moment of the run.
 struct Still
 {
     std::int64_t frame = 0;
@@ -57,7 +57,7 @@ class TrialContentReader
 {
 public:
     TrialContentReader(Project &project, StillMoment moment) : m_project(project), m_moment(moment) {}
-    /// With the pictures of the views, so that this takes as long as decoding them.
+    /// With the images of the views, so that this takes as long as decoding them.
     /// Errors: those of loadTrialScene and of the repositories; Cancelled.
     Result<TrialContentPtr> read(const std::string &trial, const CancelToken &cancel = {});
 
@@ -75,8 +75,7 @@ private:
 Nanoseconds tellingMoment(const TrialScene &scene);
 
 /// Two views of a trial at a moment, one below the other, with the robots' ways and outlines as on the
-/// screen, and the views' names; a single one is at the top. Where a picture cannot be had, words are in its
-/// place.
+/// screen, and the views' names; a single one is at the top. Where an image is missing, words replace it.
 void drawStills(QPainter &painter, const QRectF &rect, const TrialScene &scene,
                 const std::vector<Still> &stills);
 

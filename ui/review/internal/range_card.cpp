@@ -62,8 +62,7 @@ void RangeReporter::begin()
 
 void RangeReporter::finish()
 {
-    // What is known already is told though something newer is wanted, so that a drag shows figures on its
-    // way.
+    // Shows what is known already although something newer was requested, to update during a drag.
     if (!m_isForgotten)
         Q_EMIT reported(*m_result);
     if (m_wanted)
@@ -258,7 +257,7 @@ Explanation explainStatistics(const RangeReport &report, Quantity quantity, cons
             {}};
 }
 
-/// The quantity's name with how its figures were computed, then a line a figure.
+/// The quantity's name with how its metrics were computed, then a line a metric.
 QList<Fact> statisticsFacts(const RangeReport &report, Quantity quantity,
                             const std::optional<RangeStatistics> &statistics)
 {

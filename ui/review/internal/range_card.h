@@ -17,24 +17,24 @@ class QComboBox;
 
 namespace odo {
 
-/// What is wanted of a range.
+/// What to compute of a range.
 struct RangeRequest
 {
     TrialScenePtr scene;
     std::size_t robot = 0; ///< must have an analysis
     TimeSpan span;
     QList<Quantity> quantities;        ///< to count
-    Quantity fitted = Quantity::Speed; ///< to fit, if a shape is wanted
+    Quantity fitted = Quantity::Speed; ///< to fit, if a shape is set
     std::optional<FitShape> shape = {};
 };
 
-/// The figures of a range; SI.
+/// The metrics of a range; SI.
 struct RangeReport
 {
     RangeRequest request;
     std::optional<CurveValue> path;
     std::vector<std::optional<RangeStatistics>> statistics; ///< one a quantity
-    std::optional<Result<CurveFit>> fit;                    ///< empty: none was wanted
+    std::optional<Result<CurveFit>> fit;                    ///< empty: none was requested
 };
 
 /// Pure.
@@ -48,7 +48,7 @@ class RangeReporter : public QObject
 public:
     explicit RangeReporter(QObject *parent = nullptr);
     void request(RangeRequest request);
-    /// What was requested is wanted no more.
+    /// Drops the request.
     void forget();
     bool isRunning() const { return m_task.isRunning(); }
 
@@ -59,7 +59,7 @@ private:
     void begin();
     void finish();
 
-    std::optional<RangeRequest> m_wanted; ///< not begun yet
+    std::optional<RangeRequest> m_wanted; ///< not started yet
     std::shared_ptr<RangeReport> m_result;
     bool m_isForgotten = false;
     BackgroundTask m_task;
@@ -68,7 +68,7 @@ private:
 class FactList;
 class Timeline;
 
-/// The figures of the range that is selected: times, path, each quantity that the charts show, and a fit of
+/// The metrics of the range that is selected: times, path, each quantity that the charts show, and a fit of
 /// one of them. They are made on a thread of their own. Hides itself while there is no range or no curve.
 class RangeCard : public Card
 {
@@ -101,10 +101,10 @@ private:
     FactList *m_facts;
 };
 
-/// A range's figures in words, each with how it was computed: times and path, then a fact a quantity.
+/// A range's metrics in words, each with how it was computed: times and path, then a fact a quantity.
 QList<Fact> rangeFacts(const RangeReport &report);
 /// The fit in words: coefficients with ±, residual, and what χ² says; or why there is none. Empty: none was
-/// wanted.
+/// requested.
 QList<Fact> fitFacts(const RangeReport &report);
 
 } // namespace odo

@@ -97,7 +97,7 @@ Explanation explainLap(const TrialScene &scene, std::size_t robot, const Lap &la
     return told;
 }
 
-/// Several figures of one kind beneath one another: those whose names begin so ("cross_track", "zone_").
+/// Several metrics of one kind beneath one another: those whose names begin so ("cross_track", "zone_").
 Explanation explainFigures(const TrialScene &scene, std::size_t robot, const QString &what,
                            const QString &value, const std::string &stem)
 {
@@ -119,8 +119,8 @@ Explanation explainFigures(const TrialScene &scene, std::size_t robot, const QSt
     return told;
 }
 
-/// How a view was put in step with the first; nullopt: it was told, or taken as begun together, and nothing
-/// was computed.
+/// How a view was synchronised with the first; nullopt: the offset was entered, or the same start was
+/// assumed, and nothing was computed.
 std::optional<Explanation> explainStep(const SceneView &view, const QString &value)
 {
     const auto words = stepWords(view.recording.syncMethod);
@@ -138,7 +138,7 @@ std::optional<Explanation> explainStep(const SceneView &view, const QString &val
     return told;
 }
 
-/// The robot's height; nullopt: it was told.
+/// The robot's height; nullopt: it was entered.
 std::optional<Explanation> explainHeight(const TrialScene &scene, std::size_t robot)
 {
     const auto &analysis = scene.robots.at(robot).analysis;
@@ -166,7 +166,7 @@ class TrialFactsWords
 QString robotText(const SceneRobot &robot)
 {
     QString name = QString::fromStdString(robot.robot.name);
-    if (!robot.analysis || robot.analysis->views.empty()) // an imported track tells no height
+    if (!robot.analysis || robot.analysis->views.empty()) // an imported track has no height
         return name;
     const QString height = lengthText(robot.analysis->profile.heightM);
     return robot.analysis->profile.heightEstimated

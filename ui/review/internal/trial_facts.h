@@ -7,7 +7,7 @@
 namespace odo {
 
 /// What the Trial card says of a trial: task, robots, testbed, views, synchronisation, smoother, notes. Facts
-/// that are not known are left out; a video that is missing is said with a badge.
+/// that are not known are left out; a missing video has a badge.
 QList<Fact> trialFacts(const TrialScene &scene);
 
 } // namespace odo

@@ -8,8 +8,8 @@
 
 namespace odo {
 
-/// What of an axis charts show: from where to where, within a whole. One for all charts that stand below one
-/// another. GUI thread.
+/// What of an axis charts show: from where to where, within a whole. One for all charts below one another.
+/// GUI thread.
 class AxisSpan : public QObject
 {
     Q_OBJECT
@@ -24,7 +24,7 @@ public:
     void setWhole(double low, double high);
     /// Shows from low to high: kept inside the whole, and not narrower than a ten-thousandth of it.
     void show(double low, double high);
-    /// About a place; a factor above 1 shows less.
+    /// About a position; a factor above 1 shows less.
     void zoom(double factor, double about);
     /// By so much of what is visible.
     void pan(double share);

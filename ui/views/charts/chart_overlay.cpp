@@ -55,7 +55,7 @@ QRectF drawChartBubble(QPainter &painter, const ChartPlot &plot, const QPointF &
 {
     const ThemeColours colours = ThemeColours::of(palette);
     const QFontMetricsF metrics(painter.font());
-    // The value stands at its end; a long name before it gives way.
+    // The value is at its end; a long name before it is shortened.
     const QString text = metrics.elidedText(fullText, Qt::ElideLeft, plot.rect.width() / 2);
     const QPointF at = plot.at(value.x(), value.y());
     const double height = metrics.height() + 6, width = metrics.horizontalAdvance(text) + 14;

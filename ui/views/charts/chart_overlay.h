@@ -19,40 +19,40 @@ class QWidget;
 
 namespace odo {
 
-/// What stands over a chart and moves: the cursor with its values, the selected range, the crosshair. Painted
-/// on the chart's picture, so that moving it costs no new curves. Any thread.
+/// What moves over a chart: the cursor with its values, the selected range, the crosshair. Painted on the
+/// chart's image, so that moving it costs no new curves. Any thread.
 
-/// The dotted line at the present place.
+/// The dotted line at the present position.
 void drawChartCursor(QPainter &painter, const ChartPlot &plot, double x, const QPalette &palette);
 
-/// A light shade from one place to another, with a line at either end.
+/// A light shade from one position to another, with a line at either end.
 void drawChartRange(QPainter &painter, const ChartPlot &plot, double from, double to,
                     const QPalette &palette);
 
-/// The frame of a chart or map while it has the focus; none in pictures of it.
+/// The frame of a chart or map while it has the focus; none in images of it.
 void drawChartFocus(QPainter &painter, const QWidget &plot);
 
-/// A value beside the cursor, `top` from the upper end of the widget, and a dot on its curve. Gives where its
-/// bubble stands; the next one goes bubbleGap below it.
+/// A value beside the cursor, `top` from the upper end of the widget, and a dot on its curve. Gives the
+/// position of its bubble; the next one goes bubbleGap below it.
 QRectF drawChartBubble(QPainter &painter, const ChartPlot &plot, const QPointF &value, double top,
                        const QString &text, const QColor &colour, const QPalette &palette);
 constexpr double bubbleGap = 3;
 
-/// Thin lines through a place of the plot, with what it stands for on both axes in a box each.
+/// Thin lines through a position of the plot, with its value on either axis in a box each.
 void drawCrosshair(QPainter &painter, const ChartPlot &plot, const QPointF &place, const QString &below,
                    const QString &left, const QPalette &palette);
 
-/// The bubbles that a chart shows at its cursor. Each tells how its value was computed: by a click on it; the
-/// uppermost also by Enter or Shift+F1 while the chart has the focus.
+/// The bubbles that a chart shows at its cursor. Each explains how its value was computed: by a click on it;
+/// the uppermost also by Enter or Shift+F1 while the chart has the focus.
 class ChartBubbles : public QObject
 {
     Q_OBJECT
 public:
     explicit ChartBubbles(QAbstractScrollArea &chart);
-    /// To be called whenever the chart is painted: what stands there now, from above.
+    /// Call it whenever the chart is painted: what is shown now, from above.
     void clear() { m_bubbles.clear(); }
     void add(const QRectF &place, std::function<Explanation()> how);
-    /// Where they stand, in the chart's coordinates.
+    /// Their positions, in the chart's coordinates.
     QList<QRectF> places() const;
 
 protected:

@@ -45,7 +45,7 @@ constexpr int margin = 8;
 constexpr double dotsPerPixel = 3; // 288 dots an inch: enough for print
 const QString svgEnding = QStringLiteral("svg"), pdfEnding = QStringLiteral("pdf");
 
-/// A widget as it looks in light, while it lives. Nothing is seen of it: the screen is painted later.
+/// A widget as it looks in light, while it lives. It is not visible: the screen is painted later.
 class InLight
 {
 public:
@@ -343,12 +343,12 @@ void onWindowThread(std::function<void()> work)
     }
     const auto task = std::make_shared<std::packaged_task<void()>>(std::move(work));
     std::future<void> done = task->get_future();
-    // Once the caller has given up, only what has begun keeps the task.
+    // Once the caller has given up, only what has started keeps the task.
     callLater(qApp, [waiting = std::weak_ptr(task)] {
         if (const auto wanted = waiting.lock())
             (*wanted)();
     });
-    // Looked at now and then: whoever cancels may wait for this thread, on the window's.
+    // Checked now and then: whoever cancels may wait for this thread, on the window's.
     while (done.wait_for(20ms) != std::future_status::ready)
         endIfCancelled();
     done.get();

@@ -22,7 +22,7 @@ namespace odo {
 class ChartView;
 class SeriesKey;
 
-/// What stands above a picture.
+/// The heading above an image.
 struct PictureHeading
 {
     QString what;     ///< "Speed"
@@ -32,7 +32,7 @@ struct PictureHeading
     QString title() const;
 };
 
-/// A chart or map as a picture for other documents: what it shows, with its heading and the key to its lines
+/// A chart or map as an image for other documents: what it shows, with its heading and the key to its lines
 /// above, on white whatever the theme is, and without the frame of the focus. The plot gets two actions for
 /// it, in its context menu: copy (also by the keys of copying while it has the focus) and save, as SVG or
 /// PDF, in which lines and words stay such, or as PNG of three dots a logical pixel. Child of the plot. GUI
@@ -48,7 +48,7 @@ public:
     ChartPicture(ChartView &plot, std::function<PictureHeading()> heading, SeriesKey *key = nullptr);
 
     QByteArray svg() const;
-    QByteArray pdf() const; ///< one page as large as the picture
+    QByteArray pdf() const; ///< one page as large as the image
     QImage image() const;
     /// As SVG or PDF where the file's ending says so, else as PNG. Errors: those of OutputFile.
     Result<void> save(const OutputTarget &target) const;
@@ -70,15 +70,15 @@ private:
     std::function<void(QPainter &)> m_paintPlot; ///< empty: as it paints itself
 };
 
-/// What of a view does not change with the time, kept as a picture of its size, so that moving the cursor
+/// What of a view does not change with the time, kept as an image of its size, so that moving the cursor
 /// costs a copy. GUI thread.
 class StillLayer
 {
 public:
     using Draw = std::function<void(QPainter &)>;
 
-    /// Paints it over the whole view; where it was forgotten it is drawn anew, beginning with the colour of
-    /// the ground. Drawn and not kept where it is painted for a ChartPicture.
+    /// Paints it over the whole view; redraws it if it was forgotten, beginning with the colour of the
+    /// ground. Draws without keeping it when painted for a ChartPicture.
     void paint(QPainter &painter, const QWidget &view, const QColor &ground, const Draw &draw);
     /// Draws more on it, if it is there.
     void add(const QWidget &view, const Draw &draw);
@@ -89,7 +89,7 @@ private:
     QPixmap m_picture; ///< null: to be drawn
 };
 
-/// Paints a chart into a rectangle of a page or picture, by the class that the screen's charts are of; gives
+/// Paints a chart into a rectangle of a page or image, by the class that the screen's charts are of; gives
 /// where its values lie there. Any thread: the chart itself is made on the window's thread (window_thread.h)
 /// while the caller waits. fineness: columns to a unit of the rectangle in which many points are drawn as
 /// one.

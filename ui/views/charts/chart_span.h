@@ -18,9 +18,9 @@ class Timeline;
 /// that was not tracked.
 using SamplePlaces = std::vector<std::vector<double>>;
 
-/// What of a run the charts of a page show: against the time (seconds) or against the way driven (metres),
-/// and from where to where. One for all charts of a page, so that they stand below one another. When the
-/// shared time leaves what is visible, it follows. GUI thread.
+/// What of a run the charts of a page show: against the time (seconds) or against the distance travelled
+/// (metres), and from where to where. One for all charts of a page, so they line up below one another. When
+/// the shared time leaves what is visible, it follows. GUI thread.
 class ChartSpan : public AxisSpan
 {
     Q_OBJECT
@@ -39,16 +39,16 @@ public:
     /// Where a robot is at a time, straight between its samples; of one that was not tracked the time itself,
     /// or 0.
     double placeOf(std::size_t robot, Nanoseconds time) const;
-    /// The place that the cursor stands at: that of the first robot that was tracked.
+    /// The cursor's position: that of the first robot that was tracked.
     double cursorPlace(Nanoseconds time) const;
-    /// When the cursor is at a place; where the robot stands, when it came there.
+    /// The time at which the cursor is at a position; if the robot stops there, when it arrived.
     Nanoseconds timeAt(double place) const;
 
     /// To show less, more, all, and to change what is below: with words and keys, for menus and pages.
     QList<QAction *> actions() const { return m_actions; }
 
 Q_SIGNALS:
-    void axisChanged(); ///< the places
+    void axisChanged(); ///< the positions
 private:
     void makeActions();
     void makePlaces();

@@ -12,9 +12,9 @@ namespace odo {
 class AxisSpan;
 
 /// A chart on the screen: a part of its axis below, chosen by hand (ChartGestures) and shared with other
-/// charts; a crosshair under the mouse with what it stands for; colours of the palette, the font of the
-/// widget. What does not move is kept as a picture, so that moving a cursor costs a copy. Derived classes add
-/// what the chart is about. GUI thread, raster only.
+/// charts; a crosshair under the mouse with its values; colours of the palette, the font of the widget. What
+/// does not move is kept as an image, so that moving a cursor costs a copy. Derived classes add what the
+/// chart is about. GUI thread, raster only.
 class ChartView : public QChartView
 {
     Q_OBJECT
@@ -33,7 +33,7 @@ public:
     /// Curves of a group (ChartCurve::group) come and go, whatever the content.
     void setGroupShown(int group, bool isShown);
     bool isGroupShown(int group) const { return m_chart->isGroupShown(group); }
-    /// The whole view for a picture: without focus and crosshair.
+    /// The whole view for an image: without focus and crosshair.
     void paintPicture(QPainter &painter);
 
     QSize sizeHint() const override { return {640, 180}; }
@@ -47,16 +47,16 @@ protected:
     void setOverlay(std::vector<ChartCurve> curves);
     void showAllGroups();
 
-    /// What stands over the curves and moves.
+    /// What moves over the curves.
     virtual void paintOver(QPainter &painter) { Q_UNUSED(painter); }
-    /// The left button was pressed at a place of the axis below, and was dragged on to another.
+    /// The left button was pressed at a position of the axis below, and was dragged on to another.
     virtual void goTo(double x) { Q_UNUSED(x); }
     virtual void dragTo(double from, double x)
     {
         Q_UNUSED(from);
         goTo(x);
     }
-    /// What a tool tip tells of a place.
+    /// The tool tip of a position.
     virtual QString wordsAt(const QPoint &place) const;
 
     void paintEvent(QPaintEvent *event) override;

@@ -82,7 +82,7 @@ void ChartArea::showCurves()
     showFit();
 }
 
-/// Dashed, over a rim, so that it stands out from the curve.
+/// Dashed, over a rim, to contrast with the curve.
 void ChartArea::showFit()
 {
     if (!m_fit || m_fit->quantity != m_quantity) {
@@ -149,7 +149,7 @@ void ChartArea::dragTo(double from, double x)
 
 namespace {
 
-/// The metric that tells most of a quantity; empty: none.
+/// The most informative metric of a quantity; empty: none.
 std::string tellingMetric(Quantity quantity)
 {
     switch (quantity) {

@@ -32,8 +32,8 @@ struct FitOverlay
 };
 
 /// The plot of one quantity, a group of curves a robot; inside ProfileChart. A click goes to a time, a drag
-/// selects a range; a bubble tells how its value was computed. Stretches in which less than usual is known of
-/// a robot are shaded, with words where the mouse rests.
+/// selects a range; a bubble explains how its value was computed. Stretches in which less than usual is known
+/// of a robot are shaded, with words where the mouse rests.
 class ChartArea : public ChartView
 {
     Q_OBJECT
@@ -77,9 +77,10 @@ private:
     std::optional<FitOverlay> m_fit;
 };
 
-/// One quantity against time, or the way driven, for all robots of a trial: smoothed line with its 95 % band,
-/// measured points, spikes, the range that is selected, and a cursor at the shared time with the value there.
-/// ChartArea tells what the mouse does. Of several quantities the one that is shown is chosen in its header.
+/// One quantity against time, or the distance travelled, for all robots of a trial: smoothed line with its 95
+/// % band, measured points, spikes, the range that is selected, and a cursor at the shared time with the
+/// value there. See ChartArea for what the mouse does. Of several quantities the one that is shown is chosen
+/// in its header.
 class ProfileChart : public Card
 {
     Q_OBJECT

@@ -15,17 +15,16 @@ class QPalette;
 
 namespace odo {
 
-/// Places in the palette of charts and maps (seriesColour) of robots that are drawn together: a chosen colour
-/// is kept, the others get, in their order, those that nobody chose. Pure.
+/// Palette entries (seriesColour) for robots drawn together on charts and maps: a chosen colour is kept, the
+/// others get, in their order, those that nobody chose. Pure.
 std::vector<int> colourPlaces(const std::vector<DrawingColour> &chosen);
 std::vector<int> colourPlaces(const std::vector<RobotRecord> &robots);
 std::vector<int> colourPlaces(const TrialScene &scene);
 
-/// The colour of a robot that need not be told from others: the chosen one, else `plain`. Pure.
+/// The colour of a robot that need not be distinguished from others: the chosen one, else `plain`. Pure.
 QColor drawnColour(DrawingColour chosen, const QColor &plain, const QPalette &palette);
 
-/// The colour of a place of the palette on pictures, which are what the camera saw in light and dark windows.
-/// Pure.
+/// The colour of a palette entry on images: the same in light and dark windows. Pure.
 QColor colourOnPicture(int place);
 
 /// Every colour that can be chosen, in the order of the palette.
@@ -45,7 +44,7 @@ class SeriesKey : public QWidget
     Q_OBJECT
 public:
     explicit SeriesKey(QWidget *parent = nullptr);
-    /// All of them are shown then. places: of their colours in the palette (colourPlaces); by themselves one
+    /// All of them are shown then. places: of their colours in the palette (colourPlaces); by default one
     /// after the other.
     void setNames(const QStringList &names, const std::vector<int> &places = {});
 

@@ -403,7 +403,7 @@ void TimelineBar::showRate()
     const double rate = m_timeline.rate();
     const QSignalBlocker blocked(m_rate);
     int index = m_rate->findData(rate);
-    // A rate that is not on offer (a shuttle backwards) stands as one more entry while it lasts.
+    // A rate that is not on offer (a shuttle backwards) is one more entry while it lasts.
     while (m_rate->count() > static_cast<int>(std::size(offeredRates)))
         m_rate->removeItem(m_rate->count() - 1);
     index = m_rate->findData(rate);

@@ -21,12 +21,12 @@ class QPalette;
 
 namespace odo {
 
-/// A value that stands beside the cursor.
+/// A value beside the cursor.
 struct ShownValue
 {
     std::size_t robot = 0;
-    QRectF bubble; ///< where it stands
-    QString text;  ///< the value with its error and unit, without a name
+    QRectF bubble; ///< its position
+    QString text;  ///< the value with its ± and unit, without a name
 };
 
 /// The curves of one quantity of all robots of a trial, for the screen and for whatever else shows them:
@@ -39,8 +39,8 @@ public:
 
     /// What a chart shows; nullptr without a scene.
     const ChartContentPtr &content() const { return m_content; }
-    /// Each robot's value at a time beside its place on the axis below, where that is visible (not a number:
-    /// nowhere); gives them, from above.
+    /// Each robot's value at a time beside its position on the axis below, where that is visible (not a
+    /// number: nowhere); gives them, from above.
     QList<ShownValue> drawValues(QPainter &painter, const ChartPlot &plot, Nanoseconds time,
                                  const std::function<double(std::size_t robot)> &placeOf,
                                  const QPalette &palette) const;
@@ -62,7 +62,7 @@ class CurveMaker : public QObject
 {
     Q_OBJECT
 public:
-    /// Of more samples than this all together it takes a thread.
+    /// For more samples than this in total it takes a thread.
     static constexpr std::size_t mostAtOnce = 20'000;
 
     explicit CurveMaker(QObject *parent = nullptr);
@@ -87,7 +87,7 @@ private:
     void finish();
 
     TrialCurves m_curves;
-    std::shared_ptr<Request> m_wanted;  ///< not told yet; null: nothing
+    std::shared_ptr<Request> m_wanted;  ///< not delivered yet; null: nothing
     std::shared_ptr<Request> m_running; ///< is being made; perhaps overtaken
     BackgroundTask m_task;
 };
@@ -99,23 +99,23 @@ QString curveUnit(Quantity quantity);
 /// By how much a value in SI is multiplied for curveUnit.
 double curveFactor(Quantity quantity);
 
-/// When each sample was taken, in seconds: its place where the axis below is the time.
+/// When each sample was taken, in seconds: its position if the axis below is the time.
 std::vector<double> sampleTimes(const Profile &profile);
 
 /// From the lowest to the highest value of the lines among curves, with their bands as long as those do not
-/// press the lines flat; 0 is contained unless they are places.
+/// press the lines flat; 0 is contained unless they are positions.
 ValueRange valueRange(const std::vector<ChartCurve> &curves, Quantity quantity);
 
-/// measuredValues at the places of the samples, in the unit of curveUnit, without bands; empty for the turn
-/// rate.
+/// measuredValues at the positions of the samples, in the unit of curveUnit, without bands; empty for the
+/// turn rate.
 CurveRun measuredPoints(const Profile &profile, Quantity quantity, const std::vector<double> &places);
 
 /// The spikes of a curve of speed, where they were measured or else where the curve is; empty for every other
 /// quantity.
 CurveRun spikePoints(const Profile &profile, Quantity quantity, const std::vector<double> &places);
 
-/// The robot's curve of a quantity as a chart shows it, in the colour of a place and the dash of the group;
-/// and its measured points (beneath) and spikes (above), of the same group.
+/// The robot's curve of a quantity as a chart shows it, in a palette colour and the dash of the group; and
+/// its measured points (beneath) and spikes (above), of the same group.
 struct ProfileCurves
 {
     ChartCurve measured, line, spikes;

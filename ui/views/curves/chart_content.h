@@ -17,7 +17,7 @@ namespace odo {
 /// What a chart shows, as plain values that any thread can make. Colours are named by what they stand for, so
 /// that a chart follows the palette.
 
-/// The colour of a curve: that of a series (seriesColour of its place), or one of the theme.
+/// The colour of a curve: that of a series (seriesColour of its index), or one of the theme.
 enum class ChartInk { Series, Muted, Point, Text, Accent, Spike, Ground };
 
 /// Lines, points or spikes of one thing.
@@ -26,7 +26,7 @@ struct ChartCurve
     enum class Kind {
         Line,   ///< with its band, where it has one
         Points, ///< a dot each
-        Spikes, ///< a triangle each; beyond the axis it stands at its end, for each is to be seen
+        Spikes, ///< a triangle each; beyond the axis it is at its end: each must be visible
         Bars    ///< from 0 to the value, 0.8 wide
     };
     Kind kind = Kind::Line;
@@ -44,7 +44,7 @@ struct ChartCurve
 struct ChartStretch
 {
     double from = 0, to = 0;
-    bool isHatched = false; ///< it is doubtful which robot it is
+    bool isHatched = false; ///< the robot is ambiguous
 };
 
 /// The range of the axis at the left, in the unit that is shown.

@@ -34,7 +34,7 @@ struct PathSpan
 };
 PathSpan comparedSpan(const ComparisonScene &scene);
 
-/// The same at one place; nullopt where a run was not there.
+/// The same at one position; nullopt where a run was not there.
 std::optional<CurveValue> differenceAt(const ComparisonScene &scene, std::size_t run, double distanceM);
 std::optional<CurveValue> comparedAt(const ComparisonScene &scene, Compared what, std::size_t run,
                                      double distanceM);

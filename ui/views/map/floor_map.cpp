@@ -61,7 +61,7 @@ protected:
     void mousePressEvent(QMouseEvent *event) override;
 
 private:
-    /// When a robot was nearest to a place; nullopt where none came near.
+    /// When a robot was nearest to a position; nullopt where none came near.
     std::optional<Nanoseconds> timeNear(const QPointF &place) const;
     MapPlan plan() const;
     void paintStill(QPainter &painter) const override;
@@ -137,7 +137,7 @@ void MapArea::setDisagreements(std::vector<ViewDisagreement> disagreements)
         for (const Disagreement &place : robot.places)
             apart.push_back(place.apartM);
     std::sort(apart.begin(), apart.end());
-    // A few that stand out must not leave one colour for all others.
+    // A few extreme values must not leave one colour for all others.
     m_topDisagreementM = apart.empty() ? 0 : std::max(leastM, apart[(apart.size() - 1) * 95 / 100]);
     forgetStill();
 }

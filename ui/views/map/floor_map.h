@@ -18,8 +18,8 @@ class MapArea;
 class Timeline;
 
 /// The virtual top-down map: X to the right, Y up. The floor as the cameras see it (muted), a grid, the
-/// markers, each robot's trail coloured by its speed or by how far the views disagree, its place now with
-/// heading and σ, and the spikes.
+/// markers, each robot's trail coloured by its speed or by how far the views disagree, its present position
+/// with heading and σ, and the spikes.
 class FloorMap : public Card
 {
     Q_OBJECT
@@ -28,7 +28,7 @@ public:
     ~FloorMap() override;
 
     void setScene(TrialScenePtr scene);
-    /// True when the picture of the floor is there (or cannot be had), and so is what colours the trails.
+    /// True when the image of the floor is there (or is not available), and so is what colours the trails.
     bool isSettled() const;
 
     /// Colours by the views' disagreement instead of the speed; with words and key, for menus and pages.

@@ -22,7 +22,7 @@ constexpr std::size_t framesForMedian = 5;
 /// Where a node of the plan lies in a view, and how well it is seen there.
 struct Node
 {
-    float x = 0, y = 0, weight = 0; ///< weight 0: behind the camera; may lie beside the picture
+    float x = 0, y = 0, weight = 0; ///< weight 0: behind the camera; may be outside the image
 };
 
 struct Plan
@@ -40,7 +40,7 @@ struct Plan
     int nodeRows() const { return height / nodeStep + 2; }
 };
 
-/// Picture area that a square metre of the floor covers, faded out towards the picture's edge.
+/// Image area that a square metre of the floor covers, faded out towards the image's edge.
 float viewWeight(const FloorView &view, const Eigen::Vector2d &point, const Eigen::Vector2d &pixel)
 {
     constexpr double aside = 0.01;
@@ -74,7 +74,7 @@ std::vector<Node> nodesOf(const FloorView &view, const Plan &plan)
     return nodes;
 }
 
-/// A few pictures spread over a recording, at full size; fewer where frames are damaged.
+/// A few images spread over a recording, at full size; fewer where frames are damaged.
 std::vector<ScreenPicture> spreadPictures(const SceneView &view, const CancelToken &cancel)
 {
     std::vector<ScreenPicture> pictures;
@@ -95,7 +95,7 @@ std::vector<ScreenPicture> spreadPictures(const SceneView &view, const CancelTok
     return pictures;
 }
 
-/// Median over the pictures, channel by channel, of the nearest pixel.
+/// Median over the images, channel by channel, of the nearest pixel.
 std::array<int, 3> medianColour(const std::vector<ScreenPicture> &pictures, int x, int y)
 {
     std::array<int, 3> result{};

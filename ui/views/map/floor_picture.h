@@ -11,14 +11,14 @@
 
 namespace odo {
 
-/// The floor seen from above, put together from the cameras' pictures. Rows go down as Y goes down.
+/// The floor seen from above, put together from the cameras' images. Rows go down as Y goes down.
 struct FloorPicture
 {
     QImage image;               ///< premultiplied ARGB; transparent where no camera looks
     Eigen::AlignedBox2d extent; ///< of the image on the floor, metres
 };
 
-/// What is made of the floor where these bounds must be seen: a little more, so that the picture does not end
+/// What is made of the floor where these bounds must be seen: a little more, so that the image does not end
 /// at the markers.
 Eigen::AlignedBox2d floorExtent(const Eigen::AlignedBox2d &bounds);
 /// How many pixels the longer side of it has, where it is shown this large.
@@ -30,7 +30,7 @@ int floorSidePx(const Eigen::AlignedBox2d &extent, double pixelsPerMetre);
 FloorPicture makeFloorPicture(const TrialScene &scene, const Eigen::AlignedBox2d &extent, int longestSidePx,
                               const CancelToken &cancel);
 
-/// Makes the floor picture of a scene on a thread of its own, as fine as it is shown. GUI thread.
+/// Makes the floor image of a scene on a thread of its own, as fine as it is shown. GUI thread.
 class FloorPictureMaker : public QObject
 {
     Q_OBJECT
@@ -38,11 +38,11 @@ public:
     explicit FloorPictureMaker(QObject *parent = nullptr);
     ~FloorPictureMaker() override;
 
-    /// Begins without waiting; a picture in work is given up, and the new one begins as soon as that has
-    /// ended. bounds: what must be seen; a little more is made, so that the picture does not end at the
+    /// Begins without waiting; an image in work is given up, and the new one begins as soon as that has
+    /// ended. bounds: what must be seen; a little more is made, so that the image does not end at the
     /// markers. A null scene only stops.
     void make(TrialScenePtr scene, const Eigen::AlignedBox2d &bounds, double pixelsPerMetre);
-    /// Makes it again where it is shown much larger than it was made for.
+    /// Remakes it if it is shown much larger than it was made for.
     void setScale(double pixelsPerMetre);
     bool isRunning() const { return m_running; }
 
@@ -59,7 +59,7 @@ private:
     TrialScenePtr m_scene; ///< whose floor is shown
     Eigen::AlignedBox2d m_extent;
     int m_sidePx = 0;        ///< how fine it is, or is to be
-    bool m_isWanted = false; ///< not begun yet
+    bool m_isWanted = false; ///< not started yet
     bool m_running = false;
 };
 

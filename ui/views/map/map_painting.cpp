@@ -347,7 +347,7 @@ void drawGates(QPainter &painter, const std::vector<Gate> &gates, const FloorToS
         // the right side; Y is up on the floor, down on the screen
         const QPointF direction(along.y(), along.x());
         const double width = gate.role == GateRole::Split ? 2 : 3.5;
-        // A rim, so that the line stands out from any floor and trail.
+        // A rim, to contrast with any floor and trail.
         painter.setPen(QPen(colours.mapGround, width + 2.5, Qt::SolidLine, Qt::RoundCap));
         painter.drawLine(line);
         painter.setPen(QPen(colours.text, width, Qt::SolidLine, Qt::RoundCap));

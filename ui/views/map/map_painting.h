@@ -54,8 +54,8 @@ struct MapRobot
     Eigen::Vector2d referenceM = Eigen::Vector2d::Zero();
 };
 /// A haze of two σ, and the robot's footprint where it is known and large enough, else a dot, with a point
-/// towards the heading. A position that is not the centre's has a cross, beside whose place the footprint
-/// lies where the heading is known.
+/// towards the heading. A reference point that is not the centre has a cross, with the footprint beside it if
+/// the heading is known.
 void drawMapRobot(QPainter &painter, const MapPlan &plan, const MapRobot &robot, const QPalette &palette);
 
 /// A robot from above, heading to the right, with the point of it that is measured.
@@ -84,7 +84,7 @@ private:
 /// From a point of the floor, metres, to the screen.
 using FloorToScreen = std::function<QPointF(const Eigen::Vector2d &)>;
 
-/// The course that is to be followed, dashed so that it is not taken for one that was driven.
+/// The course to follow, dashed to distinguish it from one that was driven.
 void drawReferencePath(QPainter &painter, const ReferencePath &path, const FloorToScreen &toScreen,
                        const QPalette &palette);
 /// Each zone as an outline with its name: one to keep out of is hatched, of one to stay in the edge has teeth
@@ -110,7 +110,7 @@ protected:
     void drawStill(QPainter &painter);
     /// Adds to what is kept, if anything is yet.
     void addToStill(const std::function<void(QPainter &)> &paint);
-    /// It is painted anew.
+    /// It is repainted.
     void forgetStill();
 
     void resizeEvent(QResizeEvent *event) override;

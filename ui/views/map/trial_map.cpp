@@ -23,7 +23,7 @@ namespace odo {
 
 namespace {
 
-constexpr int colourSteps = 48; // more of them cannot be told apart
+constexpr int colourSteps = 48; // more of them cannot be distinguished
 
 class TrailPaintingWords
 {
@@ -32,7 +32,7 @@ class TrailPaintingWords
 
 constexpr double tolerancePx = 0.2; // less cannot be seen, and strokes cost by the point
 
-/// The way of the smoothed positions, in stretches without gaps.
+/// The path of the smoothed positions, in pieces without gaps.
 QPainterPath wayOf(const Profile &profile, const MapPlan &plan)
 {
     QPainterPath way;

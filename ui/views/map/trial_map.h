@@ -19,8 +19,8 @@ struct TrialScene;
 /// The fastest valid speed of all robots of a scene: the end of the colour scale. 0 where none was tracked.
 double topSpeedMps(const TrialScene &scene);
 
-/// A smoothed track, coloured by speed from 0 to the top, with a rim so that both ends of the scale stand out
-/// from any floor. Gaps stay open.
+/// A smoothed track, coloured by speed from 0 to the top, with a rim so both ends of the scale contrast with
+/// any floor. Gaps stay open.
 void drawSpeedTrail(QPainter &painter, const MapPlan &plan, const Profile &profile, double topMps,
                     const QPalette &palette);
 /// A haze under the trail where less than usual is known of a robot.
@@ -39,7 +39,7 @@ struct FloorPicture;
 /// ground, trails (trail_painting.h), marks, legend, robots. In logical pixels, with the painter's font; on a
 /// QImage on any thread.
 
-/// The floor's picture (perhaps none), as strong as `opacity` says, a calm foot for the scale, the grid, the
+/// The floor's image (perhaps none), as strong as `opacity` says, a calm foot for the scale, the grid, the
 /// markers, and the task's zones.
 void drawMapFloor(QPainter &painter, const MapPlan &plan, const TrialScene &scene, const FloorPicture &floor,
                   double opacity, const QPalette &palette);
@@ -52,7 +52,7 @@ void drawMapMarks(QPainter &painter, const MapPlan &plan, const TrialScene &scen
 void drawTrialRobots(QPainter &painter, const MapPlan &plan, const TrialScene &scene, Nanoseconds time,
                      const QPalette &palette);
 
-/// The ways of these runs in their colours and dashes, the first one on top.
+/// The paths of these runs in their colours and dashes, the first one on top.
 void drawWays(QPainter &painter, const MapPlan &plan, const ComparisonScene &scene,
               const std::vector<std::size_t> &runs, const QPalette &palette);
 

@@ -21,7 +21,7 @@ namespace odo {
 
 class Timeline;
 
-/// The picture of one view with its overlays; inside CameraView.
+/// The image of one view with its overlays; inside CameraView.
 class PictureArea : public QWidget
 {
     Q_OBJECT
@@ -141,7 +141,7 @@ void PictureArea::ask()
 {
     const auto frame = wantedFrame();
     if (const bool was = std::exchange(m_isOutside, !frame); m_isOutside || was)
-        // outside of the recording it says so, and within it no longer, also before the picture is there
+        // outside of the recording it says so; within it no longer, even before the image arrives
         update();
     if (!frame)
         return;
@@ -193,7 +193,7 @@ void PictureArea::setPointing(bool pointing)
     setCursor(pointing ? Qt::CrossCursor : Qt::ArrowCursor);
 }
 
-/// Whether there is a picture at a place of the widget.
+/// Whether there is an image at a position of the widget.
 bool PictureArea::pointAt(const QPoint &place, const QPoint &global)
 {
     if (!sceneView() || m_picture.isNull() || !pictureRect().contains(place))
@@ -277,7 +277,7 @@ void PictureArea::paintEvent(QPaintEvent *)
         paintMessage(painter, m_failure);
     else if (!wanted)
         paintMessage(painter, tr("This camera was not recording at this time"));
-    // The overlay belongs to the picture that is shown, even while a newer one is on its way.
+    // The overlay belongs to the image that is shown, even while a newer one is on its way.
     const qint64 frame = m_picture.isNull() ? wanted.value_or(-1) : m_shownFrame;
     if (wanted && frame >= 0)
         paintRobots(painter, frame);
@@ -306,7 +306,7 @@ namespace {
 QString viewRemark(const TrialScene &scene, std::size_t index)
 {
     const RecordingRecord &recording = scene.views[index].recording;
-    QStringList parts; // the most telling first: the end may be cut off
+    QStringList parts; // the most informative first: the end may be cut off
     if (index > 0 && isStepMeasured(recording))
         parts += CameraView::tr("synchronised to %1 ms")
                      .arg(QLocale().toString(recording.startOffsetSigmaS * 1e3, 'f', 1));

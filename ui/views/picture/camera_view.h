@@ -13,7 +13,7 @@ class Timeline;
 /// What a view is called: "Camera A", or its longer name.
 QString viewTitle(const SceneView &view);
 
-/// One view of a trial: its picture at the shared time, and on it the robots' outlines, their trails, the
+/// One view of a trial: its image at the shared time, and on it the robots' outlines, their trails, the
 /// world's axes and the floor grid, all through the registered camera.
 class CameraView : public Card
 {
@@ -24,25 +24,24 @@ public:
 
     /// The view of this index of the scene; a null scene or an index beyond its views clears.
     void setScene(TrialScenePtr scene, std::size_t view);
-    /// Painted over the picture, within it; empty: nothing.
+    /// Painted over the image, within it; empty: nothing.
     void setOverlay(PictureOverlay overlay);
     /// Of all robots' trails and outlines, in place of each robot's own.
     void setRobotColour(const QColor &colour);
-    /// Whether the outlines of what was taken for the robots are drawn; they are unless told otherwise.
+    /// Whether to draw the outlines of the detected robots; on by default.
     void setOutlinesShown(bool shown);
-    /// While a place in the picture is asked for, a click gives it; the menu key of the mouse gives it
-    /// always.
+    /// While it waits for a position in the image, a click gives it; a right click always does.
     void setPointing(bool pointing);
-    /// True when the picture that belongs to the current time is shown (or cannot be had).
+    /// True when the image that belongs to the current time is shown (or is not available).
     bool isSettled() const;
 
-    /// Where a point of the recording's picture lies in the picture area, in its widget coordinates.
+    /// The position of a point of the recording's image in the image area, in its widget coordinates.
     QPointF fromPicture(const QPointF &pixel) const;
     QWidget *pictureArea() const;
 
 Q_SIGNALS:
     void settled();
-    /// In pixels of the recording's picture, and on the screen.
+    /// In pixels of the recording's image, and on the screen.
     void pointedAt(const QPointF &pixel, const QPoint &global);
 
 private:

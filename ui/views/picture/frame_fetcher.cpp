@@ -32,7 +32,7 @@ struct Request
     QSize size;
 };
 
-/// Pictures lately shown, of one size.
+/// Images lately shown, of one size.
 class PictureCache
 {
 public:

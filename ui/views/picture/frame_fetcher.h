@@ -9,9 +9,9 @@
 
 namespace odo {
 
-/// Decodes pictures of one recording on a thread of its own, at the size of the widget that shows them.
-/// Requests never wait: only the newest is served, older ones that were not begun are dropped. Signals come
-/// on the fetcher's thread (that of the GUI). The destructor waits for the frame in work.
+/// Decodes images of one recording on a thread of its own, at the size of the widget that shows them.
+/// Requests never wait: it serves only the newest and drops older ones that were not started. Signals come on
+/// the fetcher's thread (that of the GUI). The destructor waits for the frame in work.
 class FrameFetcher : public QObject
 {
     Q_OBJECT
@@ -19,16 +19,16 @@ public:
     explicit FrameFetcher(QObject *parent = nullptr);
     ~FrameFetcher() override;
 
-    /// Another recording; forgets the requests and pictures of the one before. An empty path closes.
+    /// Another recording; forgets the requests and images of the one before. An empty path closes.
     void setFile(const std::filesystem::path &file);
-    /// Asks for a frame at a size in device pixels; the picture fills the size, so keep its proportions.
+    /// Asks for a frame at a size in device pixels; the image fills the size, so keep its proportions.
     void request(qint64 frame, QSize sizePx);
     /// True when every request was answered or dropped.
     bool isIdle() const;
 
 Q_SIGNALS:
     void frameReady(qint64 frame, const QImage &picture);
-    /// The file cannot be shown; told once a file, or for a damaged frame.
+    /// The file cannot be shown; sent once per file, or for a damaged frame.
     void failed(qint64 frame, const QString &message);
 
 private:

@@ -83,7 +83,7 @@ QPointF paintOutline(QPainter &painter, const Observation &observation, const QS
 
 namespace {
 
-// On pictures the colours do not follow the palette: the ground is whatever the camera saw.
+// On images the colours do not follow the palette: the ground is whatever the camera saw.
 const QColor spikeColour(0xfff0803c), rim(0, 0, 0, 120);
 
 std::optional<QPointF> seen(const FloorView &view, const Eigen::Vector2d &point, double heightM,
@@ -93,7 +93,7 @@ std::optional<QPointF> seen(const FloorView &view, const Eigen::Vector2d &point,
     if (!pixel)
         return std::nullopt;
     const Intrinsics &picture = view.camera().intrinsics();
-    // Far outside of the picture a long line costs much and shows nothing.
+    // Far outside of the image a long line costs much and shows nothing.
     const double reach = 2.0 * std::max(picture.widthPx, picture.heightPx);
     if (!pixel->allFinite() || pixel->cwiseAbs().maxCoeff() > 2 * reach)
         return std::nullopt;

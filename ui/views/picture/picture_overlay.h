@@ -15,7 +15,7 @@ class QPainterPath;
 
 namespace odo {
 
-/// From a recording's picture (pixel centres) to where it is painted.
+/// From a recording's image (pixel centres) to where it is painted.
 using PictureMap = std::function<QPointF(const QPointF &pixel)>;
 
 /// The outline of what a view took for a robot, where it is painted: the polygon that its support lines
@@ -24,12 +24,12 @@ using PictureMap = std::function<QPointF(const QPointF &pixel)>;
 QPainterPath outlinePath(const Observation &observation, const PictureMap &map, double outside = 0);
 
 /// A line just outside of that outline in a robot's colour, with a dark casing that shows it on any floor;
-/// dashed where the picture's border cuts the robot. The robot's name stands beside it, also without the
-/// line. Gives the middle of its upper side.
+/// dashed where the image's border cuts the robot. The robot's name is beside it, also without the line.
+/// Gives the middle of its upper side.
 QPointF paintOutline(QPainter &painter, const Observation &observation, const QString &name,
                      const QColor &colour, const PictureMap &map, bool withLine = true);
 
-/// What a mode adds to the picture of a view in a frame.
+/// What a mode adds to the image of a view in a frame.
 using PictureOverlay =
     std::function<void(QPainter &painter, std::size_t view, std::int64_t frame, const PictureMap &map)>;
 
@@ -37,7 +37,7 @@ using PictureOverlay =
 void paintFloorGrid(QPainter &painter, const TrialScene &scene, const FloorView &view, const PictureMap &map);
 /// O→U and O→V as lines and the markers' labels.
 void paintAxes(QPainter &painter, const TrialScene &scene, const FloorView &view, const PictureMap &map);
-/// A way on the floor at a height; broken where a place is missing.
+/// A path on the floor at a height; broken where a position is missing.
 void paintWay(QPainter &painter, const std::vector<std::optional<Eigen::Vector2d>> &places, double heightM,
               const FloorView &view, const PictureMap &map, const QColor &colour);
 /// A robot that was not there: its box on the floor, where it would be seen, dashed, with a name. A robot
@@ -55,20 +55,20 @@ void paintGhost(QPainter &painter, const GhostRobot &ghost, const FloorView &vie
 /// A robot's smoothed track at the height that its positions were computed for.
 void paintTrail(QPainter &painter, const TrialScene &scene, std::size_t robot, const FloorView &view,
                 const PictureMap &map, const QColor &colour);
-/// How robots are drawn in pictures.
+/// How robots are drawn in images.
 struct RobotLook
 {
     /// of trails and outlines; empty: of each robot its own (colourOnPicture)
     std::optional<QColor> colour = {};
     bool withOutlines = true;
 };
-/// What does not move in a picture: the floor's grid, the trails of all robots, and the axes. Nothing where
+/// What does not move in an image: the floor's grid, the trails of all robots, and the axes. Nothing where
 /// the view is not registered.
 void paintFloor(QPainter &painter, const TrialScene &scene, std::size_t view, const PictureMap &map,
                 const RobotLook &look = {});
-/// The outline of what was taken for the robot in a frame of this view, its name, and the reason when it is a
-/// spike. Where it was not found because it was hidden: its name and the reason at the place where it must
-/// be; otherwise nothing.
+/// The outline of the detected robot in a frame of this view, its name, and the reason when it is a spike. If
+/// it was not detected because it was hidden: its name and the reason at its expected position; otherwise
+/// nothing.
 void paintRobot(QPainter &painter, const TrialScene &scene, std::size_t view, std::size_t robot,
                 std::int64_t frame, const PictureMap &map, const RobotLook &look = {});
 

@@ -14,16 +14,16 @@ class QPainter;
 
 namespace odo {
 
-/// Text that can be read on any picture: a dark rim around it. The point is the left end of the base line.
+/// Text legible on any image: it has a dark rim. The point is the left end of the base line.
 void drawHaloText(QPainter &painter, const QPointF &baseline, const QString &text, const QColor &colour);
 
 /// Text in a dark, slightly transparent box that is kept inside `frame`; a long one is cut off, so that it
-/// leaves the picture to be seen. The point is the middle of its left edge.
+/// leaves the image to be seen. The point is the middle of its left edge.
 void drawTag(QPainter &painter, const QPointF &leftMiddle, const QString &text, const QColor &colour,
              const QRectF &frame);
 
-/// Where a picture of a size in pixels stands in a widget, as large as fits, on whole device pixels, so that
-/// it is not resampled once more. All of the widget for an empty size.
+/// The position of an image of a size in pixels in a widget, as large as fits, on whole device pixels, so
+/// that it is not resampled once more. All of the widget for an empty size.
 QRectF fittedRect(const QSize &picturePx, const QSizeF &widget, double devicePixelRatio);
 
 /// Where a pixel of it lies; pixel (0,0) is the centre of the top-left one.

@@ -48,7 +48,7 @@ QString Card::title() const
 void Card::setTitle(const QString &title)
 {
     m_title->setFullText(title);
-    constexpr int neverCut = 20; // letters: what stands beside a title gives way before it
+    constexpr int neverCut = 20; // letters: what is beside a title is shortened before it
     m_title->setMinimumWidth(
         std::min(m_title->sizeHint().width(), neverCut * m_title->fontMetrics().averageCharWidth()));
     setAccessibleName(title);

@@ -159,7 +159,7 @@ void DockDesk::showEvent(QShowEvent *event)
 void DockDesk::resizeEvent(QResizeEvent *event)
 {
     QMainWindow::resizeEvent(event);
-    // Docks keep their height by themselves, so that the pictures alone would have to give way.
+    // Docks keep their height by themselves, so only the images would shrink.
     const int before = event->oldSize().height(), now = event->size().height();
     if (!m_restored || before <= 0 || before == now)
         return;

@@ -11,9 +11,9 @@ class QSplitter;
 
 namespace odo {
 
-/// The part of a mode that a person can arrange: pictures and the map side by side, the charts in docks
-/// around them, which can be moved, floated and hidden. The arrangement is read from the settings when first
-/// shown, and written there by saveLayout.
+/// The part of a mode that the user can arrange: images and the map side by side, the charts in docks around
+/// them, which can be moved, floated and hidden. The arrangement is read from the settings when first shown,
+/// and written there by saveLayout.
 class DockDesk : public QMainWindow
 {
     Q_OBJECT
@@ -27,9 +27,9 @@ public:
     void saveLayout() const;
 
 protected:
-    /// What stands side by side in the middle.
+    /// What is side by side in the middle.
     QSplitter &middle() const { return *m_pictures; }
-    /// Widths as they are at first: all pictures alike, the map, which is the last, a little narrower.
+    /// Widths as they are at first: all images alike, the map, which is the last, a little narrower.
     void evenPictures();
     /// Below those before it. name: for the arrangement that is kept; percent: of the desk's height, at
     /// first.

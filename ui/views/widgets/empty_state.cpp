@@ -16,7 +16,7 @@ namespace {
 constexpr int columnWidth = 440;
 constexpr int iconSide = 56;
 
-/// A label that shows an icon and draws it anew when the palette changes.
+/// A label that shows an icon and redraws it when the palette changes.
 class IconLabel : public QWidget
 {
 public:

@@ -9,8 +9,7 @@ class QVBoxLayout;
 
 namespace odo {
 
-/// What stands where there is nothing to show yet: a picture, what is missing in words, and the buttons that
-/// mend it.
+/// Shown while there is nothing to show yet: an icon, what is missing in words, and the buttons that add it.
 class EmptyState : public QWidget
 {
     Q_OBJECT

@@ -301,7 +301,7 @@ QSize FigureGrid::minimumSizeHint() const
 
 QFont FigureGrid::fittingFont(const QString &text, int width) const
 {
-    // A figure must never lose its end; rather it gets smaller.
+    // A value must never lose its end; it shrinks instead.
     const double natural = QFontMetricsF(font()).horizontalAdvance(text);
     QFont fitting = font();
     if (natural > width && width > 0)
@@ -366,7 +366,7 @@ ResultPanel::ResultPanel(QWidget *parent)
     connect(m_robots, &QComboBox::currentIndexChanged, this, &ResultPanel::showRobot);
     m_grid->setChoosable(howComputedWords());
     connect(m_grid, &FigureGrid::chosen, this, [this](std::size_t figure) {
-        const std::size_t scored = m_score ? 1 : 0; // the score stands first
+        const std::size_t scored = m_score ? 1 : 0; // the score comes first
         showExplanation(window(), figure < scored
                                       ? explainScore(*m_score, analysisInputs(*m_scene, m_robot))
                                       : explainMetric(*m_scene, m_robot, m_shown.at(figure - scored)));

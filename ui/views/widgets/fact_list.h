@@ -33,14 +33,14 @@ struct Fact
     std::optional<Explanation> how = {}; ///< a button shows it
 };
 
-/// Facts beneath one another, names on the left, values wrapping on the right, perhaps a button that tells
-/// how it was computed. Plain text.
+/// Facts beneath one another, names on the left, values wrapping on the right, optionally a button that
+/// explains how it was computed. Plain text.
 class FactList : public QWidget
 {
     Q_OBJECT
 public:
-    /// Beside the words badges make a column that is seen at a glance; in a narrow list they would leave the
-    /// words too little room.
+    /// Beside the words, badges form a column to read at a glance; in a narrow list they would leave the
+    /// words too little space.
     enum class Badges { Beside, Beneath };
     explicit FactList(Badges badges = Badges::Beside);
     void setFacts(const QList<Fact> &facts);
@@ -63,7 +63,7 @@ struct NamedFigure
     FigureText figure;
 };
 
-/// Large figures in two columns, divided by thin lines: name above, value large, unit and ± small beside it.
+/// Large metrics in two columns, divided by thin lines: name above, value large, unit and ± small beside it.
 /// If they can be chosen (setChoosable), a click on one does, or the arrow keys and Enter.
 class FigureGrid : public QWidget
 {
@@ -71,7 +71,7 @@ class FigureGrid : public QWidget
 public:
     explicit FigureGrid(QWidget *parent = nullptr);
     void setFigures(std::vector<NamedFigure> figures);
-    /// toolTip: what choosing a figure does.
+    /// toolTip: what choosing a metric does.
     void setChoosable(const QString &toolTip);
 
     QSize sizeHint() const override;
@@ -103,7 +103,7 @@ private:
 
 class FigureGrid;
 
-/// The figures of one robot's run, two in a row, each with its unit and ±. Choosing one tells how it was
+/// The metrics of one robot's run, two in a row, each with its unit and ±. Choosing one explains how it was
 /// computed.
 class ResultPanel : public Card
 {
@@ -117,7 +117,7 @@ private:
 
     TrialScenePtr m_scene;
     std::size_t m_robot = 0;
-    std::optional<Score> m_score; ///< stands before the others
+    std::optional<Score> m_score; ///< before the others
     std::vector<Metric> m_shown;
     FigureGrid *m_grid;
     QComboBox *m_robots; ///< shown for more than one robot

@@ -65,7 +65,7 @@ bool CheckList::event(QEvent *event)
 {
     const bool isHandled = QListWidget::event(event);
     if (event->type() == QEvent::Polish)
-        doItemsLayout(); // rows that were laid out before the style sheet was known are too low
+        doItemsLayout(); // rows arranged before the style sheet was known are too low
     return isHandled;
 }
 

@@ -105,7 +105,7 @@ QString textOf(const std::filesystem::path &path);
 /// Of what is dragged or dropped: this machine's files.
 QStringList localFiles(const QMimeData &data);
 
-/// A line for the path of one existing file, and a button that looks for it. A file can be dropped on it.
+/// A line for the path of one existing file, and a button to browse for it. A file can be dropped on it.
 class PathField : public QWidget
 {
     Q_OBJECT

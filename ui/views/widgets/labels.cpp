@@ -60,7 +60,7 @@ void ElidedLabel::setFullText(const QString &text)
 QSize ElidedLabel::sizeHint() const
 {
     // One pixel more than the text: rounding must not elide a text that fits.
-    constexpr int mostLetters = 100; // it gives way anyhow
+    constexpr int mostLetters = 100; // it is shortened anyhow
     const int width = qMin(fontMetrics().horizontalAdvance(m_fullText.left(2 * mostLetters)) + 1,
                            mostLetters * fontMetrics().averageCharWidth());
     return {width + contentsMargins().left() + contentsMargins().right(), QLabel::sizeHint().height()};

@@ -27,7 +27,7 @@ private:
     BadgeState m_state = BadgeState::Neutral;
 };
 
-/// One line of plain text that gives way when there is no room: elided, whole in the tool tip.
+/// One line of plain text, elided when space is short; the tool tip has all of it.
 class ElidedLabel : public QLabel
 {
     Q_OBJECT
@@ -47,7 +47,7 @@ private:
     QString m_fullText;
 };
 
-/// Shows words where the mouse rests on a widget, or takes away those of another place where there are none.
+/// Shows words where the mouse rests on a widget, or removes those of another position if there are none.
 void showToolTip(const QHelpEvent &help, const QString &words, QWidget *widget);
 
 /// Lets a label show sentences that may hold names of people's choosing: plain text, wrapped, and to be

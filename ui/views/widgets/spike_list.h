@@ -13,8 +13,8 @@ namespace odo {
 class SpikeModel;
 class Timeline;
 
-/// The spikes with their reasons; choosing one moves the time there, and the time chooses the one it stands
-/// on. Enter, a double click or Shift+F1 tells how it was found.
+/// The spikes with their reasons; choosing one moves the time there, and the time selects the spike at it.
+/// Enter, a double click or Shift+F1 explains how it was found.
 class SpikeList : public Card
 {
     Q_OBJECT

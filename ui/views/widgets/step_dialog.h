@@ -31,7 +31,7 @@ protected:
     /// Asks isComplete() again.
     void updateButtons();
 
-    /// Does the work on a thread of its own, then accepts; where it fails, showNotSaved() tells why and the
+    /// Does the work on a thread of its own, then accepts; if it fails, showNotSaved() says why and the
     /// dialog stays open.
     void saveAndAccept(BackgroundTask::Work work);
     bool isSaving() const { return m_saving.isRunning(); }

@@ -28,9 +28,9 @@ private:
 /// cells are not edited, there is no grid and no row numbers, and Tab goes on to the next widget.
 void showAsList(QTableView &table);
 
-/// Makes the columns as wide as their content. What is left goes to one of them; where they do not all fit,
-/// those that may give way become narrower, the widest first: all to 16 letters, all but the first of them to
-/// eight, and then that one too.
+/// Makes the columns as wide as their content. What is left goes to one of them; if they do not all fit, the
+/// shrinkable ones become narrower, the widest first: all to 16 letters, all but the first of them to eight,
+/// and then that one too.
 void fitColumns(QTableView &table, int taking, const QList<int> &givingWay);
 
 /// The record that a row shows; nullptr where no row is chosen (-1), or where the row shows none.

@@ -395,7 +395,7 @@ QString themeName(Theme theme)
 
 void applyAppearance(QApplication &application, Theme theme)
 {
-    // Under a style sheet the style's name is empty, so the first call is told by the sheet.
+    // Under a style sheet the style's name is empty, so the sheet identifies the first call.
     if (application.styleSheet().isEmpty()) {
         QApplication::setStyle(new FramedStyle);
         QApplication::setWindowIcon(themeIcon(QStringLiteral("odograph")));

@@ -30,7 +30,7 @@ struct ThemeColours
     QColor spike;     ///< always with a triangle
     QColor point;     ///< measured points
     QColor bubble, bubbleText;
-    QColor pictureGround; ///< around a letter-boxed picture; text and muted can be read on it
+    QColor pictureGround; ///< around a letter-boxed image; text and muted can be read on it
     QColor mapGround, mapGrid;
 
     static ThemeColours of(const QPalette &palette);
@@ -47,7 +47,7 @@ BadgeColours badgeColours(BadgeState state, const QPalette &palette);
 /// seriesDash.
 QColor seriesColour(int index, const QPalette &palette);
 Qt::PenStyle seriesDash(int index);
-/// Which colours tell figures on maps; both read well without red and green, and in grey.
+/// Which colours show values on maps; both read well without red and green, and in grey.
 enum class ColourScale {
     Cividis, ///< Nuñez, Anderton and Renslow 2018
     Viridis  ///< Smith and van der Walt 2015
@@ -55,7 +55,7 @@ enum class ColourScale {
 /// "cividis", "viridis": the word kept in the settings; another one is Cividis.
 ColourScale colourScaleFromWord(const QString &word);
 QString colourScaleWord(ColourScale scale);
-/// That of the whole program; what has been painted stays as it is until it is painted anew. Any thread.
+/// That of the whole program; what has been painted stays as it is until it is repainted. Any thread.
 void setShownColourScale(ColourScale scale);
 ColourScale shownColourScale();
 /// At 0 to 1 of a scale; by itself of the one that is shown.

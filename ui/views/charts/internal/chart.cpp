@@ -30,7 +30,7 @@ constexpr qsizetype mostSmooth = 4500; // points: two charts of them take less t
 
 void setTicks(QValueAxis &axis, double low, double high, const AxisTicks &ticks, const QString &unit)
 {
-    // The axis makes its marks anew at each step: never the marks of one range in another.
+    // The axis remakes its marks at each step: never the marks of one range in another.
     constexpr double noMarks = 1e30;
     axis.setTickType(QValueAxis::TicksDynamic);
     axis.setTickAnchor(0);
@@ -132,7 +132,7 @@ bool Chart::setOverlay(std::vector<ChartCurve> curves)
     return true;
 }
 
-/// All series anew, in the order in which they lie upon one another.
+/// Rebuilds all series, in the order in which they overlap.
 void Chart::remake()
 {
     m_series.clear();
@@ -308,7 +308,7 @@ void Chart::prepare()
 {
     if (!std::exchange(m_isStale, false))
         return;
-    // Emptied first: series that are full would be laid out once more for each axis that changes.
+    // Emptied first: full series would be arranged again for each axis that changes.
     for (const auto &series : m_series)
         series->clear();
     for (QAreaSeries *area : {m_shade, m_hatch})

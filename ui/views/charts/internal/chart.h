@@ -19,7 +19,7 @@ namespace odo {
 
 /// A chart of Qt Charts with all of Odograph's looks: curves with bands, points, spikes and shaded stretches
 /// over two axes with units, in the colours of a palette. The same object is shown on the screen (ChartView)
-/// and painted in reports and pictures (chart_drawing.h). Needs a QApplication; GUI thread.
+/// and painted in reports and images (chart_drawing.h). Needs a QApplication; GUI thread.
 class Chart : public QChart
 {
 public:
@@ -40,8 +40,7 @@ public:
     void showAllGroups();
     /// Columns to a pixel, in which many points are drawn as one: more for print.
     void setFineness(double fineness);
-    /// All charts with a title at the left have the same margins, so that their times or distances stand
-    /// below one another.
+    /// All charts with a title at the left have the same margins, so their times or distances line up.
     void setSize(const QSizeF &size);
     /// What is visible: the part of the axis below (SI), and the values that were chosen; nullopt: all, which
     /// an axis of round numbers covers.
